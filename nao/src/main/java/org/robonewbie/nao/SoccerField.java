@@ -1,0 +1,49 @@
+package org.robonewbie.nao;
+
+/**
+ * The pitch: sizes in metres and the places of its landmarks in the world frame.
+ *
+ * <p>World frame: origin in the centre spot, x from the left goal to the right goal, y to the left of that direction,
+ * z up. Source: SimSpark's {@code soccer.rsg} and {@code goal.rsg}.
+ *
+ * @param length from goal line to goal line
+ * @param width from side line to side line
+ * @param goalWidth between the posts
+ * @param goalDepth from the goal line to the back wall
+ * @param goalHeight of the posts
+ * @param penaltyLength depth of the penalty area
+ * @param penaltyWidth width of the penalty area without the goal's width
+ * @param centreCircleRadius of the centre circle, also the distance opponents keep from a free kick
+ */
+public record SoccerField(
+        double length,
+        double width,
+        double goalWidth,
+        double goalDepth,
+        double goalHeight,
+        double penaltyLength,
+        double penaltyWidth,
+        double centreCircleRadius) {
+
+    /** The pitch of the league, 30 m × 20 m. */
+    public static final SoccerField LEAGUE = new SoccerField(30, 20, 2.1, 0.6, 0.8, 1.8, 3.9, 2.0);
+
+    /** The small pitch of the beginners, 12 m × 8 m. */
+    public static final SoccerField BEGINNER = new SoccerField(12, 8, 1.4, 0.4, 0.8, 1.2, 2.6, 1.3);
+
+    /**
+     * Tells where a landmark is.
+     *
+     * @param landmark a goal post or corner flag
+     * @return its position in the world frame, in metres
+     */
+    public Vector3 position(Landmark landmark) {
+        double x = landmark.side() == TeamSide.LEFT ? -length / 2 : length / 2;
+        return switch (landmark) {
+            case GOAL_POST_1_LEFT, GOAL_POST_1_RIGHT -> new Vector3(x, goalWidth / 2, goalHeight);
+            case GOAL_POST_2_LEFT, GOAL_POST_2_RIGHT -> new Vector3(x, -goalWidth / 2, goalHeight);
+            case FLAG_1_LEFT, FLAG_1_RIGHT -> new Vector3(x, width / 2, 0);
+            case FLAG_2_LEFT, FLAG_2_RIGHT -> new Vector3(x, -width / 2, 0);
+        };
+    }
+}

@@ -1,0 +1,86 @@
+package org.robonewbie.nao;
+
+/**
+ * A point or direction in space, with three components in metres unless a method says otherwise.
+ *
+ * <p>In the frames of this framework x points forward, y to the left and z up; code that works in SimSpark's own
+ * frame (x right, y forward, z up) says so.
+ *
+ * @param x first component
+ * @param y second component
+ * @param z third component
+ */
+public record Vector3(double x, double y, double z) {
+
+    /** The vector (0, 0, 0). */
+    public static final Vector3 ZERO = new Vector3(0, 0, 0);
+
+    /**
+     * Adds a vector component by component.
+     *
+     * @param other the vector to add
+     * @return this + other
+     */
+    public Vector3 plus(Vector3 other) {
+        return new Vector3(x + other.x, y + other.y, z + other.z);
+    }
+
+    /**
+     * Subtracts a vector component by component.
+     *
+     * @param other the vector to subtract
+     * @return this - other
+     */
+    public Vector3 minus(Vector3 other) {
+        return new Vector3(x - other.x, y - other.y, z - other.z);
+    }
+
+    /**
+     * Stretches this vector.
+     *
+     * @param factor what each component is multiplied by
+     * @return factor * this
+     */
+    public Vector3 times(double factor) {
+        return new Vector3(factor * x, factor * y, factor * z);
+    }
+
+    /**
+     * Multiplies with a vector to a number, which is 0 when both are perpendicular.
+     *
+     * @param other the second factor
+     * @return the dot product
+     */
+    public double dot(Vector3 other) {
+        return x * other.x + y * other.y + z * other.z;
+    }
+
+    /**
+     * Multiplies with a vector to a third vector that is perpendicular to both.
+     *
+     * @param other the second factor
+     * @return the cross product this × other
+     */
+    public Vector3 cross(Vector3 other) {
+        return new Vector3(y * other.z - z * other.y, z * other.x - x * other.z, x * other.y - y * other.x);
+    }
+
+    /**
+     * Measures this vector.
+     *
+     * @return the length, at least 0
+     */
+    public double length() {
+        return Math.sqrt(dot(this));
+    }
+
+    /**
+     * Measures how far another point is away.
+     *
+     * @param other the other point
+     * @return the distance in the unit of the components
+     */
+    public double distanceTo(Vector3 other) {
+        return minus(other).length();
+    }
+}

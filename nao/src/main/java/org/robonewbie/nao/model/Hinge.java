@@ -1,0 +1,28 @@
+package org.robonewbie.nao.model;
+
+import org.robonewbie.nao.Vector3;
+
+/**
+ * One motorised hinge between two links. The robot has one for each {@link org.robonewbie.nao.Joint}; robot type 4 has
+ * two more for its toes.
+ *
+ * @param perceptorName name of its angle sensor in SimSpark's messages
+ * @param effectorName name of its motor in SimSpark's messages
+ * @param child the outer link's name
+ * @param parent the inner link's name
+ * @param anchor a point on the axis relative to the torso's centre in the construction pose, in SimSpark's frame, metres
+ * @param axis direction of the axis in the construction pose, length 1, in SimSpark's frame
+ * @param minDegrees lower stop
+ * @param maxDegrees upper stop
+ * @param maxRadiansPerSecond fastest speed that the motor accepts
+ */
+public record Hinge(
+        String perceptorName,
+        String effectorName,
+        String child,
+        String parent,
+        Vector3 anchor,
+        Vector3 axis,
+        double minDegrees,
+        double maxDegrees,
+        double maxRadiansPerSecond) {}

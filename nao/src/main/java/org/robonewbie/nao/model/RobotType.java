@@ -1,0 +1,83 @@
+package org.robonewbie.nao.model;
+
+import org.robonewbie.nao.Vector3;
+
+/**
+ * The five builds of the NAO in SimSpark ({@code naorobottypes.rb}); masses and link sizes are the same in all.
+ *
+ * <p>Lengths in metres, speeds in radians per second.
+ */
+public enum RobotType {
+    /** The standard robot. */
+    TYPE_0(0.055, -0.04, -0.055, 6.1395, 6.1395, 0.07, 0),
+    /** Longer legs and arms. */
+    TYPE_1(0.055, -0.05832, -0.07332, 6.1395, 6.1395, 0.10664, 0),
+    /** Quicker ankle pitch, slower ankle roll. */
+    TYPE_2(0.055, -0.04, -0.055, 8.80667, 3.47234, 0.07, 0),
+    /** Longest legs and arms, wider hips. */
+    TYPE_3(0.072954143, -0.067868424, -0.082868424, 6.1395, 6.1395, 0.125736848, 0),
+    /** Toes that bend. */
+    TYPE_4(0.055, -0.04, -0.055, 6.1395, 6.1395, 0.07, 0.035517656);
+
+    private final double hipX;
+    private final double thighZ;
+    private final double ankleZ;
+    private final double anklePitchSpeed;
+    private final double ankleRollSpeed;
+    private final double elbowY;
+    private final double toeLength;
+
+    RobotType(
+            double hipX,
+            double thighZ,
+            double ankleZ,
+            double anklePitchSpeed,
+            double ankleRollSpeed,
+            double elbowY,
+            double toeLength) {
+        this.hipX = hipX;
+        this.thighZ = thighZ;
+        this.ankleZ = ankleZ;
+        this.anklePitchSpeed = anklePitchSpeed;
+        this.ankleRollSpeed = ankleRollSpeed;
+        this.elbowY = elbowY;
+        this.toeLength = toeLength;
+    }
+
+    /**
+     * Tells whether the feet have toes on a hinge.
+     *
+     * @return true for type 4 only
+     */
+    public boolean hasToes() {
+        return toeLength > 0;
+    }
+
+    double toeLength() {
+        return toeLength;
+    }
+
+    double anklePitchSpeed() {
+        return anklePitchSpeed;
+    }
+
+    double ankleRollSpeed() {
+        return ankleRollSpeed;
+    }
+
+    Vector3 hipFromTorso() {
+        return new Vector3(hipX, -0.01, -0.115);
+    }
+
+    Vector3 thighFromHip() {
+        return new Vector3(0, 0.01, thighZ);
+    }
+
+    Vector3 ankleFromShank() {
+        return new Vector3(0, -0.01, ankleZ);
+    }
+
+    Vector3 elbowFromUpperArm() {
+        return new Vector3(-0.01, elbowY, 0.009);
+    }
+}

@@ -1,0 +1,30 @@
+package org.robonewbie.protocol.embedded;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+
+/**
+ * What an embedded simulator shall do.
+ *
+ * @param agentPort TCP port for agents of other processes; 0 takes any free one
+ * @param seed start of all random numbers; empty draws one
+ * @param fast whether to run as fast as possible instead of in real time
+ * @param seconds simulated seconds after which the simulation ends; empty runs until closed
+ * @param headless whether to do without the studio
+ * @param openBrowser whether to open the studio in the user's browser
+ * @param report file for the true results as JSON, written at the end
+ * @param recording file for the recording of the run
+ * @param awaitedAgents how many agents must be connected before the clock starts, at least 1
+ */
+public record SimulatorRequest(
+        int agentPort,
+        OptionalLong seed,
+        boolean fast,
+        OptionalDouble seconds,
+        boolean headless,
+        boolean openBrowser,
+        Optional<Path> report,
+        Optional<Path> recording,
+        int awaitedAgents) {}

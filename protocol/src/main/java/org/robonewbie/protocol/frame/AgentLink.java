@@ -1,0 +1,31 @@
+package org.robonewbie.protocol.frame;
+
+import java.io.IOException;
+
+/**
+ * An agent's connection to a simulator: one message goes each way per cycle of 20 ms, in the same words over TCP and
+ * within one process.
+ */
+public interface AgentLink extends AutoCloseable {
+
+    /**
+     * Sends one message.
+     *
+     * @param message the message; it may be changed as soon as this method returns
+     * @throws IOException if the connection is broken
+     */
+    void send(MessageBuffer message) throws IOException;
+
+    /**
+     * Waits for the next message of the simulator.
+     *
+     * @param message takes the message
+     * @return false if the simulator has ended and no message will come any more
+     * @throws IOException if the connection is broken
+     */
+    boolean receive(MessageBuffer message) throws IOException;
+
+    /** Ends the connection; the robot leaves the pitch. Closing twice does nothing. */
+    @Override
+    void close();
+}
