@@ -1,0 +1,106 @@
+package org.robonewbie.learning.search;
+
+/**
+ * A symmetric matrix taken apart into its axes: matrix = V · diag(values) · Vᵀ.
+ *
+ * <p>Source: the cyclic Jacobi method (Golub and Van Loan, Matrix Computations, section 8.5). It is slow for large
+ * matrices but exact and simple, and ours have at most some dozens of rows.
+ */
+final class SymmetricMatrix {
+
+    private static final int MAX_SWEEPS = 50;
+
+    private final int size;
+    private final double[][] matrix;
+    private final double[][] axes;
+
+    private SymmetricMatrix(double[][] source) {
+        size = source.length;
+        matrix = new double[size][];
+        axes = new double[size][size];
+        for (int i = 0; i < size; i++) {
+            matrix[i] = source[i].clone();
+            axes[i][i] = 1;
+        }
+    }
+
+    /**
+     * Takes a symmetric matrix apart.
+     *
+     * @param source the matrix, rows first; it is left as it is
+     * @return the decomposed matrix
+     */
+    static SymmetricMatrix decompose(double[][] source) {
+        SymmetricMatrix result = new SymmetricMatrix(source);
+        for (int sweep = 0; sweep < MAX_SWEEPS && !result.isDiagonal(); sweep++) {
+            result.sweep();
+        }
+        return result;
+    }
+
+    /**
+     * Tells how far the matrix stretches along an axis.
+     *
+     * @param column number of the axis
+     * @return the eigenvalue
+     */
+    double value(int column) {
+        return matrix[column][column];
+    }
+
+    /**
+     * Tells where an axis points.
+     *
+     * @param row component of the axis
+     * @param column number of the axis
+     * @return that component of the eigenvector of length 1
+     */
+    double axis(int row, int column) {
+        return axes[row][column];
+    }
+
+    private boolean isDiagonal() {
+        double outside = 0;
+        double inside = 0;
+        for (int i = 0; i < size; i++) {
+            inside += matrix[i][i] * matrix[i][i];
+            for (int j = 0; j < i; j++) {
+                outside += matrix[i][j] * matrix[i][j];
+            }
+        }
+        return outside <= 1e-24 * inside;
+    }
+
+    private void sweep() {
+        for (int p = 0; p < size - 1; p++) {
+            for (int q = p + 1; q < size; q++) {
+                if (matrix[p][q] != 0) {
+                    rotate(p, q);
+                }
+            }
+        }
+    }
+
+    private void rotate(int p, int q) {
+        double theta = (matrix[q][q] - matrix[p][p]) / (2 * matrix[p][q]);
+        double tangent = Math.copySign(1, theta) / (Math.abs(theta) + Math.hypot(theta, 1));
+        double cosine = 1 / Math.hypot(tangent, 1);
+        double sine = tangent * cosine;
+        for (int k = 0; k < size; k++) {
+            double kp = matrix[k][p];
+            double kq = matrix[k][q];
+            matrix[k][p] = cosine * kp - sine * kq;
+            matrix[k][q] = sine * kp + cosine * kq;
+        }
+        for (int k = 0; k < size; k++) {
+            double pk = matrix[p][k];
+            double qk = matrix[q][k];
+            matrix[p][k] = cosine * pk - sine * qk;
+            matrix[q][k] = sine * pk + cosine * qk;
+            double kp = axes[k][p];
+            double kq = axes[k][q];
+            axes[k][p] = cosine * kp - sine * kq;
+            axes[k][q] = sine * kp + cosine * kq;
+        }
+    }
+}
