@@ -1,0 +1,58 @@
+package org.robonewbie.simulator.physics;
+
+import java.util.List;
+
+/**
+ * Rigid bodies under gravity with motorised hinges and contacts, advanced in fixed steps.
+ *
+ * <p>One step is {@link #findContacts()} and then {@link #step}; contacts live from the one to the next {@code
+ * findContacts()}. Equal calls in equal order give bit-identical results. A world that is dropped needs no closing.
+ *
+ * <pre>{@code
+ * world.findContacts();
+ * world.step(0.02);
+ * world.contacts().forEach(contact -> System.out.println(contact.forceOnFirst()));
+ * }</pre>
+ */
+public interface PhysicsWorld {
+
+    /**
+     * Starts an empty group of parts that never touch each other, such as one robot.
+     *
+     * @return the new assembly
+     */
+    Assembly addAssembly();
+
+    /**
+     * Gives access to what belongs to no group, such as ball and outer walls: its parts touch each other and all else.
+     *
+     * @return the assembly that is always there and cannot be removed
+     */
+    Assembly scenery();
+
+    /**
+     * Adds the ground: an endless plane at z = 0 that looks up.
+     *
+     * @param material what its surface is made of
+     * @param owner what it belongs to, see {@link Collider#owner()}
+     * @return its collider
+     */
+    Collider addGround(Material material, Object owner);
+
+    /** Looks where colliders touch and replaces the list of contacts. */
+    void findContacts();
+
+    /**
+     * Lists the points where colliders touch, at most four per pair of colliders, in the engine's own fixed order.
+     *
+     * @return the contacts of the present step, unmodifiable
+     */
+    List<Contact> contacts();
+
+    /**
+     * Moves all bodies that are awake.
+     *
+     * @param seconds length of the step
+     */
+    void step(double seconds);
+}

@@ -1,0 +1,128 @@
+package org.robonewbie.simulator.physics;
+
+import org.robonewbie.nao.Vector3;
+
+/**
+ * A rotation as matrix; the columns are the turned axes. Components are named by row and column.
+ *
+ * @param xx row x, column x
+ * @param xy row x, column y
+ * @param xz row x, column z
+ * @param yx row y, column x
+ * @param yy row y, column y
+ * @param yz row y, column z
+ * @param zx row z, column x
+ * @param zy row z, column y
+ * @param zz row z, column z
+ */
+public record Rotation(
+        double xx, double xy, double xz, double yx, double yy, double yz, double zx, double zy, double zz) {
+
+    /** No turn at all. */
+    public static final Rotation IDENTITY = new Rotation(1, 0, 0, 0, 1, 0, 0, 0, 1);
+
+    /**
+     * Turns about the z axis.
+     *
+     * @param radians angle by the right-hand rule, counter-clockwise seen from above
+     * @return the rotation
+     */
+    public static Rotation aboutZ(double radians) {
+        double cos = Math.cos(radians);
+        double sin = Math.sin(radians);
+        return new Rotation(cos, -sin, 0, sin, cos, 0, 0, 0, 1);
+    }
+
+    /**
+     * Turns a vector.
+     *
+     * @param v any vector
+     * @return the turned vector
+     */
+    public Vector3 apply(Vector3 v) {
+        return new Vector3(
+                xx * v.x() + xy * v.y() + xz * v.z(),
+                yx * v.x() + yy * v.y() + yz * v.z(),
+                zx * v.x() + zy * v.y() + zz * v.z());
+    }
+
+    /**
+     * Turns a vector back.
+     *
+     * @param v any vector
+     * @return the vector that {@link #apply} turns to v
+     */
+    public Vector3 applyInverse(Vector3 v) {
+        return new Vector3(
+                xx * v.x() + yx * v.y() + zx * v.z(),
+                xy * v.x() + yy * v.y() + zy * v.z(),
+                xz * v.x() + yz * v.y() + zz * v.z());
+    }
+
+    /**
+     * Chains two rotations.
+     *
+     * @param first the rotation that is done first
+     * @return the rotation that does both
+     */
+    public Rotation after(Rotation first) {
+        Vector3 x = apply(first.axisX());
+        Vector3 y = apply(first.axisY());
+        Vector3 z = apply(first.axisZ());
+        return new Rotation(x.x(), y.x(), z.x(), x.y(), y.y(), z.y(), x.z(), y.z(), z.z());
+    }
+
+    /**
+     * Turns the other way.
+     *
+     * @return the inverse rotation
+     */
+    public Rotation inverse() {
+        return new Rotation(xx, yx, zx, xy, yy, zy, xz, yz, zz);
+    }
+
+    /**
+     * Tells where the x axis points after the turn.
+     *
+     * @return the first column
+     */
+    public Vector3 axisX() {
+        return new Vector3(xx, yx, zx);
+    }
+
+    /**
+     * Tells where the y axis points after the turn.
+     *
+     * @return the second column
+     */
+    public Vector3 axisY() {
+        return new Vector3(xy, yy, zy);
+    }
+
+    /**
+     * Tells where the z axis points after the turn.
+     *
+     * @return the third column
+     */
+    public Vector3 axisZ() {
+        return new Vector3(xz, yz, zz);
+    }
+
+    /**
+     * Writes the rotation as a quaternion of length 1.
+     *
+     * @return w, x, y, z with w at least 0
+     */
+    public double[] toQuaternion() {
+        double[] q = {1 + xx + yy + zz, 1 + xx - yy - zz, 1 - xx + yy - zz, 1 - xx - yy + zz};
+        double[] signs = {1, zy - yz, xz - zx, yx - xy};
+        if (q[0] > 1) {
+            double w = Math.sqrt(q[0]) / 2;
+            return new double[] {w, signs[1] / (4 * w), signs[2] / (4 * w), signs[3] / (4 * w)};
+        }
+        for (int i = 0; i < 4; i++) {
+            q[i] = Math.sqrt(Math.max(0, q[i])) / 2 * (signs[i] < 0 ? -1 : 1);
+        }
+        return q;
+    }
+}

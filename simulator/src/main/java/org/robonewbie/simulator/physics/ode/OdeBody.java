@@ -1,0 +1,89 @@
+package org.robonewbie.simulator.physics.ode;
+
+import org.ode4j.ode.DBody;
+import org.ode4j.ode.DMass;
+import org.ode4j.ode.DWorld;
+import org.ode4j.ode.OdeHelper;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.physics.MassDistribution;
+import org.robonewbie.simulator.physics.RigidBody;
+import org.robonewbie.simulator.physics.Rotation;
+
+/** A body of ODE. */
+final class OdeBody implements RigidBody {
+
+    private final DBody body;
+
+    OdeBody(DWorld world, MassDistribution mass, Vector3 position) {
+        body = OdeHelper.createBody(world);
+        DMass details = OdeHelper.createMass();
+        Vector3 inertia = mass.inertia();
+        details.setParameters(mass.massKg(), 0, 0, 0, inertia.x(), inertia.y(), inertia.z(), 0, 0, 0);
+        body.setMass(details);
+        setPosition(position);
+    }
+
+    DBody body() {
+        return body;
+    }
+
+    @Override
+    public Vector3 position() {
+        return OdeVectors.from(body.getPosition());
+    }
+
+    @Override
+    public Rotation rotation() {
+        return OdeVectors.from(body.getRotation());
+    }
+
+    @Override
+    public Vector3 velocity() {
+        return OdeVectors.from(body.getLinearVel());
+    }
+
+    @Override
+    public Vector3 angularVelocity() {
+        return OdeVectors.from(body.getAngularVel());
+    }
+
+    @Override
+    public void setPosition(Vector3 position) {
+        body.setPosition(position.x(), position.y(), position.z());
+    }
+
+    @Override
+    public void setRotation(Rotation rotation) {
+        body.setRotation(OdeVectors.to(rotation));
+    }
+
+    @Override
+    public void setVelocity(Vector3 metresPerSecond) {
+        body.setLinearVel(metresPerSecond.x(), metresPerSecond.y(), metresPerSecond.z());
+    }
+
+    @Override
+    public void setAngularVelocity(Vector3 radiansPerSecond) {
+        body.setAngularVel(radiansPerSecond.x(), radiansPerSecond.y(), radiansPerSecond.z());
+    }
+
+    @Override
+    public void addForce(Vector3 newtons) {
+        body.addForce(newtons.x(), newtons.y(), newtons.z());
+    }
+
+    @Override
+    public void addTorque(Vector3 newtonMetres) {
+        body.addTorque(newtonMetres.x(), newtonMetres.y(), newtonMetres.z());
+    }
+
+    @Override
+    public boolean isAsleep() {
+        return !body.isEnabled();
+    }
+
+    @Override
+    public void wake() {
+        body.enable();
+    }
+}

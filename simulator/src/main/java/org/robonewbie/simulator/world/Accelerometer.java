@@ -1,0 +1,24 @@
+package org.robonewbie.simulator.world;
+
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.physics.RigidBody;
+
+/** Proper acceleration from the change of velocity over one step (SimSpark: {@code accelerometer.cpp}). */
+final class Accelerometer {
+
+    private static final Vector3 GRAVITY = new Vector3(0, 0, -9.81);
+
+    private Vector3 lastVelocity = Vector3.ZERO;
+    private Vector3 reading = Vector3.ZERO;
+
+    void measure(RigidBody body) {
+        Vector3 velocity = body.velocity();
+        Vector3 change = velocity.minus(lastVelocity).times(1 / SoccerWorld.STEP_SECONDS);
+        reading = body.rotation().applyInverse(change.minus(GRAVITY));
+        lastVelocity = velocity;
+    }
+
+    Vector3 reading() {
+        return reading;
+    }
+}

@@ -1,0 +1,68 @@
+package org.robonewbie.simulator.world;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.simulator.physics.Contact;
+
+/** Reads from a step's contacts what referee and foot sensors want to know. */
+final class ContactReport {
+
+    private final List<RobotPart> ballTouches = new ArrayList<>();
+    private final List<RobotContact> robotContacts = new ArrayList<>();
+    private final Set<TeamSide> goalsWithBall = EnumSet.noneOf(TeamSide.class);
+
+    void read(List<Contact> contacts) {
+        ballTouches.clear();
+        robotContacts.clear();
+        goalsWithBall.clear();
+        contacts.forEach(this::read);
+    }
+
+    void forget(Robot robot) {
+        ballTouches.removeIf(touch -> touch.robot() == robot);
+        robotContacts.removeIf(
+                contact -> contact.first().robot() == robot || contact.second().robot() == robot);
+    }
+
+    List<RobotPart> ballTouches() {
+        return Collections.unmodifiableList(ballTouches);
+    }
+
+    List<RobotContact> robotContacts() {
+        return Collections.unmodifiableList(robotContacts);
+    }
+
+    boolean isBallInGoal(TeamSide side) {
+        return goalsWithBall.contains(side);
+    }
+
+    private void read(Contact contact) {
+        Object first = contact.first().owner();
+        Object second = contact.second().owner();
+        if (first instanceof Ball) {
+            touchedBall(second);
+        } else if (second instanceof Ball) {
+            touchedBall(first);
+        }
+        if (first instanceof RobotPart part) {
+            part.robot().feel(part.link(), contact);
+            if (second instanceof RobotPart other) {
+                robotContacts.add(new RobotContact(part, other, contact.position()));
+            }
+        }
+    }
+
+    private void touchedBall(Object other) {
+        if (other instanceof RobotPart part) {
+            if (ballTouches.stream().noneMatch(touch -> touch.robot() == part.robot())) {
+                ballTouches.add(part);
+            }
+        } else if (other instanceof Pitch.GoalMouth goal) {
+            goalsWithBall.add(goal.side());
+        }
+    }
+}

@@ -1,0 +1,18 @@
+package org.robonewbie.simulator.world;
+
+import org.robonewbie.simulator.physics.RigidBody;
+
+/**
+ * Resistance of the air against a body, in proportion to its speed and independent of its mass (SimSpark: {@code
+ * dragcontroller.cpp}).
+ *
+ * @param linear newtons per metre per second
+ * @param angular newton metres per radian per second
+ */
+record Drag(double linear, double angular) {
+
+    void applyTo(RigidBody body) {
+        body.addForce(body.velocity().times(-linear));
+        body.addTorque(body.angularVelocity().times(-angular));
+    }
+}

@@ -1,0 +1,91 @@
+package org.robonewbie.simulator.world;
+
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.Shape;
+import org.robonewbie.simulator.physics.Assembly;
+import org.robonewbie.simulator.physics.PhysicsWorld;
+import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.physics.Rotation;
+
+/** Builds what never moves: ground, the four outer walls and both goals (SimSpark: soccer.rsg, goal.rsg). */
+final class Pitch {
+
+    /** Owner of the colliders of ground and walls. */
+    static final Object SCENERY = new Object();
+
+    private static final double WALL_THICKNESS = 1;
+    private static final double GOAL_WALL_THICKNESS = 0.04;
+    private static final double BORDER_PER_LENGTH = 0.333;
+    private static final double BORDER_PER_WIDTH = 0.75;
+
+    private final PhysicsWorld engine;
+    private final SoccerField field;
+    private final double ballRadius;
+
+    Pitch(PhysicsWorld engine, SoccerField field, double ballRadius) {
+        this.engine = engine;
+        this.field = field;
+        this.ballRadius = ballRadius;
+    }
+
+    /** What stands for the inside of a goal when a contact is reported. */
+    record GoalMouth(TeamSide side) {}
+
+    void build() {
+        engine.addGround(SurfaceMaterials.GROUND, SCENERY);
+        addGoal(TeamSide.LEFT);
+        addGoal(TeamSide.RIGHT);
+        addOuterWalls();
+    }
+
+    private void addOuterWalls() {
+        double borderLength = BORDER_PER_LENGTH * field.length();
+        double borderWidth = BORDER_PER_WIDTH * field.width();
+        double x = field.length() / 2 + borderLength;
+        double y = field.width() / 2 + borderWidth;
+        Vector3 besideGoals =
+                new Vector3(WALL_THICKNESS, field.width() + 2 * borderWidth + WALL_THICKNESS, WALL_THICKNESS);
+        Vector3 besideLines =
+                new Vector3(field.length() + 2 * borderLength + WALL_THICKNESS, WALL_THICKNESS, WALL_THICKNESS);
+        addWall(new Vector3(-x, 0, 0), besideGoals);
+        addWall(new Vector3(x, 0, 0), besideGoals);
+        addWall(new Vector3(0, y, 0), besideLines);
+        addWall(new Vector3(0, -y, 0), besideLines);
+    }
+
+    private void addWall(Vector3 centre, Vector3 size) {
+        engine.scenery()
+                .addFixture(new Pose(centre, Rotation.IDENTITY), new Shape.Box(size), SurfaceMaterials.WALL, SCENERY);
+    }
+
+    private void addGoal(TeamSide side) {
+        double direction = side == TeamSide.LEFT ? -1 : 1;
+        Pose goal = new Pose(
+                new Vector3(direction * (field.length() + field.goalDepth()) / 2, 0, field.goalHeight() / 2),
+                Rotation.aboutZ(side == TeamSide.LEFT ? 0 : Math.PI));
+        Assembly parts = engine.addAssembly();
+        double depth = field.goalDepth();
+        double width = field.goalWidth();
+        double height = field.goalHeight();
+        double thick = GOAL_WALL_THICKNESS;
+        addTrigger(parts, goal, side);
+        addGoalWall(parts, goal, new Vector3(0, (width + thick) / 2, 0), new Vector3(depth, thick, height));
+        addGoalWall(parts, goal, new Vector3(0, -(width + thick) / 2, 0), new Vector3(depth, thick, height));
+        addGoalWall(parts, goal, new Vector3((thick - depth) / 2, 0, 0), new Vector3(thick, width, height));
+        addGoalWall(parts, goal, new Vector3(0, 0, (height + thick) / 2), new Vector3(depth, width + 2 * thick, thick));
+    }
+
+    /** The box in which the ball counts as inside: narrower than the goal by a ball radius on every side. */
+    private void addTrigger(Assembly parts, Pose goal, TeamSide side) {
+        Vector3 size =
+                new Vector3(field.goalDepth() - 2 * ballRadius, field.goalWidth() - 2 * ballRadius, field.goalHeight());
+        parts.addTrigger(goal, new Shape.Box(size), new GoalMouth(side));
+    }
+
+    private static void addGoalWall(Assembly parts, Pose goal, Vector3 centre, Vector3 size) {
+        Pose pose = new Pose(goal.toWorld(centre), goal.rotation());
+        parts.addFixture(pose, new Shape.Box(size), SurfaceMaterials.WALL, SCENERY);
+    }
+}

@@ -1,0 +1,267 @@
+package org.robonewbie.simulator.world;
+
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.Hinge;
+import org.robonewbie.nao.model.Link;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.physics.Assembly;
+import org.robonewbie.simulator.physics.BoundingBox;
+import org.robonewbie.simulator.physics.Contact;
+import org.robonewbie.simulator.physics.MotorHinge;
+import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.physics.RigidBody;
+import org.robonewbie.simulator.physics.Rotation;
+
+/**
+ * One robot's body in the world: its motors, its true pose, and what its inertial and force sensors feel.
+ *
+ * <p>Frames are SimSpark's: a link has x to the robot's right, y forward, z up. Indices of hinges and links are those of
+ * {@link NaoModel}.
+ *
+ * <pre>{@code
+ * robot.setMotorSpeed(Joint.LEFT_KNEE_PITCH, -1.0);
+ * world.step();
+ * double degrees = robot.jointDegrees(Joint.LEFT_KNEE_PITCH);
+ * }</pre>
+ */
+public final class Robot {
+
+    /** Where the torso's centre of a new robot is, in the world frame. */
+    public static final Vector3 START_POSITION = new Vector3(0, -1, 1.5);
+
+    private static final Drag DRAG = new Drag(0.01, 0.01);
+
+    private final NaoModel model;
+    private final Assembly assembly;
+    private final List<RigidBody> bodies;
+    private final List<MotorHinge> hinges;
+    private final Accelerometer accelerometer = new Accelerometer();
+    private final Map<FootSensor, FootPlate> plates = new EnumMap<>(FootSensor.class);
+    private Pose torsoAtEndOfStep;
+
+    Robot(Assembly assembly, RobotType type) {
+        this.model = NaoModel.of(type);
+        this.assembly = assembly;
+        RobotBuilder builder = new RobotBuilder(this, assembly);
+        this.bodies = builder.addBodies(START_POSITION);
+        this.hinges = builder.addHinges(bodies, START_POSITION);
+        for (FootSensor sensor : FootSensor.values()) {
+            if (model.links().stream().anyMatch(link -> link.name().equals(sensor.linkName()))) {
+                plates.put(sensor, new FootPlate());
+            }
+        }
+        torsoAtEndOfStep = bodies.get(0).pose();
+    }
+
+    /**
+     * Describes the robot's links and hinges.
+     *
+     * @return the model of its type
+     */
+    public NaoModel model() {
+        return model;
+    }
+
+    /**
+     * Commands a motor as SimSpark does: the speed is cut to what the motor can do, ignored while the joint is on or
+     * beyond one of its stops, and kept until the next command. A speed other than 0 wakes a sleeping limb.
+     *
+     * @param hingeIndex index of the hinge
+     * @param radiansPerSecond the speed; 0 holds the joint; NaN is ignored
+     */
+    public void setMotorSpeed(int hingeIndex, double radiansPerSecond) {
+        Hinge hinge = model.hinges().get(hingeIndex);
+        if (Double.isNaN(radiansPerSecond)) {
+            return;
+        }
+        double limit = hinge.maxRadiansPerSecond();
+        double speed = Math.max(-limit, Math.min(limit, radiansPerSecond));
+        double degrees = jointDegrees(hingeIndex);
+        if (degrees > hinge.minDegrees() && degrees < hinge.maxDegrees()) {
+            hinges.get(hingeIndex).setSpeed(speed);
+        }
+        if (speed != 0) {
+            bodies.get(model.linkIndex(hinge.child())).wake();
+        }
+    }
+
+    /**
+     * Commands the motor of a joint.
+     *
+     * @param joint the joint
+     * @param radiansPerSecond the speed
+     * @see #setMotorSpeed(int, double)
+     */
+    public void setMotorSpeed(Joint joint, double radiansPerSecond) {
+        setMotorSpeed(model.hingeIndex(joint), radiansPerSecond);
+    }
+
+    /**
+     * Measures the angle of a hinge.
+     *
+     * @param hingeIndex index of the hinge
+     * @return degrees, slightly beyond the stops at times
+     */
+    public double jointDegrees(int hingeIndex) {
+        return Math.toDegrees(hinges.get(hingeIndex).angleRadians());
+    }
+
+    /**
+     * Measures the angle of a joint.
+     *
+     * @param joint the joint
+     * @return degrees, slightly beyond the stops at times
+     */
+    public double jointDegrees(Joint joint) {
+        return jointDegrees(model.hingeIndex(joint));
+    }
+
+    /**
+     * Tells where the torso is.
+     *
+     * @return its pose in the world frame
+     */
+    public Pose torso() {
+        return bodies.get(0).pose();
+    }
+
+    /**
+     * Tells how fast the torso moves.
+     *
+     * @return metres per second in the world frame
+     */
+    public Vector3 torsoVelocity() {
+        return bodies.get(0).velocity();
+    }
+
+    /**
+     * Tells where a link is.
+     *
+     * @param linkIndex index of the link
+     * @return its pose in the world frame
+     */
+    public Pose linkPose(int linkIndex) {
+        return bodies.get(linkIndex).pose();
+    }
+
+    /**
+     * Feels how fast the torso turns.
+     *
+     * @return degrees per second about the torso's own axes
+     */
+    public Vector3 gyroDegreesPerSecond() {
+        RigidBody torso = bodies.get(0);
+        return torso.rotation().applyInverse(torso.angularVelocity()).times(Math.toDegrees(1));
+    }
+
+    /**
+     * Feels the torso's acceleration and gravity, one step older than the gyro, as in the original.
+     *
+     * @return metres per second squared along the torso's own axes; (0, 0, 9.81) standing still
+     */
+    public Vector3 acceleration() {
+        return accelerometer.reading();
+    }
+
+    /**
+     * Feels what a foot touches.
+     *
+     * @param sensor which plate
+     * @return point and force, or empty when the plate touched nothing in the last step or does not exist
+     */
+    public Optional<FootForce> footForce(FootSensor sensor) {
+        return Optional.ofNullable(plates.get(sensor)).flatMap(FootPlate::reading);
+    }
+
+    /**
+     * Moves the robot as it is, without turning it or its joints, and stops all movement; it is not woken.
+     *
+     * <p>As in the original the way is measured from where the torso was at the end of the last step, so two moves within
+     * one cycle add up.
+     *
+     * @param position new centre of the torso in the world frame, metres
+     */
+    public void moveTo(Vector3 position) {
+        Vector3 way = position.minus(torsoAtEndOfStep.position());
+        for (RigidBody body : bodies) {
+            body.setPosition(body.position().plus(way));
+            stop(body);
+        }
+    }
+
+    /**
+     * Puts the robot down upright with its joints as they are and stops all movement; it is not woken.
+     *
+     * @param position new centre of the torso in the world frame, metres
+     * @param yawDegrees turn about the vertical: 0 looks along the world's y axis, -90 along its x axis
+     */
+    public void moveUpright(Vector3 position, double yawDegrees) {
+        Rotation turn = Rotation.aboutZ(Math.toRadians(yawDegrees))
+                .after(bodies.get(0).rotation().inverse());
+        for (RigidBody body : bodies) {
+            Vector3 fromTorso = body.position().minus(torsoAtEndOfStep.position());
+            body.setPosition(position.plus(turn.apply(fromTorso)));
+            body.setRotation(turn.after(body.rotation()));
+            stop(body);
+        }
+    }
+
+    /**
+     * Measures the room that the robot takes.
+     *
+     * @return the smallest box along the world's axes around all links that can touch something
+     */
+    public BoundingBox boundingBox() {
+        BoundingBox box = BoundingBox.of(model.links().get(0).shape(), torso());
+        for (int i = 1; i < bodies.size(); i++) {
+            Link link = model.links().get(i);
+            if (link.collides()) {
+                box = box.union(BoundingBox.of(link.shape(), linkPose(i)));
+            }
+        }
+        return box;
+    }
+
+    /**
+     * Tells whether the robot has rested so long that the engine leaves it out.
+     *
+     * @return true while the torso sleeps
+     */
+    public boolean isAsleep() {
+        return bodies.get(0).isAsleep();
+    }
+
+    void prepareStep() {
+        bodies.forEach(DRAG::applyTo);
+        accelerometer.measure(bodies.get(0));
+        plates.values().forEach(FootPlate::clear);
+    }
+
+    void feel(int linkIndex, Contact contact) {
+        plates.forEach((sensor, plate) -> {
+            if (model.links().get(linkIndex).name().equals(sensor.linkName())) {
+                plate.add(contact);
+            }
+        });
+    }
+
+    void finishStep() {
+        torsoAtEndOfStep = bodies.get(0).pose();
+        plates.forEach((sensor, plate) -> plate.update(linkPose(model.linkIndex(sensor.linkName()))));
+    }
+
+    void remove() {
+        assembly.remove();
+    }
+
+    private static void stop(RigidBody body) {
+        body.setVelocity(Vector3.ZERO);
+        body.setAngularVelocity(Vector3.ZERO);
+    }
+}

@@ -1,0 +1,31 @@
+package org.robonewbie.simulator.world;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.robonewbie.simulator.physics.Material;
+import org.robonewbie.simulator.physics.Material.Bounce;
+
+/**
+ * The four surfaces of the pitch with the values that really act in rcssserver3d 0.7.3, where some lines of its scene
+ * files fail silently.
+ */
+final class SurfaceMaterials {
+
+    /** Endless plane of the ground; does not bounce. */
+    static final Material GROUND =
+            new Material(Optional.empty(), OptionalDouble.of(0.2), OptionalDouble.empty(), OptionalDouble.of(5e-3));
+
+    /** Goal walls and outer walls, SimSpark's default. */
+    static final Material WALL = new Material(
+            Optional.of(new Bounce(0.8, 2.0)), OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.empty());
+
+    /** The ball: very soft. */
+    static final Material BALL = new Material(
+            Optional.of(new Bounce(0.8, 0.8)), OptionalDouble.of(0.5), OptionalDouble.of(0.05), OptionalDouble.of(0.6));
+
+    /** All parts of the robot. */
+    static final Material ROBOT =
+            new Material(Optional.empty(), OptionalDouble.of(0.6), OptionalDouble.of(1e-4), OptionalDouble.of(5e-3));
+
+    private SurfaceMaterials() {}
+}
