@@ -1,0 +1,86 @@
+package org.robonewbie.protocol.effector;
+
+import java.util.List;
+
+/** One command of an agent to the simulator, one of a closed family. */
+public sealed interface EffectorCommand {
+
+    /**
+     * Builds the robot: {@code (scene rsg/agent/nao/nao_hetero.rsg 0)}. The first command of each agent.
+     *
+     * @param path the scene file that describes the robot
+     * @param parameters further words, such as the number of the robot type
+     */
+    record CreateRobot(String path, List<String> parameters) implements EffectorCommand {
+
+        /** Makes the list unmodifiable. */
+        public CreateRobot {
+            parameters = List.copyOf(parameters);
+        }
+    }
+
+    /**
+     * Joins a team: {@code (init (unum 1)(teamname Stars))}.
+     *
+     * @param number the wanted number on the shirt, 1 to 11; 0 leaves the choice to the simulator
+     * @param team the team's name; empty if there is none
+     */
+    record JoinTeam(int number, String team) implements EffectorCommand {}
+
+    /**
+     * Puts the robot somewhere on its own half before a kick-off: {@code (beam -1 0.5 90)}.
+     *
+     * @param xMetres along the field; the own half is negative
+     * @param yMetres across the field; positive is left as seen from the own goal
+     * @param headingDegrees where the robot looks; 0 is towards the opponents' goal, positive is left
+     */
+    record Beam(double xMetres, double yMetres, double headingDegrees) implements EffectorCommand {}
+
+    /**
+     * Sets the speed of a joint's motor: {@code (he1 0.5)}. It keeps turning until the next command. This is the one command in
+     * radians, as SimSpark wants it.
+     *
+     * @param effectorName the motor's name in SimSpark's messages
+     * @param radiansPerSecond the speed
+     */
+    record SetHingeSpeed(String effectorName, double radiansPerSecond) implements EffectorCommand {}
+
+    /**
+     * Calls a text over the field: {@code (say hello)}.
+     *
+     * @param text 1 to 20 characters of ASCII without blanks and parentheses
+     */
+    record Say(String text) implements EffectorCommand {
+
+        /** The longest text in characters. */
+        public static final int MAX_LENGTH = 20;
+
+        /**
+         * Checks the text.
+         *
+         * @throws IllegalArgumentException if a simulator would not transmit it
+         */
+        public Say {
+            if (text.isEmpty()) {
+                throw new IllegalArgumentException("A robot cannot say an empty text. Give it 1 to 20 characters.");
+            }
+            if (text.length() > MAX_LENGTH) {
+                throw new IllegalArgumentException("A robot can say at most 20 characters, but \"" + text + "\" has "
+                        + text.length() + ". Make it shorter.");
+            }
+            for (int i = 0; i < text.length(); i++) {
+                char character = text.charAt(i);
+                if (character <= ' ' || character > '~' || character == '(' || character == ')') {
+                    throw new IllegalArgumentException("A robot cannot say \"" + text + "\" because of the character '"
+                            + character + "'. Use letters, digits and signs of ASCII without blanks and parentheses.");
+                }
+            }
+        }
+    }
+
+    /** Asks the referee for the right to pass undisturbed: {@code (pass)}. */
+    record RequestPass() implements EffectorCommand {}
+
+    /** Tells that the agent's commands of this cycle are complete: {@code (syn)}. */
+    record Synchronise() implements EffectorCommand {}
+}

@@ -1,0 +1,197 @@
+package org.robonewbie.protocol.effector;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.protocol.effector.EffectorCommand.Beam;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
+import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
+import org.robonewbie.protocol.effector.EffectorCommand.RequestPass;
+import org.robonewbie.protocol.effector.EffectorCommand.Say;
+import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
+import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.sexp.SexpReader;
+import org.robonewbie.protocol.sexp.Token;
+
+/**
+ * Reads an agent's messages on the simulator's side by the rules of rcssserver3d: numbers as C's {@code atof} reads them,
+ * unfinished commands are dropped, and nothing that an agent sends can do harm. What cannot be understood is reported in
+ * words and skipped. One reader serves one thread at a time.
+ */
+public final class EffectorMessageReader {
+
+    private static final int MAX_PROBLEMS = 10;
+    private static final int MAX_WORD = 60;
+    private static final Synchronise SYNCHRONISE = new Synchronise();
+    private static final RequestPass REQUEST_PASS = new RequestPass();
+    private static final String[] HINGES = hingeNames();
+
+    private final SexpReader reader = new SexpReader();
+    private final double[] numbers = new double[3];
+    private int expectedHinge;
+    private int problemCount;
+    private Consumer<? super EffectorCommand> commands = command -> {};
+    private Consumer<? super String> problems = problem -> {};
+
+    /** Creates a reader. */
+    public EffectorMessageReader() {}
+
+    /**
+     * Reads a message.
+     *
+     * @param message the bytes as the agent sent them
+     * @param commandListener gets the commands in their order
+     * @param problemListener gets a sentence for each thing that was skipped, at most eleven per message
+     */
+    public void read(
+            MessageBuffer message,
+            Consumer<? super EffectorCommand> commandListener,
+            Consumer<? super String> problemListener) {
+        commands = commandListener;
+        problems = problemListener;
+        problemCount = 0;
+        reader.start(message);
+        while (reader.nextList(0)) {
+            readCommand();
+        }
+        if (problemCount > MAX_PROBLEMS) {
+            problems.accept((problemCount - MAX_PROBLEMS) + " more commands of this message were ignored");
+        }
+    }
+
+    private void readCommand() {
+        String hinge = findHinge();
+        if (!hinge.isEmpty()) {
+            readHingeSpeed(hinge);
+        } else if (reader.atomIs("syn")) {
+            finish(SYNCHRONISE);
+        } else if (reader.atomIs("beam")) {
+            readBeam();
+        } else if (reader.atomIs("say")) {
+            readSay();
+        } else if (reader.atomIs("pass")) {
+            finish(REQUEST_PASS);
+        } else if (reader.atomIs("init")) {
+            readJoinTeam();
+        } else if (reader.atomIs("scene")) {
+            readCreateRobot();
+        } else {
+            ignore("Unknown effector \"" + shownAtom() + "\" was ignored");
+        }
+    }
+
+    private void readHingeSpeed(String name) {
+        if (readNumbers(1)) {
+            finish(new SetHingeSpeed(name, numbers[0]));
+        } else {
+            ignore("Joint command \"" + name + "\" was ignored: it needs one number, the speed in radians per second");
+        }
+    }
+
+    private void readBeam() {
+        if (readNumbers(3)) {
+            finish(new Beam(numbers[0], numbers[1], numbers[2]));
+        } else {
+            ignore("\"beam\" was ignored: it needs three numbers, x and y in metres and the heading in degrees");
+        }
+    }
+
+    private void readSay() {
+        if (reader.next() != Token.ATOM) {
+            ignore("\"say\" was ignored: it needs a text of 1 to 20 characters without blanks and parentheses");
+            return;
+        }
+        try {
+            Say say = new Say(reader.text());
+            if (reader.next() == Token.CLOSE) {
+                commands.accept(say);
+            } else {
+                ignore("\"say\" was ignored: it needs one text without blanks and parentheses");
+            }
+        } catch (IllegalArgumentException refused) {
+            ignore("\"say\" was ignored. " + refused.getMessage());
+        }
+    }
+
+    private void readJoinTeam() {
+        int number = 0;
+        String team = "";
+        int depth = reader.depth();
+        while (reader.nextList(depth)) {
+            if (reader.atomIs("unum")) {
+                number = reader.next() == Token.ATOM ? reader.integer() : 0;
+            } else if (reader.atomIs("teamname")) {
+                team = reader.next() == Token.ATOM ? reader.text() : "";
+            }
+        }
+        finish(new JoinTeam(number, team));
+    }
+
+    private void readCreateRobot() {
+        if (reader.next() != Token.ATOM) {
+            ignore("\"scene\" was ignored: it needs a file name such as rsg/agent/nao/nao.rsg");
+            return;
+        }
+        String path = reader.text();
+        List<String> parameters = new ArrayList<>();
+        while (reader.next() == Token.ATOM) {
+            parameters.add(reader.text());
+        }
+        finish(new CreateRobot(path, parameters));
+    }
+
+    private boolean readNumbers(int count) {
+        for (int i = 0; i < count; i++) {
+            if (reader.next() != Token.ATOM) {
+                return false;
+            }
+            numbers[i] = reader.number();
+        }
+        return true;
+    }
+
+    /** Hands a command over if its list is complete; an unfinished one at the end of a message is dropped. */
+    private void finish(EffectorCommand command) {
+        reader.skipTo(0);
+        if (reader.token() == Token.CLOSE) {
+            commands.accept(command);
+        }
+    }
+
+    private void ignore(String problem) {
+        problemCount++;
+        if (problemCount <= MAX_PROBLEMS) {
+            problems.accept(problem);
+        }
+    }
+
+    private String shownAtom() {
+        String word = reader.text();
+        String start = word.length() <= MAX_WORD ? word : word.substring(0, MAX_WORD) + "…";
+        return start.chars().allMatch(character -> character > ' ') ? start : "(unprintable)";
+    }
+
+    /** Finds the hinge that the current atom names; begins with the one after the last, since agents keep an order. */
+    private String findHinge() {
+        for (int i = 0; i < HINGES.length; i++) {
+            int candidate = (expectedHinge + i) % HINGES.length;
+            if (reader.atomIs(HINGES[candidate])) {
+                expectedHinge = candidate + 1;
+                return HINGES[candidate];
+            }
+        }
+        return "";
+    }
+
+    private static String[] hingeNames() {
+        List<String> names = new ArrayList<>();
+        for (Joint joint : Joint.values()) {
+            names.add(joint.effectorName());
+        }
+        names.add("lle7");
+        names.add("rle7");
+        return names.toArray(String[]::new);
+    }
+}

@@ -1,0 +1,189 @@
+package org.robonewbie.protocol.effector;
+
+import java.util.List;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.protocol.effector.EffectorCommand.Beam;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
+import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
+import org.robonewbie.protocol.effector.EffectorCommand.Say;
+import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
+import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.sexp.SexpWriter;
+
+/**
+ * Writes an agent's commands. Numbers are plain decimals, never with an exponent, so that every server understands them;
+ * nine decimals of a speed are exact to the billionth part of a radian. Writing makes no garbage.
+ *
+ * <pre>{@code
+ * new EffectorMessageWriter(buffer).hingeSpeed(Joint.NECK_YAW, 0.5).synchronise();
+ * }</pre>
+ */
+public final class EffectorMessageWriter {
+
+    private static final int DECIMALS = 9;
+
+    private final SexpWriter writer;
+
+    /**
+     * Creates a writer.
+     *
+     * @param message the buffer at whose end the commands are written
+     */
+    public EffectorMessageWriter(MessageBuffer message) {
+        writer = new SexpWriter(message);
+    }
+
+    /**
+     * Writes any command.
+     *
+     * @param command the command
+     * @return this writer
+     * @throws IllegalArgumentException if a word or number of the command cannot be sent
+     */
+    public EffectorMessageWriter write(EffectorCommand command) {
+        if (command instanceof SetHingeSpeed hinge) {
+            return hingeSpeed(hinge.effectorName(), hinge.radiansPerSecond());
+        } else if (command instanceof CreateRobot create) {
+            return createRobot(create.path(), create.parameters());
+        } else if (command instanceof JoinTeam join) {
+            return joinTeam(join.number(), join.team());
+        } else if (command instanceof Beam beam) {
+            return beam(beam.xMetres(), beam.yMetres(), beam.headingDegrees());
+        } else if (command instanceof Say say) {
+            return say(say.text());
+        }
+        return command instanceof Synchronise ? synchronise() : requestPass();
+    }
+
+    /**
+     * Writes the command that builds the robot.
+     *
+     * @param path the scene file that describes the robot
+     * @param parameters further words, such as the number of the robot type
+     * @return this writer
+     * @throws IllegalArgumentException if a word contains blanks, parentheses or quotation marks
+     */
+    public EffectorMessageWriter createRobot(String path, List<String> parameters) {
+        writer.text("(scene ").text(checkedWord("Scene file", path));
+        for (String parameter : parameters) {
+            writer.text(" ").text(checkedWord("Scene parameter", parameter));
+        }
+        writer.text(")");
+        return this;
+    }
+
+    /**
+     * Writes the command that joins a team.
+     *
+     * @param number the wanted number on the shirt, 1 to 11; 0 leaves the choice to the simulator
+     * @param team the team's name
+     * @return this writer
+     * @throws IllegalArgumentException if the name contains blanks, parentheses or quotation marks
+     */
+    public EffectorMessageWriter joinTeam(int number, String team) {
+        writer.text("(init (unum ").integer(number);
+        writer.text(")(teamname ").text(checkedWord("Team name", team)).text("))");
+        return this;
+    }
+
+    /**
+     * Writes the command that puts the robot somewhere on its own half.
+     *
+     * @param xMetres along the field; the own half is negative
+     * @param yMetres across the field; positive is left as seen from the own goal
+     * @param headingDegrees where the robot looks; 0 is towards the opponents' goal, positive is left
+     * @return this writer
+     * @throws IllegalArgumentException if a number is not finite
+     */
+    public EffectorMessageWriter beam(double xMetres, double yMetres, double headingDegrees) {
+        writer.text("(beam ").decimal(checkedNumber("Beam x", xMetres), DECIMALS);
+        writer.text(" ").decimal(checkedNumber("Beam y", yMetres), DECIMALS);
+        writer.text(" ").decimal(checkedNumber("Beam heading", headingDegrees), DECIMALS);
+        writer.text(")");
+        return this;
+    }
+
+    /**
+     * Writes the command that sets the speed of a joint's motor.
+     *
+     * @param joint the joint
+     * @param radiansPerSecond the speed
+     * @return this writer
+     * @throws IllegalArgumentException if the speed is not finite
+     */
+    public EffectorMessageWriter hingeSpeed(Joint joint, double radiansPerSecond) {
+        return hingeSpeed(joint.effectorName(), radiansPerSecond);
+    }
+
+    /**
+     * Writes the command that sets the speed of a hinge's motor.
+     *
+     * @param effectorName the motor's name, such as {@code lle7} for the left toe
+     * @param radiansPerSecond the speed
+     * @return this writer
+     * @throws IllegalArgumentException if the speed is not finite
+     */
+    public EffectorMessageWriter hingeSpeed(String effectorName, double radiansPerSecond) {
+        checkedNumber(effectorName, radiansPerSecond);
+        writer.text("(").text(effectorName).text(" ");
+        writer.decimal(radiansPerSecond, DECIMALS).text(")");
+        return this;
+    }
+
+    /**
+     * Writes the command that calls a text over the field.
+     *
+     * @param text 1 to 20 characters of ASCII without blanks, parentheses, semicolon and quotation marks
+     * @return this writer
+     * @throws IllegalArgumentException if a simulator would not transmit the text
+     */
+    public EffectorMessageWriter say(String text) {
+        String word = checkedWord("Text to say", new Say(text).text());
+        writer.text("(say ").text(word).text(")");
+        return this;
+    }
+
+    /**
+     * Writes the command that asks for the right to pass undisturbed.
+     *
+     * @return this writer
+     */
+    public EffectorMessageWriter requestPass() {
+        writer.text("(pass)");
+        return this;
+    }
+
+    /**
+     * Writes the command that ends the commands of this cycle.
+     *
+     * @return this writer
+     */
+    public EffectorMessageWriter synchronise() {
+        writer.text("(syn)");
+        return this;
+    }
+
+    private static double checkedNumber(String what, double value) {
+        if (!Double.isFinite(value)) {
+            throw new IllegalArgumentException(what + " is " + value + ", which is no number that a robot can use. Was"
+                    + " something divided by zero?");
+        }
+        return value;
+    }
+
+    private static String checkedWord(String what, String word) {
+        if (word.isEmpty()) {
+            throw new IllegalArgumentException(what + " is empty. Give it at least one character.");
+        }
+        for (int i = 0; i < word.length(); i++) {
+            char character = word.charAt(i);
+            if (character <= ' ' || character > '~' || "();\"'".indexOf(character) >= 0) {
+                throw new IllegalArgumentException(what + " \"" + word + "\" cannot be sent because of the character '"
+                        + character + "'. Use letters, digits and signs of ASCII without blanks, parentheses,"
+                        + " semicolons and quotation marks.");
+            }
+        }
+        return word;
+    }
+}

@@ -1,0 +1,5 @@
+/**
+ * What an agent tells the simulator in each cycle. Read {@link org.robonewbie.protocol.effector.EffectorCommand} first.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.protocol.effector;

@@ -1,0 +1,31 @@
+package org.robonewbie.protocol.perceptor;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.sexp.SexpReader;
+
+/** Reads the numbers that follow the current atom; empty if they are missing or no numbers. */
+final class Readings {
+
+    private Readings() {}
+
+    static OptionalDouble number(SexpReader reader) {
+        return reader.nextNumber() ? OptionalDouble.of(reader.number()) : OptionalDouble.empty();
+    }
+
+    static Optional<Vector3> vector(SexpReader reader) {
+        if (!reader.nextNumber()) {
+            return Optional.empty();
+        }
+        double x = reader.number();
+        if (!reader.nextNumber()) {
+            return Optional.empty();
+        }
+        double y = reader.number();
+        if (!reader.nextNumber()) {
+            return Optional.empty();
+        }
+        return Optional.of(new Vector3(x, y, reader.number()));
+    }
+}

@@ -1,0 +1,161 @@
+package org.robonewbie.protocol.perceptor;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.robonewbie.nao.BodyPart;
+import org.robonewbie.nao.Landmark;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.perceptor.Vision.SeenBodyPart;
+import org.robonewbie.protocol.perceptor.Vision.SeenLandmark;
+import org.robonewbie.protocol.perceptor.Vision.SeenLine;
+import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
+import org.robonewbie.protocol.sexp.SexpReader;
+import org.robonewbie.protocol.sexp.Token;
+
+/** Reads the perceptor {@code See}. */
+final class VisionReader {
+
+    private static final Landmark[] LANDMARKS = Landmark.values();
+    private static final BodyPart[] BODY_PARTS = BodyPart.values();
+
+    private final SexpReader reader;
+    private final KnownWords words;
+    private final List<SeenLandmark> landmarks = new ArrayList<>();
+    private final List<SeenPlayer> players = new ArrayList<>();
+    private final List<SeenLine> lines = new ArrayList<>();
+    private final List<SeenBodyPart> parts = new ArrayList<>();
+    private Optional<PolarPosition> ball = Optional.empty();
+    private Optional<Vector3> ownPosition = Optional.empty();
+    private OptionalDouble ownOrientation = OptionalDouble.empty();
+    private Optional<Vector3> ballPosition = Optional.empty();
+
+    VisionReader(SexpReader reader, KnownWords words) {
+        this.reader = reader;
+        this.words = words;
+    }
+
+    /** Reads a picture whose name is the current atom; empty if the message ends too early. */
+    Optional<Vision> read() {
+        clear();
+        int depth = reader.depth();
+        while (reader.nextList(depth)) {
+            readItem();
+        }
+        if (reader.token() == Token.END) {
+            return Optional.empty();
+        }
+        return Optional.of(new Vision(landmarks, ball, players, lines, ownPosition, ownOrientation, ballPosition));
+    }
+
+    private void clear() {
+        landmarks.clear();
+        players.clear();
+        lines.clear();
+        ball = Optional.empty();
+        ownPosition = Optional.empty();
+        ownOrientation = OptionalDouble.empty();
+        ballPosition = Optional.empty();
+    }
+
+    private void readItem() {
+        if (reader.atomIs("L")) {
+            readLine();
+        } else if (reader.atomIs("P")) {
+            readPlayer();
+        } else if (reader.atomIs("B")) {
+            ball = readPosition();
+        } else if (reader.atomIs("mypos")) {
+            ownPosition = Readings.vector(reader);
+        } else if (reader.atomIs("myorien")) {
+            ownOrientation = Readings.number(reader);
+        } else if (reader.atomIs("ballpos")) {
+            ballPosition = Readings.vector(reader);
+        } else {
+            readLandmark();
+        }
+    }
+
+    private void readLandmark() {
+        for (Landmark landmark : LANDMARKS) {
+            if (reader.atomIs(landmark.simSparkName())) {
+                Optional<PolarPosition> position = readPosition();
+                if (position.isPresent()) {
+                    landmarks.add(new SeenLandmark(landmark, position.get()));
+                }
+                return;
+            }
+        }
+    }
+
+    private void readLine() {
+        int depth = reader.depth();
+        Optional<PolarPosition> start = readPosition(depth);
+        Optional<PolarPosition> end = readPosition(depth);
+        if (start.isPresent() && end.isPresent()) {
+            lines.add(new SeenLine(start.get(), end.get()));
+        }
+    }
+
+    private void readPlayer() {
+        parts.clear();
+        String team = "";
+        int number = 0;
+        Optional<PolarPosition> position = Optional.empty();
+        int depth = reader.depth();
+        while (reader.nextList(depth)) {
+            if (reader.atomIs("team")) {
+                team = reader.next() == Token.ATOM ? words.of(reader) : "";
+            } else if (reader.atomIs("id")) {
+                number = reader.next() == Token.ATOM ? reader.integer() : 0;
+            } else if (reader.atomIs("pol")) {
+                position = readPolar();
+            } else {
+                readBodyPart();
+            }
+        }
+        players.add(new SeenPlayer(team, number, parts, position));
+    }
+
+    private void readBodyPart() {
+        for (BodyPart part : BODY_PARTS) {
+            if (reader.atomIs(part.simSparkName())) {
+                Optional<PolarPosition> position = readPosition();
+                if (position.isPresent()) {
+                    parts.add(new SeenBodyPart(part, position.get()));
+                }
+                return;
+            }
+        }
+    }
+
+    private Optional<PolarPosition> readPosition() {
+        return readPosition(reader.depth());
+    }
+
+    /** Finds the next {@code (pol …)} in the list of the given depth. */
+    private Optional<PolarPosition> readPosition(int depth) {
+        while (reader.nextList(depth)) {
+            if (reader.atomIs("pol")) {
+                return readPolar();
+            }
+        }
+        return Optional.empty();
+    }
+
+    private Optional<PolarPosition> readPolar() {
+        if (!reader.nextNumber()) {
+            return Optional.empty();
+        }
+        double distance = reader.number();
+        if (!reader.nextNumber()) {
+            return Optional.empty();
+        }
+        double horizontal = reader.number();
+        if (!reader.nextNumber()) {
+            return Optional.empty();
+        }
+        return Optional.of(new PolarPosition(distance, horizontal, reader.number()));
+    }
+}

@@ -1,0 +1,137 @@
+package org.robonewbie.protocol.sexp;
+
+import java.nio.charset.StandardCharsets;
+
+/**
+ * Turns decimal text into the nearest double by the rules of C's {@code atof}, without garbage for the numbers of everyday
+ * messages.
+ *
+ * <p>A mantissa up to 2^53 and a power of ten up to 22 are both exact as doubles, so one division rounds correctly (Clinger
+ * 1990, "How to read floating point numbers accurately"). Other numbers are left to the JDK.
+ */
+final class DecimalParser {
+
+    private static final long MAX_EXACT_MANTISSA = 1L << 53;
+    private static final int MAX_DIGITS = 18;
+
+    private byte[] bytes = new byte[0];
+    private int from;
+    private int at;
+    private int end;
+    private long mantissa;
+    private int significantDigits;
+
+    /** Reads the longest number at the beginning of the text; 0 if there is none. */
+    double parse(byte[] text, int first, int last) {
+        start(text, first, last);
+        boolean negative = skipSign();
+        int digits = scanDigits();
+        int decimals = 0;
+        if (at < end && bytes[at] == '.') {
+            at++;
+            decimals = scanDigits();
+            digits += decimals;
+        }
+        if (digits == 0) {
+            return special();
+        }
+        if (hasExponent()
+                || significantDigits > MAX_DIGITS
+                || mantissa > MAX_EXACT_MANTISSA
+                || decimals > PowersOfTen.MAX) {
+            return parseSlowly();
+        }
+        double magnitude = mantissa / PowersOfTen.get(decimals);
+        return negative ? -magnitude : magnitude;
+    }
+
+    /** Tells whether the text begins with a number, {@code nan} or {@code inf}. */
+    boolean isNumber(byte[] text, int first, int last) {
+        start(text, first, last);
+        skipSign();
+        if (at < end && bytes[at] == '.') {
+            at++;
+        }
+        return (at < end && isDigit(bytes[at])) || special() != 0;
+    }
+
+    private void start(byte[] text, int first, int last) {
+        bytes = text;
+        from = first;
+        at = first;
+        end = last;
+        mantissa = 0;
+        significantDigits = 0;
+    }
+
+    private boolean skipSign() {
+        if (at < end && (bytes[at] == '-' || bytes[at] == '+')) {
+            at++;
+            return bytes[at - 1] == '-';
+        }
+        return false;
+    }
+
+    private int scanDigits() {
+        int firstDigit = at;
+        while (at < end && isDigit(bytes[at])) {
+            mantissa = 10 * mantissa + (bytes[at] - '0');
+            if (mantissa != 0) {
+                significantDigits++;
+            }
+            at++;
+        }
+        return at - firstDigit;
+    }
+
+    /** Steps over an exponent if there is a complete one. */
+    private boolean hasExponent() {
+        if (at >= end || (bytes[at] != 'e' && bytes[at] != 'E')) {
+            return false;
+        }
+        int mark = at;
+        at++;
+        skipSign();
+        int firstDigit = at;
+        while (at < end && isDigit(bytes[at])) {
+            at++;
+        }
+        if (at > firstDigit) {
+            return true;
+        }
+        at = mark;
+        return false;
+    }
+
+    private double parseSlowly() {
+        return Double.parseDouble(new String(bytes, from, at - from, StandardCharsets.US_ASCII));
+    }
+
+    private double special() {
+        at = from;
+        boolean negative = skipSign();
+        if (startsWith("nan")) {
+            return Double.NaN;
+        }
+        if (startsWith("inf")) {
+            return negative ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+        }
+        return 0;
+    }
+
+    private boolean startsWith(String word) {
+        if (end - at < word.length()) {
+            return false;
+        }
+        for (int i = 0; i < word.length(); i++) {
+            if ((bytes[at + i] | 0x20) != word.charAt(i)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isDigit(byte character) {
+        return character >= '0' && character <= '9';
+    }
+}

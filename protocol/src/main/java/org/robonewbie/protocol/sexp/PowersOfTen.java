@@ -1,0 +1,22 @@
+package org.robonewbie.protocol.sexp;
+
+/** The powers of ten that a double holds exactly. */
+final class PowersOfTen {
+
+    /** The largest exponent: 10^22 is exact, 10^23 is not. */
+    static final int MAX = 22;
+
+    private static final double[] POWERS = new double[MAX + 1];
+
+    static {
+        for (int i = 0; i <= MAX; i++) {
+            POWERS[i] = Double.parseDouble("1e" + i);
+        }
+    }
+
+    private PowersOfTen() {}
+
+    static double get(int exponent) {
+        return POWERS[exponent];
+    }
+}

@@ -1,0 +1,260 @@
+package org.robonewbie.protocol.sexp;
+
+import java.nio.charset.StandardCharsets;
+import org.robonewbie.protocol.frame.MessageBuffer;
+
+/**
+ * Reads the S-expressions of one message token by token, straight from its bytes and without making objects.
+ *
+ * <p>The rules are those of SimSpark's own parser (sfsexp): blanks, tabs and line ends separate words, {@code ;} begins a
+ * comment that reaches to the end of the line, and a closing parenthesis too many ends the message. Depth costs nothing,
+ * so deeply nested input is harmless. Quotation marks are ordinary characters.
+ *
+ * <pre>{@code
+ * reader.start(message);
+ * while (reader.next() != Token.END) {
+ *     if (reader.token() == Token.ATOM && reader.atomIs("now")) { ... }
+ * }
+ * }</pre>
+ */
+public final class SexpReader {
+
+    private final DecimalParser decimals = new DecimalParser();
+    private byte[] bytes = new byte[0];
+    private int end;
+    private int position;
+    private int depth;
+    private Token token = Token.END;
+    private int atomStart;
+    private int atomEnd;
+
+    /** Creates a reader that has nothing to read yet. */
+    public SexpReader() {}
+
+    /**
+     * Begins at the start of a message; the message must not change while it is read.
+     *
+     * @param message the message
+     */
+    public void start(MessageBuffer message) {
+        start(message.bytes(), 0, message.length());
+    }
+
+    /**
+     * Begins at a place within an array; the array must not change while it is read.
+     *
+     * @param array holds the message
+     * @param from index of the first byte
+     * @param to index after the last byte
+     */
+    public void start(byte[] array, int from, int to) {
+        bytes = array;
+        position = from;
+        end = to;
+        depth = 0;
+        token = Token.END;
+        atomStart = from;
+        atomEnd = from;
+    }
+
+    /**
+     * Goes on to the next token.
+     *
+     * @return what was found; {@link Token#END} again and again at the end of the message
+     */
+    public Token next() {
+        token = advance();
+        return token;
+    }
+
+    /**
+     * Tells what {@link #next()} found last.
+     *
+     * @return the current token
+     */
+    public Token token() {
+        return token;
+    }
+
+    /**
+     * Tells how many lists are open after the current token.
+     *
+     * @return the depth; 0 outside of all lists
+     */
+    public int depth() {
+        return depth;
+    }
+
+    /**
+     * Goes on until no more than a number of lists are open. Does nothing if that is so already; stops at {@link
+     * Token#END} if the message ends first.
+     *
+     * @param outerDepth how many lists stay open
+     */
+    public void skipTo(int outerDepth) {
+        while (depth > outerDepth && next() != Token.END) {
+            // each token moves the reader on
+        }
+    }
+
+    /**
+     * Goes on to the next list {@code (name …)} at a certain depth; what is left of the list before and words between the lists
+     * are skipped, and so are lists without a name. Afterwards the name is the current atom.
+     *
+     * <p>If there is none, the current token is {@link Token#CLOSE} if the list around is complete, else {@link
+     * Token#END}.
+     *
+     * @param outerDepth how many lists are around the wanted list; 0 for the lists of the message itself
+     * @return whether there is one more list
+     */
+    public boolean nextList(int outerDepth) {
+        skipTo(outerDepth);
+        while (depth == outerDepth) {
+            Token found = next();
+            if (found == Token.END || found == Token.CLOSE) {
+                return false;
+            }
+            if (found == Token.OPEN) {
+                if (next() == Token.ATOM) {
+                    return true;
+                }
+                skipTo(outerDepth);
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Goes on to the next token, which should be a number.
+     *
+     * @return whether it is one, so that {@link #number()} can be asked
+     */
+    public boolean nextNumber() {
+        return next() == Token.ATOM && isNumber();
+    }
+
+    /**
+     * Compares the current atom with a word.
+     *
+     * @param word the word in ASCII
+     * @return whether the atom is exactly this word
+     */
+    public boolean atomIs(String word) {
+        int length = word.length();
+        if (atomEnd - atomStart != length) {
+            return false;
+        }
+        for (int i = 0; i < length; i++) {
+            if (bytes[atomStart + i] != word.charAt(i)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * Reads the current atom as a number by the rules of C's {@code atof}: what follows a number is ignored, text that
+     * is no number counts as 0, and {@code nan} and {@code inf} are understood.
+     *
+     * @return the number, correctly rounded
+     */
+    public double number() {
+        return decimals.parse(bytes, atomStart, atomEnd);
+    }
+
+    /**
+     * Reads the current atom as a whole number; digits after the decimal point are cut off as SimSpark does.
+     *
+     * @return the number, 0 if the atom is no number
+     */
+    public int integer() {
+        return (int) number();
+    }
+
+    /**
+     * Tells whether the current atom begins like a number, so that {@link #number()} is more than a default.
+     *
+     * @return false if {@link #number()} counts the atom as 0 because it is no number
+     */
+    public boolean isNumber() {
+        return decimals.isNumber(bytes, atomStart, atomEnd);
+    }
+
+    /**
+     * Copies the current atom.
+     *
+     * @return the atom as text
+     */
+    public String text() {
+        return new String(bytes, atomStart, atomEnd - atomStart, StandardCharsets.UTF_8);
+    }
+
+    /**
+     * Copies the current atom unless it is a text that is known already; saves garbage where words repeat.
+     *
+     * @param known the text that is expected
+     * @return {@code known} if it is the same text, else a copy of the atom
+     */
+    public String text(String known) {
+        return atomIs(known) ? known : text();
+    }
+
+    private Token advance() {
+        skipSpaceAndComments();
+        if (position >= end) {
+            return Token.END;
+        }
+        byte next = bytes[position];
+        if (next == '(') {
+            position++;
+            depth++;
+            return Token.OPEN;
+        }
+        if (next == ')') {
+            return close();
+        }
+        atomStart = position;
+        while (position < end && !endsAtom(bytes[position])) {
+            position++;
+        }
+        atomEnd = position;
+        return Token.ATOM;
+    }
+
+    private Token close() {
+        if (depth == 0) {
+            position = end;
+            return Token.END;
+        }
+        position++;
+        depth--;
+        return Token.CLOSE;
+    }
+
+    private void skipSpaceAndComments() {
+        while (position < end) {
+            byte next = bytes[position];
+            if (next == ';') {
+                skipComment();
+            } else if (isSpace(next)) {
+                position++;
+            } else {
+                return;
+            }
+        }
+    }
+
+    private void skipComment() {
+        while (position < end && bytes[position] != '\n') {
+            position++;
+        }
+    }
+
+    private static boolean endsAtom(byte character) {
+        return character == '(' || character == ')' || character == ';' || isSpace(character);
+    }
+
+    private static boolean isSpace(byte character) {
+        return character == ' ' || character == '\t' || character == '\n' || character == '\r';
+    }
+}

@@ -1,0 +1,260 @@
+package org.robonewbie.protocol.sexp;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import org.robonewbie.protocol.frame.MessageBuffer;
+
+/**
+ * Writes words and numbers to the end of a message, byte for byte as SimSpark's C++ streams do and without making objects
+ * for the numbers of everyday messages.
+ *
+ * <p>Numbers are rounded to the nearest decimal of their exact binary value; exact ties go to the even digit. A negative
+ * number that rounds to zero keeps its sign ({@code -0.00}).
+ *
+ * <pre>{@code
+ * new SexpWriter(message).text("(HJ (n hj1) (ax ").fixed(angle, 2).text("))");
+ * }</pre>
+ */
+public final class SexpWriter {
+
+    private static final int GENERAL_DIGITS = 6;
+    private static final double MAX_SCALED = 1L << 51;
+    /** A scaled value whose distance to the next tie is larger is rounded correctly by plain arithmetic. */
+    private static final double TIE_MARGIN = 1e-3;
+
+    private static final double LARGEST_WITH_SAFE_MARGIN = 1L << 42;
+    private final MessageBuffer message;
+    private final byte[] digits = new byte[24];
+
+    /**
+     * Creates a writer.
+     *
+     * @param message the message at whose end everything is written
+     */
+    public SexpWriter(MessageBuffer message) {
+        this.message = message;
+    }
+
+    /**
+     * Tells how long the message has become.
+     *
+     * @return the number of bytes in the message, including those written before by others
+     */
+    public int length() {
+        return message.length();
+    }
+
+    /**
+     * Writes a text as it is, parentheses and blanks included.
+     *
+     * @param ascii the text in ASCII
+     * @return this writer
+     */
+    public SexpWriter text(String ascii) {
+        message.append(ascii);
+        return this;
+    }
+
+    /**
+     * Writes a whole number.
+     *
+     * @param value the number
+     * @return this writer
+     */
+    public SexpWriter integer(long value) {
+        if (value == Long.MIN_VALUE) {
+            return text(Long.toString(value));
+        }
+        if (value < 0) {
+            message.append((byte) '-');
+        }
+        appendDigits(Math.abs(value), 1);
+        return this;
+    }
+
+    /**
+     * Writes a number with a fixed number of decimals, like C's {@code %.2f}.
+     *
+     * @param value the number; {@code nan} and {@code inf} are written as such
+     * @param decimals digits after the decimal point, 0 to 22
+     * @return this writer
+     */
+    public SexpWriter fixed(double value, int decimals) {
+        if (writeSpecial(value)) {
+            return this;
+        }
+        double magnitude = Math.abs(value);
+        double scaled = magnitude * PowersOfTen.get(decimals);
+        if (scaled >= MAX_SCALED) {
+            return text(new BigDecimal(magnitude)
+                    .setScale(decimals, RoundingMode.HALF_EVEN)
+                    .toPlainString());
+        }
+        long rounded = roundProduct(magnitude, decimals, scaled);
+        appendFixed(rounded, decimals);
+        return this;
+    }
+
+    /**
+     * Writes a number with at most a number of decimals and no zeros at the end, never with an exponent.
+     *
+     * @param value the number; {@code nan} and {@code inf} are written as such
+     * @param decimals most digits after the decimal point, 0 to 22
+     * @return this writer
+     */
+    public SexpWriter decimal(double value, int decimals) {
+        int start = message.length();
+        fixed(value, decimals);
+        if (decimals > 0 && Double.isFinite(value)) {
+            stripZeros(start);
+        }
+        return this;
+    }
+
+    /**
+     * Writes a number as a C++ stream does by default, like C's {@code %g}: six significant digits, no zeros at the end, an
+     * exponent for very large and very small numbers ({@code -8.74228e-08}). Monitor messages are written so.
+     *
+     * @param value the number; {@code nan} and {@code inf} are written as such
+     * @return this writer
+     */
+    public SexpWriter general(double value) {
+        if (writeSpecial(value)) {
+            return this;
+        }
+        double magnitude = Math.abs(value);
+        if (magnitude == 0) {
+            message.append((byte) '0');
+            return this;
+        }
+        int exponent = (int) Math.floor(Math.log10(magnitude));
+        if (magnitude < 1e-15 || magnitude >= 1e22) {
+            return generalSlowly(magnitude);
+        }
+        long mantissa = significantDigits(magnitude, exponent);
+        if (mantissa < 100_000) {
+            exponent--;
+            mantissa = significantDigits(magnitude, exponent);
+        }
+        if (mantissa >= 1_000_000) {
+            exponent++;
+            mantissa = significantDigits(magnitude, exponent);
+        }
+        appendGeneral(mantissa, exponent);
+        return this;
+    }
+
+    private boolean writeSpecial(double value) {
+        if (Double.isNaN(value)) {
+            message.append("nan");
+            return true;
+        }
+        if (Double.doubleToRawLongBits(value) < 0) {
+            message.append((byte) '-');
+        }
+        if (Double.isInfinite(value)) {
+            message.append("inf");
+            return true;
+        }
+        return false;
+    }
+
+    /** Rounds magnitude * 10^power to a whole number; the fused operation decides near ties by the exact product. */
+    private static long roundProduct(double magnitude, int power, double scaled) {
+        long below = (long) scaled;
+        double aboveTie = scaled - (below + 0.5);
+        if (Math.abs(aboveTie) < TIE_MARGIN || scaled > LARGEST_WITH_SAFE_MARGIN) {
+            aboveTie = Math.fma(magnitude, PowersOfTen.get(power), -(below + 0.5));
+        }
+        return roundUp(below, aboveTie) ? below + 1 : below;
+    }
+
+    /** Rounds magnitude / 10^power to a whole number. */
+    private static long roundQuotient(double magnitude, int power) {
+        double scaled = magnitude / PowersOfTen.get(power);
+        long below = (long) scaled;
+        double aboveTie = scaled - (below + 0.5);
+        if (Math.abs(aboveTie) < TIE_MARGIN) {
+            aboveTie = -Math.fma(below + 0.5, PowersOfTen.get(power), -magnitude);
+        }
+        return roundUp(below, aboveTie) ? below + 1 : below;
+    }
+
+    private static boolean roundUp(long below, double aboveTie) {
+        return aboveTie > 0 || (aboveTie == 0 && (below & 1) == 1);
+    }
+
+    private static long significantDigits(double magnitude, int exponent) {
+        int power = GENERAL_DIGITS - 1 - exponent;
+        return power >= 0
+                ? roundProduct(magnitude, power, magnitude * PowersOfTen.get(power))
+                : roundQuotient(magnitude, -power);
+    }
+
+    private SexpWriter generalSlowly(double magnitude) {
+        BigDecimal rounded = new BigDecimal(magnitude).round(new MathContext(GENERAL_DIGITS, RoundingMode.HALF_EVEN));
+        int exponent = rounded.precision() - rounded.scale() - 1;
+        long mantissa = rounded.setScale(GENERAL_DIGITS - 1 - exponent, RoundingMode.UNNECESSARY)
+                .unscaledValue()
+                .longValueExact();
+        appendGeneral(mantissa, exponent);
+        return this;
+    }
+
+    private void appendGeneral(long mantissa, int exponent) {
+        int start = message.length();
+        if (exponent >= GENERAL_DIGITS || exponent < -4) {
+            appendFixed(mantissa, GENERAL_DIGITS - 1);
+            stripZeros(start);
+            message.append((byte) 'e');
+            message.append((byte) (exponent < 0 ? '-' : '+'));
+            appendDigits(Math.abs(exponent), 2);
+        } else {
+            appendFixed(mantissa, GENERAL_DIGITS - 1 - exponent);
+            if (exponent < GENERAL_DIGITS - 1) {
+                stripZeros(start);
+            }
+        }
+    }
+
+    private void appendFixed(long value, int decimals) {
+        appendDigits(value, decimals + 1);
+        if (decimals > 0) {
+            insertPoint(decimals);
+        }
+    }
+
+    private void insertPoint(int decimals) {
+        int length = message.length();
+        message.resize(length + 1);
+        byte[] bytes = message.bytes();
+        System.arraycopy(bytes, length - decimals, bytes, length - decimals + 1, decimals);
+        bytes[length - decimals] = '.';
+    }
+
+    private void appendDigits(long value, int atLeast) {
+        int count = 0;
+        for (long rest = value; rest != 0 || count < atLeast; rest /= 10) {
+            digits[count++] = (byte) ('0' + rest % 10);
+        }
+        int start = message.length();
+        message.resize(start + count);
+        byte[] bytes = message.bytes();
+        for (int i = 0; i < count; i++) {
+            bytes[start + i] = digits[count - 1 - i];
+        }
+    }
+
+    private void stripZeros(int start) {
+        byte[] bytes = message.bytes();
+        int length = message.length();
+        while (length > start + 1 && bytes[length - 1] == '0') {
+            length--;
+        }
+        if (bytes[length - 1] == '.') {
+            length--;
+        }
+        message.resize(length);
+    }
+}

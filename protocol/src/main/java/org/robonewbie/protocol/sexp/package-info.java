@@ -1,0 +1,6 @@
+/**
+ * S-expressions, the notation of all SimSpark messages: nested lists of words in parentheses. Read {@link
+ * org.robonewbie.protocol.sexp.SexpReader} first.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.protocol.sexp;
