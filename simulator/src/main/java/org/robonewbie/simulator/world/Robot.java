@@ -180,6 +180,16 @@ public final class Robot {
     }
 
     /**
+     * Pushes the torso at its centre during the next step, as a hand or another robot would.
+     *
+     * @param newtons the force in the world frame
+     */
+    public void push(Vector3 newtons) {
+        bodies.get(0).wake();
+        bodies.get(0).addForce(newtons);
+    }
+
+    /**
      * Moves the robot as it is, without turning it or its joints, and stops all movement; it is not woken.
      *
      * <p>As in the original the way is measured from where the torso was at the end of the last step, so two moves within

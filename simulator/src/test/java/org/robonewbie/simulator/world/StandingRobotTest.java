@@ -54,6 +54,15 @@ class StandingRobotTest {
     }
 
     @Test
+    void givesWayToThePushOfAHand() {
+        robot.push(new Vector3(0, 20, 0));
+
+        world.step();
+
+        assertThat(robot.torsoVelocity().y()).isGreaterThan(0.01);
+    }
+
+    @Test
     void hasNoToeSensorsAsTypeZero() {
         assertThat(robot.footForce(FootSensor.RIGHT_TOES)).isEmpty();
     }
