@@ -1,0 +1,10 @@
+package org.robonewbie.protocol.monitor;
+
+/**
+ * A foul that the referee has seen.
+ *
+ * @param index counts the fouls of a match from 1
+ * @param type what was done
+ * @param player who did it
+ */
+public record Foul(int index, FoulType type, PlayerNumber player) {}

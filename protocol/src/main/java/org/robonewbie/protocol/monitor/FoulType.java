@@ -1,0 +1,50 @@
+package org.robonewbie.protocol.monitor;
+
+import java.util.Optional;
+
+/** The fouls that monitors know, in the order of their numbers in SimSpark's messages. */
+public enum FoulType {
+    /** Too many robots of a team near the ball. */
+    CROWDING,
+    /** Too many robots touch each other. */
+    TOUCHING,
+    /** Too many defenders in their own penalty area. */
+    ILLEGAL_DEFENCE,
+    /** Too many attackers in the opponents' penalty area; the original never gives it. */
+    ILLEGAL_ATTACK,
+    /** A robot lies on the ground for too long. */
+    INCAPABLE,
+    /** A mistake at the kick-off; the original never gives it. */
+    ILLEGAL_KICK_OFF,
+    /** A robot runs into an opponent. */
+    CHARGING,
+    /** Parts of one robot's body run into each other. */
+    SELF_COLLISION,
+    /** A robot keeps the ball for too long; newer servers only. */
+    BALL_HOLDING,
+    /** The taker of a free kick touches the ball twice; newer servers only. */
+    DOUBLE_TOUCHING,
+    /** A robot plays the ball with an arm; newer servers only. */
+    HAND_FOUL;
+
+    /**
+     * Tells the foul's number in SimSpark's messages.
+     *
+     * @return 0 to 10
+     */
+    public int simSparkNumber() {
+        return ordinal();
+    }
+
+    /**
+     * Finds a foul by its number in SimSpark's messages.
+     *
+     * @param simSparkNumber the number
+     * @return the foul, or empty for a number of a newer server
+     */
+    public static Optional<FoulType> ofSimSparkNumber(int simSparkNumber) {
+        return simSparkNumber >= 0 && simSparkNumber < values().length
+                ? Optional.of(values()[simSparkNumber])
+                : Optional.empty();
+    }
+}

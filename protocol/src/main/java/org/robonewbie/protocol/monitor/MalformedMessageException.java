@@ -1,0 +1,9 @@
+package org.robonewbie.protocol.monitor;
+
+/** A monitor message does not say what it should; carries no text because the reader drops such messages silently. */
+final class MalformedMessageException extends Exception {
+
+    MalformedMessageException() {
+        super("Monitor message is malformed", null, false, false);
+    }
+}

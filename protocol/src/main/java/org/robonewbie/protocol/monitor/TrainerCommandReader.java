@@ -1,0 +1,153 @@
+package org.robonewbie.protocol.monitor;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.sexp.SexpReader;
+
+/**
+ * Reads the commands of a trainer; what is unknown or incomplete is left out silently, as rcssserver3d does.
+ *
+ * <p>Source: SimSpark's {@code trainercommandparser.cpp}.
+ */
+public final class TrainerCommandReader {
+
+    /** Farther away or faster than this (m, m/s) nothing can be in the simulated world. */
+    private static final double MAX_COORDINATE = 1e5;
+
+    private final SexpReader in = new SexpReader();
+
+    /** Creates a reader. */
+    public TrainerCommandReader() {}
+
+    /**
+     * Reads all commands of one message.
+     *
+     * @param message the message of a monitor
+     * @return the commands in order
+     */
+    public List<TrainerCommand> read(MessageBuffer message) {
+        List<TrainerCommand> commands = new ArrayList<>();
+        in.start(message);
+        while (in.nextList(0)) {
+            TrainerExpression.read(in).ifPresent(expression -> translate(expression, commands::add));
+        }
+        return commands;
+    }
+
+    private static void translate(TrainerExpression command, Consumer<TrainerCommand> out) {
+        switch (command.name()) {
+            case "kickOff" -> readKickOff(command).ifPresent(out);
+            case "playMode" ->
+                command.word()
+                        .flatMap(PlayMode::ofSimSparkName)
+                        .map(TrainerCommand.ChangePlayMode::new)
+                        .ifPresent(out);
+            case "dropBall" -> out.accept(new TrainerCommand.DropBall());
+            case "ball" -> readBall(command).ifPresent(out);
+            case "agent" -> readAgent(command, out);
+            case "select" -> readSelect(command, out);
+            case "kill" -> readPlayer(command, TrainerCommand.KillRobot::new).ifPresent(out);
+            case "repos" ->
+                readPlayer(command, TrainerCommand.RepositionRobot::new).ifPresent(out);
+            case "killsim" -> out.accept(new TrainerCommand.EndSimulation());
+            case "reqfullstate" -> out.accept(new TrainerCommand.RequestFullState());
+            case "time" -> readTime(command).ifPresent(out);
+            case "score" -> readScore(command).ifPresent(out);
+            default -> {
+                // the original ignores what it does not know, and monitors rely on it
+            }
+        }
+    }
+
+    private static Optional<TrainerCommand> readKickOff(TrainerExpression command) {
+        return command.word()
+                .filter(word -> word.equals("None") || side(word).isPresent())
+                .map(word -> new TrainerCommand.KickOff(side(word)));
+    }
+
+    private static Optional<TrainerCommand> readBall(TrainerExpression command) {
+        Optional<Vector3> position = vector(command, "pos", 3);
+        Optional<Vector3> velocity = vector(command, "vel", 3);
+        return position.isEmpty() && velocity.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new TrainerCommand.MoveBall(position, velocity));
+    }
+
+    private static void readAgent(TrainerExpression command, Consumer<TrainerCommand> out) {
+        if (command.numbers("unum").isEmpty() || command.words("team").isEmpty()) {
+            out.accept(new TrainerCommand.RepelSelectedRobot());
+            return;
+        }
+        player(command).ifPresent(player -> {
+            vector(command, "pos", 3)
+                    .map(position -> new TrainerCommand.MoveRobot(player, position))
+                    .ifPresent(out);
+            vector(command, "move", 4)
+                    .map(position -> new TrainerCommand.MoveAndTurnRobot(
+                            player, position, command.numbers("move").get(3)))
+                    .ifPresent(out);
+        });
+    }
+
+    private static void readSelect(TrainerExpression command, Consumer<TrainerCommand> out) {
+        List<Double> number = command.numbers("unum");
+        if (number.isEmpty()) {
+            out.accept(new TrainerCommand.SelectNextRobot());
+        } else if (number.get(0) < 0) {
+            out.accept(new TrainerCommand.SelectNoRobot());
+        } else {
+            player(command).map(TrainerCommand.SelectRobot::new).ifPresent(out);
+        }
+    }
+
+    /** Without number and team a command means the selected robot; with a team that does not exist it means none. */
+    private static Optional<TrainerCommand> readPlayer(
+            TrainerExpression command, Function<Optional<PlayerNumber>, TrainerCommand> create) {
+        if (command.numbers("unum").isEmpty() || command.words("team").isEmpty()) {
+            return Optional.of(create.apply(Optional.empty()));
+        }
+        return player(command).map(player -> create.apply(Optional.of(player)));
+    }
+
+    private static Optional<TrainerCommand> readTime(TrainerExpression command) {
+        return command.number()
+                .filter(time -> time >= 0 && Double.isFinite(time))
+                .map(TrainerCommand.SetTime::new);
+    }
+
+    private static Optional<TrainerCommand> readScore(TrainerExpression command) {
+        List<Double> left = command.numbers("left");
+        List<Double> right = command.numbers("right");
+        return left.isEmpty() || right.isEmpty() || left.get(0) < 0 || right.get(0) < 0
+                ? Optional.empty()
+                : Optional.of(new TrainerCommand.SetScore(
+                        left.get(0).intValue(), right.get(0).intValue()));
+    }
+
+    private static Optional<PlayerNumber> player(TrainerExpression command) {
+        int number = command.numbers("unum").get(0).intValue();
+        return side(command.words("team").get(0)).map(side -> new PlayerNumber(side, number));
+    }
+
+    private static Optional<TeamSide> side(String word) {
+        return switch (word) {
+            case "Left" -> Optional.of(TeamSide.LEFT);
+            case "Right" -> Optional.of(TeamSide.RIGHT);
+            default -> Optional.empty();
+        };
+    }
+
+    private static Optional<Vector3> vector(TrainerExpression command, String name, int count) {
+        List<Double> numbers = command.numbers(name);
+        boolean sound =
+                numbers.size() == count && numbers.stream().allMatch(number -> Math.abs(number) <= MAX_COORDINATE);
+        return sound ? Optional.of(new Vector3(numbers.get(0), numbers.get(1), numbers.get(2))) : Optional.empty();
+    }
+}
