@@ -1,0 +1,17 @@
+package org.robonewbie.nao.motion;
+
+import org.robonewbie.nao.Joint;
+
+/** Each joint turns with the same speed from one keyframe to the next; at the keyframes the speed changes suddenly. */
+public final class LinearInterpolation implements Interpolation {
+
+    /** Creates the interpolation; {@link Interpolation#LINEAR} is one. */
+    public LinearInterpolation() {}
+
+    @Override
+    public double degrees(MotionSection section, Joint joint, double fraction) {
+        double from = section.from().degrees(joint);
+        double to = section.to().degrees(joint);
+        return fraction >= 1 ? to : from + fraction * (to - from);
+    }
+}

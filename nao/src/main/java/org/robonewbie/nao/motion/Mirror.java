@@ -1,0 +1,67 @@
+package org.robonewbie.nao.motion;
+
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.Hinge;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
+
+/**
+ * Left and right exchanged, as in a mirror that stands lengthwise in the middle of the robot.
+ *
+ * <p>A mirror turns a rotation by an angle about an axis into one by the opposite angle about the mirrored axis. Where the
+ * partner joint's axis in {@link NaoModel} is the mirrored one, the angle changes its sign; where it points the other way, the
+ * angle stays.
+ */
+public final class Mirror {
+
+    private static final Joint[] PARTNERS = new Joint[Joint.COUNT];
+    private static final boolean[] CHANGES_SIGN = new boolean[Joint.COUNT];
+
+    static {
+        NaoModel model = NaoModel.of(RobotType.TYPE_0);
+        for (Joint joint : Joint.values()) {
+            Joint partner = findPartner(joint);
+            Vector3 axis = axis(model, joint);
+            Vector3 mirroredAxis = new Vector3(-axis.x(), axis.y(), axis.z());
+            PARTNERS[joint.ordinal()] = partner;
+            CHANGES_SIGN[joint.ordinal()] = mirroredAxis.dot(axis(model, partner)) > 0;
+        }
+    }
+
+    private Mirror() {}
+
+    /**
+     * Finds the joint on the other side.
+     *
+     * @param joint a joint
+     * @return the same joint of the other arm or leg; a joint of the neck itself
+     */
+    public static Joint partner(Joint joint) {
+        return PARTNERS[joint.ordinal()];
+    }
+
+    /**
+     * Tells which angle the partner takes in the mirror.
+     *
+     * @param joint a joint
+     * @param degrees its angle in degrees
+     * @return the angle of {@link #partner} in degrees
+     */
+    public static double mirroredDegrees(Joint joint, double degrees) {
+        return CHANGES_SIGN[joint.ordinal()] ? 0 - degrees : degrees;
+    }
+
+    private static Joint findPartner(Joint joint) {
+        String name = joint.name();
+        if (name.startsWith("LEFT_")) {
+            return Joint.valueOf(name.replace("LEFT_", "RIGHT_"));
+        }
+        return name.startsWith("RIGHT_") ? Joint.valueOf(name.replace("RIGHT_", "LEFT_")) : joint;
+    }
+
+    private static Vector3 axis(NaoModel model, Joint joint) {
+        Hinge hinge = model.hinges().get(model.hingeIndex(joint));
+        return hinge.axis();
+    }
+}

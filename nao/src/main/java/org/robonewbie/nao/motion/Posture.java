@@ -1,0 +1,137 @@
+package org.robonewbie.nao.motion;
+
+import java.util.Arrays;
+import org.robonewbie.nao.Joint;
+
+/**
+ * How a robot holds its limbs: one angle for each joint. Unmodifiable.
+ *
+ * <pre>{@code
+ * Posture raisedArm = Posture.ZERO.with(Joint.LEFT_SHOULDER_PITCH, 60);
+ * }</pre>
+ */
+public final class Posture {
+
+    /** The construction pose: standing straight, both arms stretched forward, all angles 0. */
+    public static final Posture ZERO = new Posture(new double[Joint.COUNT]);
+
+    private final double[] degrees;
+
+    private Posture(double[] degrees) {
+        this.degrees = degrees;
+    }
+
+    /**
+     * Creates a posture.
+     *
+     * @param degrees 22 angles in degrees in the order of {@link Joint}; copied
+     * @return the posture
+     * @throws IllegalArgumentException if there are not 22 angles or one is no finite number
+     */
+    public static Posture of(double... degrees) {
+        if (degrees.length != Joint.COUNT) {
+            throw new IllegalArgumentException("A posture has " + Joint.COUNT + " angles, one for each joint, but "
+                    + degrees.length + " were given.");
+        }
+        for (int i = 0; i < degrees.length; i++) {
+            checkFinite(Joint.values()[i], degrees[i]);
+        }
+        return new Posture(degrees.clone());
+    }
+
+    /**
+     * Looks up an angle.
+     *
+     * @param joint the joint
+     * @return its angle in degrees
+     */
+    public double degrees(Joint joint) {
+        return degrees[joint.ordinal()];
+    }
+
+    /**
+     * Changes one angle.
+     *
+     * @param joint the joint
+     * @param newDegrees its new angle in degrees
+     * @return a posture that differs in this joint only
+     * @throws IllegalArgumentException if the angle is no finite number
+     */
+    public Posture with(Joint joint, double newDegrees) {
+        checkFinite(joint, newDegrees);
+        double[] changed = degrees.clone();
+        changed[joint.ordinal()] = newDegrees;
+        return new Posture(changed);
+    }
+
+    /**
+     * Exchanges left and right.
+     *
+     * @return the posture that this robot's reflection in a mirror takes
+     */
+    public Posture mirrored() {
+        double[] mirrored = new double[Joint.COUNT];
+        for (Joint joint : Joint.values()) {
+            mirrored[Mirror.partner(joint).ordinal()] = Mirror.mirroredDegrees(joint, degrees(joint));
+        }
+        return new Posture(mirrored);
+    }
+
+    /**
+     * Forces all angles into their joints' ranges.
+     *
+     * @return the nearest posture that the robot can take
+     */
+    public Posture clamped() {
+        double[] clamped = new double[Joint.COUNT];
+        for (Joint joint : Joint.values()) {
+            clamped[joint.ordinal()] = joint.clampDegrees(degrees(joint));
+        }
+        return new Posture(clamped);
+    }
+
+    /**
+     * Measures how different another posture is.
+     *
+     * @param other the other posture
+     * @return the largest difference of a joint's angles in degrees, at least 0
+     */
+    public double largestDifference(Posture other) {
+        double largest = 0;
+        for (int i = 0; i < Joint.COUNT; i++) {
+            largest = Math.max(largest, Math.abs(degrees[i] - other.degrees[i]));
+        }
+        return largest;
+    }
+
+    /**
+     * Lists the angles.
+     *
+     * @return a new array of 22 angles in degrees in the order of {@link Joint}
+     */
+    public double[] toArray() {
+        return degrees.clone();
+    }
+
+    private static void checkFinite(Joint joint, double degrees) {
+        if (!Double.isFinite(degrees)) {
+            throw new IllegalArgumentException("Angle " + degrees + " for " + joint
+                    + " is no number that a robot can use. Was something divided by zero?");
+        }
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Posture that && Arrays.equals(degrees, that.degrees);
+    }
+
+    @Override
+    public int hashCode() {
+        return Arrays.hashCode(degrees);
+    }
+
+    @Override
+    public String toString() {
+        return "Posture" + Arrays.toString(degrees);
+    }
+}

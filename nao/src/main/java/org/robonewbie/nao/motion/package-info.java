@@ -1,0 +1,6 @@
+/**
+ * Keyframe motions: postures that a robot takes one after the other, and the text files in which they are kept. Read {@link
+ * org.robonewbie.nao.motion.Motion} first.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.nao.motion;
