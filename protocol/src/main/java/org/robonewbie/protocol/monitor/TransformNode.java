@@ -24,7 +24,7 @@ public final class TransformNode implements SceneNode {
      * @param matrix its 16 numbers, copied
      * @param children what moves with it
      */
-    public TransformNode(float[] matrix, List<SceneNode> children) {
+    public TransformNode(float[] matrix, List<? extends SceneNode> children) {
         this.children = List.copyOf(children);
         moveTo(matrix, 0);
     }
@@ -107,8 +107,13 @@ public final class TransformNode implements SceneNode {
         return children;
     }
 
-    /** Makes the same place with other children. */
-    TransformNode with(List<SceneNode> newChildren) {
+    /**
+     * Makes a node at the same place with other children.
+     *
+     * @param newChildren what moves with the new node
+     * @return the new node
+     */
+    public TransformNode with(List<? extends SceneNode> newChildren) {
         return new TransformNode(matrix, newChildren);
     }
 

@@ -1,0 +1,36 @@
+package org.robonewbie.simulator.monitor;
+
+import java.util.List;
+import org.robonewbie.protocol.monitor.Foul;
+import org.robonewbie.protocol.monitor.MonitoredGame;
+import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.world.Ball;
+
+/**
+ * What monitors are told of one cycle.
+ *
+ * @param game the state of the match
+ * @param fouls fouls of the match in order; monitors get those that are new to them, so old ones may be left out
+ * @param ballPlace 16 numbers as in a scene's transform; not to be changed
+ * @param robots all robots in the order in which they connected
+ */
+@SuppressWarnings("ArrayRecordComponent")
+public record MonitorSnapshot(
+        MonitoredGame game, List<Foul> fouls, float[] ballPlace, List<MonitoredRobotState> robots) {
+
+    /**
+     * Copies what monitors need from the world.
+     *
+     * @param game the state of the match
+     * @param fouls fouls of the match in order
+     * @param ball the ball
+     * @param robots all robots in the order in which they connected
+     * @return the present state
+     */
+    public static MonitorSnapshot of(
+            MonitoredGame game, List<Foul> fouls, Ball ball, List<MonitoredRobotState> robots) {
+        float[] place = new float[16];
+        MonitoredRobotState.writePlace(new Pose(ball.position(), ball.rotation()), place, 0);
+        return new MonitorSnapshot(game, List.copyOf(fouls), place, List.copyOf(robots));
+    }
+}

@@ -1,0 +1,57 @@
+package org.robonewbie.simulator.monitor;
+
+/**
+ * Places of fixed scene nodes, turned about x, then y, then z in single precision. SimSpark's rounding of sine and cosine is part of
+ * what monitors receive, so the same sums are made in the same order.
+ */
+final class SceneRotation {
+
+    private static final int ROWS = 4;
+    private static final int X = 0;
+    private static final int Y = 4;
+    private static final int Z = 8;
+    private static final int POSITION = 12;
+
+    private final float[] matrix;
+
+    private SceneRotation(float degreesX) {
+        float cosine = cosine(degreesX);
+        float sine = sine(degreesX);
+        matrix = new float[] {1, 0, 0, 0, 0, cosine, sine, 0, 0, -sine, cosine, 0, 0, 0, 0, 1};
+    }
+
+    /** Makes the 16 numbers of a place that is turned by three angles. */
+    static float[] placeAt(float x, float y, float z, float degreesX, float degreesY, float degreesZ) {
+        SceneRotation rotation = new SceneRotation(degreesX);
+        rotation.turn(Z, X, degreesY);
+        rotation.turn(X, Y, degreesZ);
+        rotation.matrix[POSITION] = x;
+        rotation.matrix[POSITION + 1] = y;
+        rotation.matrix[POSITION + 2] = z;
+        return rotation.matrix;
+    }
+
+    /** Mixes two columns: the first turns towards the second. */
+    private void turn(int first, int second, float degrees) {
+        float cosine = cosine(degrees);
+        float sine = sine(degrees);
+        for (int row = 0; row < ROWS; row++) {
+            float a = matrix[first + row];
+            float b = matrix[second + row];
+            matrix[first + row] = a * cosine + b * sine;
+            matrix[second + row] = b * cosine - a * sine;
+        }
+    }
+
+    private static float cosine(float degrees) {
+        return (float) Math.cos(radians(degrees));
+    }
+
+    private static float sine(float degrees) {
+        return (float) Math.sin(radians(degrees));
+    }
+
+    private static float radians(float degrees) {
+        return (float) Math.PI / 180 * degrees;
+    }
+}

@@ -1,0 +1,58 @@
+package org.robonewbie.simulator.monitor;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.protocol.monitor.TransformNode;
+
+/** The scene that monitors draw: the pitch, the ball, and behind them the robots in the order in which they connected. */
+final class SoccerScene {
+
+    private final PitchScene pitch;
+    private final Map<Integer, RobotFigure> figures = new LinkedHashMap<>();
+    private List<TransformNode> nodes;
+
+    SoccerScene(SoccerField field, double ballRadius) {
+        pitch = new PitchScene(field, ballRadius);
+        nodes = List.copyOf(pitch.nodes());
+    }
+
+    /** The outermost nodes. */
+    List<TransformNode> nodes() {
+        return nodes;
+    }
+
+    /** Takes the newest state; tells whether the scene has changed beyond movement, which only a full message can show. */
+    boolean update(MonitorSnapshot snapshot) {
+        pitch.ball().moveTo(snapshot.ballPlace(), 0);
+        List<Integer> ids =
+                snapshot.robots().stream().map(MonitoredRobotState::id).toList();
+        boolean changed = figures.keySet().retainAll(ids);
+        for (MonitoredRobotState robot : snapshot.robots()) {
+            changed |= show(robot);
+        }
+        if (changed) {
+            nodes = allNodes();
+        }
+        return changed;
+    }
+
+    private boolean show(MonitoredRobotState robot) {
+        RobotFigure known = figures.get(robot.id());
+        if (known != null && known.type() == robot.type()) {
+            return known.update(robot);
+        }
+        RobotFigure figure = new RobotFigure(robot.type());
+        figure.update(robot);
+        figures.put(robot.id(), figure);
+        return true;
+    }
+
+    private List<TransformNode> allNodes() {
+        List<TransformNode> all = new ArrayList<>(pitch.nodes());
+        figures.values().forEach(figure -> all.add(figure.root()));
+        return List.copyOf(all);
+    }
+}
