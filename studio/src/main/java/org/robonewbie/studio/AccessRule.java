@@ -35,8 +35,9 @@ final class AccessRule {
      */
     Optional<String> refusal(String method, String host, String origin, String path, String shownToken) {
         if (!hosts.contains(host)) {
-            return Optional.of("The studio answers to " + hosts.stream().sorted().toList() + " only, not to \"" + host
-                    + "\". Open the address that the simulator has printed.");
+            return Optional.of(
+                    "The studio answers to " + hosts.stream().sorted().toList() + " only, not to \"" + host
+                            + "\". Open the address that the simulator has printed.");
         }
         if (!origin.isEmpty() && !origin.equals("http://" + host)) {
             return Optional.of("Pages of \"" + origin + "\" may not talk to the studio.");
@@ -55,7 +56,8 @@ final class AccessRule {
             return Optional.of("Only a page of the studio may watch the simulation; this request names no origin.");
         }
         if (!token.matches(shownToken)) {
-            return Optional.of("The access token is missing or wrong. Open the address that the simulator has printed.");
+            return Optional.of(
+                    "The access token is missing or wrong. Open the address that the simulator has printed.");
         }
         return Optional.empty();
     }

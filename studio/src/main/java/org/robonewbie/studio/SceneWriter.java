@@ -68,7 +68,8 @@ final class SceneWriter {
         json.addProperty("id", player.id());
         json.addProperty("team", player.team());
         json.addProperty(
-                "side", player.side().map(side -> side.name().toLowerCase(Locale.ROOT)).orElse(""));
+                "side",
+                player.side().map(side -> side.name().toLowerCase(Locale.ROOT)).orElse(""));
         json.addProperty("number", player.number());
         json.addProperty("type", player.type().name());
         return json;

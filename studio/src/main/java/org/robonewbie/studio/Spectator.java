@@ -66,7 +66,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
      */
     void offer(int sceneRevision, String sceneJson, ByteBuffer frame) {
         boolean repeated = frame.equals(sentFrame);
-        if (!ready || repeated && System.nanoTime() - sentNanos < REPEAT_NANOS) {
+        if (!ready || (repeated && System.nanoTime() - sentNanos < REPEAT_NANOS)) {
             return;
         }
         ready = false;
@@ -78,7 +78,8 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         } else {
             sentScene = sceneRevision;
             session.sendText(
-                    sceneJson, Callback.from(() -> session.sendBinary(frame.duplicate(), Callback.NOOP), failure -> {}));
+                    sceneJson,
+                    Callback.from(() -> session.sendBinary(frame.duplicate(), Callback.NOOP), failure -> {}));
         }
     }
 

@@ -47,7 +47,9 @@ final class StateFrame {
         buffer.putFloat((float) snapshot.speed());
         buffer.putFloat((float) snapshot.realTimeFactor());
         buffer.put((byte) snapshot.playMode().ordinal());
-        buffer.put((byte) snapshot.scoreLeft()).put((byte) snapshot.scoreRight()).put((byte) snapshot.half());
+        buffer.put((byte) snapshot.scoreLeft())
+                .put((byte) snapshot.scoreRight())
+                .put((byte) snapshot.half());
         Vector3 ball = snapshot.ballPosition();
         buffer.putFloat((float) ball.x()).putFloat((float) ball.y()).putFloat((float) ball.z());
         putRotation(buffer, snapshot.ballOrientation(), 0);

@@ -53,13 +53,15 @@ final class StudioCommandReader {
             case "speed" -> new StudioCommand.Speed(speed());
             case "reset" -> new StudioCommand.Reset();
             case "placeBall" -> new StudioCommand.PlaceBall(position());
-            case "placeRobot" -> new StudioCommand.PlaceRobot(
-                    side(), (int) number("number", 1, PLAYERS), position(), number("headingDegrees", -360, 360));
+            case "placeRobot" ->
+                new StudioCommand.PlaceRobot(
+                        side(), (int) number("number", 1, PLAYERS), position(), number("headingDegrees", -360, 360));
             case "kickOff" -> new StudioCommand.KickOff(side());
             case "dropBall" -> new StudioCommand.DropBall();
             case "playMode" -> new StudioCommand.SetPlayMode(playMode());
-            default -> throw new IllegalArgumentException(
-                    "The studio does not know the command \"" + name + "\". Load the page again.");
+            default ->
+                throw new IllegalArgumentException(
+                        "The studio does not know the command \"" + name + "\". Load the page again.");
         };
     }
 
@@ -79,15 +81,16 @@ final class StudioCommandReader {
         return switch (text("side")) {
             case "left" -> TeamSide.LEFT;
             case "right" -> TeamSide.RIGHT;
-            default -> throw new IllegalArgumentException(
-                    "The side \"" + text("side") + "\" does not exist. Choose \"left\" or \"right\".");
+            default ->
+                throw new IllegalArgumentException(
+                        "The side \"" + text("side") + "\" does not exist. Choose \"left\" or \"right\".");
         };
     }
 
     private PlayMode playMode() {
         return PlayMode.ofSimSparkName(text("mode"))
-                .orElseThrow(() -> new IllegalArgumentException("The play mode \"" + text("mode")
-                        + "\" does not exist. Choose one of the list."));
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "The play mode \"" + text("mode") + "\" does not exist. Choose one of the list."));
     }
 
     private double number(String key, double min, double max) {

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.URI;
 import java.time.Duration;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.server.ServerConnector;
@@ -22,6 +24,9 @@ import org.robonewbie.simulator.Viewer;
  * }</pre>
  */
 public final class StudioServer implements Viewer.View {
+
+    /** Kept, since a logger that nobody keeps forgets its level. */
+    private static final Logger JETTY_LOGGER = Logger.getLogger("org.eclipse.jetty");
 
     private static final Duration QUIET_LIMIT = Duration.ofMinutes(10);
     private static final int MAX_COMMAND_BYTES = 4096;
@@ -47,6 +52,7 @@ public final class StudioServer implements Viewer.View {
      * @throws IOException if the port cannot be opened; the message says what to do
      */
     public static StudioServer start(SimulationControl simulation, int port, AccessToken token) throws IOException {
+        silenceServerTalk();
         QueuedThreadPool threads = new QueuedThreadPool(MAX_THREADS, 2);
         threads.setName("studio");
         threads.setDaemon(true);
@@ -65,6 +71,12 @@ public final class StudioServer implements Viewer.View {
         run(server);
         feed.start();
         return new StudioServer(server, feed, URI.create("http://127.0.0.1:" + openPort + "/?token=" + token.text()));
+    }
+
+    private static void silenceServerTalk() {
+        if (JETTY_LOGGER.getLevel() == null) {
+            JETTY_LOGGER.setLevel(Level.WARNING);
+        }
     }
 
     private static Handler live(Server server, LiveFeed feed) {
