@@ -1,0 +1,107 @@
+package org.robonewbie.simulator.monitor;
+
+import java.io.IOException;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.SocketChannel;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.robonewbie.protocol.frame.FrameDecoder;
+import org.robonewbie.protocol.frame.FrameEncoder;
+import org.robonewbie.protocol.frame.FrameTooLongException;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.protocol.monitor.TrainerCommandReader;
+
+/**
+ * The simulator's end of one monitor's connection. While a message is not fully sent, newer ones are dropped; a monitor that
+ * missed one gets everything next time, so that its picture is right again.
+ */
+final class MonitorConnection {
+
+    private static final int MAX_COMMAND_BYTES = 1 << 16;
+
+    private final SocketChannel channel;
+    private final SelectionKey key;
+    private final Consumer<String> console;
+    private final FrameDecoder decoder = new FrameDecoder(MAX_COMMAND_BYTES);
+    private final FrameEncoder encoder = new FrameEncoder();
+    private final TrainerCommandReader reader = new TrainerCommandReader();
+    private final MessageBuffer received = new MessageBuffer();
+    private boolean upToDate;
+    private boolean open = true;
+
+    MonitorConnection(SocketChannel channel, SelectionKey key, Consumer<String> console) {
+        this.channel = channel;
+        this.key = key;
+        this.console = console;
+    }
+
+    boolean isOpen() {
+        return open;
+    }
+
+    /** Tells whether the monitor has got all messages since its first full one. */
+    boolean isUpToDate() {
+        return upToDate;
+    }
+
+    /** Tells whether the message before has been sent completely. */
+    boolean isReady() {
+        return !encoder.isPending();
+    }
+
+    /** Reads what has arrived. */
+    List<TrainerCommand> receive() {
+        List<TrainerCommand> commands = new ArrayList<>();
+        try {
+            int count = decoder.fillFrom(channel);
+            while (decoder.next(received)) {
+                commands.addAll(reader.read(received));
+            }
+            if (count < 0) {
+                close();
+            }
+        } catch (FrameTooLongException unusable) {
+            console.accept("A monitor was disconnected: " + unusable.getMessage());
+            close();
+        } catch (IOException broken) {
+            close();
+        }
+        return commands;
+    }
+
+    /** Sends a message, or drops it if the one before is still under way. */
+    void send(MessageBuffer message) {
+        try {
+            upToDate = encoder.send(channel, message);
+            waitForRoomIfNeeded();
+        } catch (IOException broken) {
+            close();
+        }
+    }
+
+    /** Sends more of the message that is under way. */
+    void flush() {
+        try {
+            encoder.flush(channel);
+            waitForRoomIfNeeded();
+        } catch (IOException broken) {
+            close();
+        }
+    }
+
+    void close() {
+        open = false;
+        key.cancel();
+        try {
+            channel.close();
+        } catch (IOException broken) {
+            // The connection is given up anyway.
+        }
+    }
+
+    private void waitForRoomIfNeeded() {
+        key.interestOps(encoder.isPending() ? SelectionKey.OP_READ | SelectionKey.OP_WRITE : SelectionKey.OP_READ);
+    }
+}

@@ -1,0 +1,131 @@
+package org.robonewbie.simulator.monitor;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.monitor.Environment;
+import org.robonewbie.protocol.monitor.MonitorLink;
+import org.robonewbie.protocol.monitor.MonitoredGame;
+import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+/** A world with a monitor port, driven cycle by cycle by a test. */
+final class WatchedWorld implements AutoCloseable {
+
+    static final Environment ENVIRONMENT = new Environment(
+            List.of(new Environment.Measure("FieldLength", 30)),
+            List.of("BeforeKickOff", "KickOff_Left", "KickOff_Right", "PlayOn"));
+
+    private final SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
+    private final List<Robot> robots = new ArrayList<>();
+    private final List<String> console = new CopyOnWriteArrayList<>();
+    private final BlockingQueue<TrainerCommand> orders = new LinkedBlockingQueue<>();
+    private final BlockingQueue<Boolean> arrivals = new LinkedBlockingQueue<>();
+    private final MonitorPort port;
+    private float shift;
+    private long cycle;
+
+    WatchedWorld() throws IOException {
+        port = MonitorPort.open(settings(0), console::add, new Trainer() {
+            @Override
+            public void order(TrainerCommand command) {
+                orders.add(command);
+            }
+
+            @Override
+            public void monitorArrived() {
+                arrivals.add(true);
+            }
+        });
+    }
+
+    static MonitorSettings settings(int port) {
+        return new MonitorSettings(
+                "127.0.0.1", port, MonitorSettings.STANDARD_STEP_SECONDS, ENVIRONMENT, SoccerField.LEAGUE, 0.042);
+    }
+
+    MonitorPort port() {
+        return port;
+    }
+
+    SoccerWorld world() {
+        return world;
+    }
+
+    List<String> console() {
+        return console;
+    }
+
+    /** Connects a monitor and waits until the port knows it. */
+    MonitorLink connect() throws IOException, InterruptedException {
+        MonitorLink link = MonitorLink.connect("127.0.0.1", port.number());
+        awaitArrival();
+        return link;
+    }
+
+    void awaitArrival() throws InterruptedException {
+        if (arrivals.poll(10, TimeUnit.SECONDS) == null) {
+            throw new AssertionError("The port has not noticed the monitor");
+        }
+    }
+
+    TrainerCommand nextOrder() throws InterruptedException {
+        TrainerCommand order = orders.poll(10, TimeUnit.SECONDS);
+        if (order == null) {
+            throw new AssertionError("No command has arrived");
+        }
+        return order;
+    }
+
+    Robot addRobot() {
+        Robot robot = world.addRobot(RobotType.TYPE_0);
+        robots.add(robot);
+        return robot;
+    }
+
+    /** Advances the real world. */
+    void runCycles(int count) {
+        for (int i = 0; i < count; i++) {
+            world.step();
+            port.cycleEnded(cycle++, this::snapshot);
+        }
+    }
+
+    /** Shows everything at another place without the cost of physics, so that each message is long. */
+    void jump() {
+        shift += 0.1f;
+        port.show(snapshot());
+    }
+
+    MonitorSnapshot snapshot() {
+        List<MonitoredRobotState> states = new ArrayList<>();
+        for (int i = 0; i < robots.size(); i++) {
+            TeamSide side = i % 2 == 0 ? TeamSide.LEFT : TeamSide.RIGHT;
+            MonitoredRobotState state =
+                    MonitoredRobotState.of(i, robots.get(i), Optional.of(new PlayerNumber(side, 1 + i / 2)), false);
+            for (int x = 12; x < state.places().length; x += 16) {
+                state.places()[x] += shift;
+            }
+            states.add(state);
+        }
+        MonitoredGame game = new MonitoredGame(
+                cycle * 0.02, Optional.of("us"), Optional.empty(), 1, 0, 0, Optional.of(PlayMode.PLAY_ON), 0, 0);
+        return MonitorSnapshot.of(game, List.of(), world.ball(), states);
+    }
+
+    @Override
+    public void close() {
+        port.close();
+    }
+}
