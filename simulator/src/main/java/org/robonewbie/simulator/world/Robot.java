@@ -10,8 +10,6 @@ import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.protocol.perceptor.FootForce;
-import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.BoundingBox;
 import org.robonewbie.simulator.physics.Contact;
@@ -53,7 +51,11 @@ public final class Robot {
         RobotBuilder builder = new RobotBuilder(this, assembly);
         this.bodies = builder.addBodies(START_POSITION);
         this.hinges = builder.addHinges(bodies, START_POSITION);
-        addFootPlates();
+        for (FootSensor sensor : FootSensor.values()) {
+            if (model.links().stream().anyMatch(link -> link.name().equals(sensor.linkName()))) {
+                plates.put(sensor, new FootPlate());
+            }
+        }
         torsoAtEndOfStep = bodies.get(0).pose();
     }
 
@@ -168,16 +170,13 @@ public final class Robot {
     }
 
     /**
-     * Feels what the feet touch.
+     * Feels what a foot touches.
      *
-     * @return point and force of each plate in the frame of its link; empty where nothing was touched in the last step
+     * @param sensor which plate
+     * @return point and force, or empty when the plate touched nothing in the last step or does not exist
      */
-    public FootForces footForces() {
-        return new FootForces(
-                reading(FootSensor.LEFT_FOOT),
-                reading(FootSensor.RIGHT_FOOT),
-                reading(FootSensor.LEFT_TOE),
-                reading(FootSensor.RIGHT_TOE));
+    public Optional<FootForce> footForce(FootSensor sensor) {
+        return Optional.ofNullable(plates.get(sensor)).flatMap(FootPlate::reading);
     }
 
     /**
@@ -255,34 +254,20 @@ public final class Robot {
     }
 
     void feel(int linkIndex, Contact contact) {
-        for (FootPlate plate : plates.values()) {
-            if (plate.link() == linkIndex) {
+        plates.forEach((sensor, plate) -> {
+            if (model.links().get(linkIndex).name().equals(sensor.linkName())) {
                 plate.add(contact);
             }
-        }
+        });
     }
 
     void finishStep() {
         torsoAtEndOfStep = bodies.get(0).pose();
-        plates.values().forEach(plate -> plate.update(linkPose(plate.link())));
+        plates.forEach((sensor, plate) -> plate.update(linkPose(model.linkIndex(sensor.linkName()))));
     }
 
     void remove() {
         assembly.remove();
-    }
-
-    private void addFootPlates() {
-        for (int i = 0; i < model.links().size(); i++) {
-            for (FootSensor sensor : FootSensor.values()) {
-                if (model.links().get(i).name().equals(sensor.linkName())) {
-                    plates.put(sensor, new FootPlate(i));
-                }
-            }
-        }
-    }
-
-    private Optional<FootForce> reading(FootSensor sensor) {
-        return Optional.ofNullable(plates.get(sensor)).flatMap(FootPlate::reading);
     }
 
     private static void stop(RigidBody body) {

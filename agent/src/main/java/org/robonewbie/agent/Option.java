@@ -1,0 +1,96 @@
+package org.robonewbie.agent;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/** One option of an agent: its name, what it takes and what the help says about it. */
+enum Option {
+    HOST("HOST", "join the server on this computer", Values::text),
+    PORT("N", "its port, 3100 if left out", Values.wholeNumber(1, 65535)),
+    TEAM("NAME", "name of the team, without blanks or brackets", Values::name),
+    NUMBER("N", "number on the shirt, 1 to 11; 0 takes a free one", Values.wholeNumber(0, 11)),
+    POSE(
+            "X,Y,DEGREES",
+            "where to start: metres, own half has x <= 0; 0 degrees looks at the opponents' goal",
+            Values::pose),
+    TYPE("N", "build of the robot, 0 to 4", Values.wholeNumber(0, 4)),
+    SEED("N", "start an own simulator whose run can be repeated exactly", Values::longNumber),
+    FAST("", "start an own simulator that runs as fast as it can", Values::flag),
+    SECONDS("T", "end after so many simulated seconds", Values::positive),
+    HEADLESS("", "no studio", Values::flag),
+    NO_BROWSER("", "studio, but do not open a browser", Values::flag),
+    REPORT("FILE", "write the true results as JSON (own simulator)", Values::text),
+    RECORD("FILE", "record the run (own simulator)", Values::text),
+    WAIT_FOR("N", "hold the first cycle until N robots are in (own simulator)", Values.wholeNumber(1, 22)),
+    HELP("", "show this help", Values::flag);
+
+    private final String placeholder;
+    private final String description;
+
+    @SuppressWarnings("ImmutableEnumChecker")
+    private final Values.Check check;
+
+    Option(String placeholder, String description, Values.Check check) {
+        this.placeholder = placeholder;
+        this.description = description;
+        this.check = check;
+    }
+
+    /** The name on the command line, such as {@code --no-browser}. */
+    String argument() {
+        return "--" + key();
+    }
+
+    /** The name in a properties file, such as {@code no-browser}. */
+    String key() {
+        return name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    /** The name of the environment variable, such as {@code ROBONEWBIE_NO_BROWSER}. */
+    String variable() {
+        return "ROBONEWBIE_" + name();
+    }
+
+    boolean isFlag() {
+        return placeholder.isEmpty();
+    }
+
+    /** Says what is wrong with a value; empty if nothing is. */
+    Optional<String> complaint(String value) {
+        return check.complaint(value);
+    }
+
+    String helpLine() {
+        return String.format(Locale.ROOT, "  %-22s %s", argument() + " " + placeholder, description);
+    }
+
+    static Optional<Option> ofKey(String key) {
+        return Arrays.stream(values())
+                .filter(option -> option.key().equals(key))
+                .findFirst();
+    }
+
+    /** The option whose name is most like a misspelt one; empty if none is near. */
+    static Optional<Option> nearest(String key) {
+        return Arrays.stream(values())
+                .filter(option -> distance(option.key(), key) <= 2)
+                .min(java.util.Comparator.comparingInt(option -> distance(option.key(), key)));
+    }
+
+    /** Levenshtein's distance: how many letters must be changed, added or taken away. */
+    private static int distance(String from, String to) {
+        int[] row = new int[to.length() + 1];
+        Arrays.setAll(row, i -> i);
+        for (int i = 1; i <= from.length(); i++) {
+            int diagonal = row[0];
+            row[0] = i;
+            for (int j = 1; j <= to.length(); j++) {
+                int replaced = diagonal + (from.charAt(i - 1) == to.charAt(j - 1) ? 0 : 1);
+                diagonal = row[j];
+                row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
+            }
+        }
+        return row[to.length()];
+    }
+}

@@ -1,0 +1,103 @@
+package org.robonewbie.agent;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Map;
+import java.util.Properties;
+
+/** The places from which options come; a later one is stronger. */
+enum OptionSource {
+    PROGRAM("in the program"),
+    ENVIRONMENT("in the environment"),
+    FILE("in robonewbie.properties"),
+    ARGUMENTS("on the command line");
+
+    private final String where;
+
+    OptionSource(String where) {
+        this.where = where;
+    }
+
+    /** What somebody said for an option, and how much that counts. */
+    record Value(String text, int strength) {}
+
+    static Map<Option, Value> ofEnvironment(Map<String, String> environment) {
+        Map<Option, Value> values = new EnumMap<>(Option.class);
+        for (Option option : Option.values()) {
+            String text = environment.get(option.variable());
+            if (text != null) {
+                values.put(option, ENVIRONMENT.value(option, text));
+            }
+        }
+        return values;
+    }
+
+    static Map<Option, Value> ofFile(Path file) throws IOException {
+        Map<Option, Value> values = new EnumMap<>(Option.class);
+        if (Files.isRegularFile(file)) {
+            Properties properties = new Properties();
+            try (Reader reader = Files.newBufferedReader(file)) {
+                properties.load(reader);
+            }
+            for (String key : properties.stringPropertyNames()) {
+                Option option = find(key, FILE.where);
+                values.put(option, FILE.value(option, properties.getProperty(key)));
+            }
+        }
+        return values;
+    }
+
+    /** Reads {@code --name value}, {@code --name=value} and flags; whatever is no option goes to the others. */
+    static Map<Option, Value> ofArguments(List<String> args, List<String> others) {
+        Map<Option, Value> values = new EnumMap<>(Option.class);
+        Iterator<String> rest = args.iterator();
+        while (rest.hasNext()) {
+            String argument = rest.next();
+            if (argument.equals("-h")) {
+                values.put(Option.HELP, ARGUMENTS.value(Option.HELP, "true"));
+            } else if (argument.startsWith("-")) {
+                int equals = argument.indexOf('=');
+                String name = equals < 0 ? argument : argument.substring(0, equals);
+                Option option = find(name.replaceFirst("^--", ""), ARGUMENTS.where);
+                String text = equals < 0 ? nextValue(option, rest) : argument.substring(equals + 1);
+                values.put(option, ARGUMENTS.value(option, text));
+            } else {
+                others.add(argument);
+            }
+        }
+        return values;
+    }
+
+    /** Checks what was said for an option. */
+    Value value(Option option, String text) {
+        String trimmed = option.isFlag() && text.isBlank() ? "true" : text.trim();
+        option.complaint(trimmed).ifPresent(expected -> {
+            throw new StartUpException(
+                    option.argument() + " needs " + expected + ", but \"" + trimmed + "\" stands " + where + ".");
+        });
+        return new Value(trimmed, ordinal());
+    }
+
+    static Option find(String key, String where) {
+        return Option.ofKey(key)
+                .orElseThrow(() -> new StartUpException("The option \"" + key + "\" " + where + " is unknown."
+                        + Option.nearest(key)
+                                .map(near -> " Did you mean " + near.argument() + "?")
+                                .orElse(" --help lists all options.")));
+    }
+
+    private static String nextValue(Option option, Iterator<String> rest) {
+        if (option.isFlag()) {
+            return "true";
+        }
+        if (!rest.hasNext()) {
+            throw new StartUpException(option.argument() + " needs a value after it; --help shows which.");
+        }
+        return rest.next();
+    }
+}

@@ -1,0 +1,344 @@
+package org.robonewbie.agent;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.OptionalLong;
+import java.util.stream.Collectors;
+
+/**
+ * Where a robot lives and who it is: the same options for every agent. They are taken from the command line, from the file
+ * {@code robonewbie.properties} in the working directory and from environment variables such as {@code ROBONEWBIE_HOST}, in
+ * this order of precedence.
+ *
+ * <pre>{@code
+ * Options options = Options.of(args);                     // --host 192.168.0.7 --number 4
+ * Options keeper = Options.none().withTeam("Blue").withNumber(1);
+ * }</pre>
+ */
+public final class Options {
+
+    private static final String DEFAULT_TEAM = "RoboNewbie";
+    private static final List<Option> ONLY_OWN_SIMULATOR =
+            List.of(Option.SEED, Option.FAST, Option.REPORT, Option.RECORD, Option.WAIT_FOR);
+
+    private final Map<Option, OptionSource.Value> values;
+    private final List<String> arguments;
+
+    Options(Map<Option, OptionSource.Value> values, List<String> arguments) {
+        this.values = values;
+        this.arguments = List.copyOf(arguments);
+        checkPlace();
+    }
+
+    /**
+     * Takes nothing from anywhere: all options have their usual values.
+     *
+     * @return the usual options
+     */
+    public static Options none() {
+        return new Options(new EnumMap<>(Option.class), List.of());
+    }
+
+    /**
+     * Reads the options of this program.
+     *
+     * @param args the arguments of {@code main}
+     * @return the options
+     * @throws StartUpException if an option is unknown or has a wrong value
+     */
+    public static Options of(String... args) {
+        return none().overriddenBy(args);
+    }
+
+    /**
+     * Reads the options of this program and falls back to these options for what the user leaves open.
+     *
+     * @param args the arguments of {@code main}
+     * @return the options
+     * @throws StartUpException if an option is unknown or has a wrong value
+     */
+    public Options overriddenBy(String... args) {
+        return overriddenBy(Arrays.asList(args), Path.of("robonewbie.properties"), System.getenv());
+    }
+
+    Options overriddenBy(List<String> args, Path file, Map<String, String> environment) {
+        Map<Option, OptionSource.Value> merged = new EnumMap<>(Option.class);
+        merged.putAll(values);
+        List<String> others = new ArrayList<>(arguments);
+        merged.putAll(OptionSource.ofEnvironment(environment));
+        try {
+            merged.putAll(OptionSource.ofFile(file));
+        } catch (IOException unreadable) {
+            throw new StartUpException("The file " + file + " cannot be read: " + unreadable.getMessage());
+        }
+        merged.putAll(OptionSource.ofArguments(args, others));
+        return new Options(merged, others);
+    }
+
+    /**
+     * Lists what the user can say.
+     *
+     * @return one line for each option
+     */
+    public static String help() {
+        return Arrays.stream(Option.values()).map(Option::helpLine).collect(Collectors.joining("\n"))
+                + "\nEach option can also stand in robonewbie.properties (such as host=192.168.0.7) or in the environment"
+                + " (such as ROBONEWBIE_HOST).";
+    }
+
+    /**
+     * Names another team.
+     *
+     * @param team the team's name
+     * @return these options with the other team
+     */
+    public Options withTeam(String team) {
+        return with(Option.TEAM, team);
+    }
+
+    /**
+     * Gives another number.
+     *
+     * @param number 1 to 11, or 0 for any free number
+     * @return these options with the other number
+     */
+    public Options withNumber(int number) {
+        return with(Option.NUMBER, Integer.toString(number));
+    }
+
+    /**
+     * Starts somewhere else.
+     *
+     * @param x metres from the centre, the own half has x ≤ 0
+     * @param y metres to the left of the centre
+     * @param degrees direction to look to; 0 is towards the opponents' goal, positive is left
+     * @return these options with the other start
+     */
+    public Options withPose(double x, double y, double degrees) {
+        return with(Option.POSE, x + "," + y + "," + degrees);
+    }
+
+    /**
+     * Ends the run at another time.
+     *
+     * @param seconds simulated seconds, above 0
+     * @return these options with the other end
+     */
+    public Options withSeconds(double seconds) {
+        return with(Option.SECONDS, Double.toString(seconds));
+    }
+
+    /**
+     * Changes one option by its name on the command line.
+     *
+     * @param name such as {@code seed}
+     * @param value such as {@code 1}; {@code true} switches a flag on
+     * @return these options with the other value
+     * @throws StartUpException if there is no such option or it cannot have this value
+     */
+    public Options with(String name, String value) {
+        return with(OptionSource.find(name, "program"), value);
+    }
+
+    private Options with(Option option, String value) {
+        Map<Option, OptionSource.Value> changed = new EnumMap<>(Option.class);
+        changed.putAll(values);
+        changed.put(option, OptionSource.PROGRAM.value(option, value));
+        return new Options(changed, arguments);
+    }
+
+    /**
+     * Tells which server to join.
+     *
+     * @return the name of the computer; empty if the user leaves it open
+     */
+    public Optional<String> host() {
+        return text(Option.HOST);
+    }
+
+    /**
+     * Tells the port of the server.
+     *
+     * @return the TCP port; empty if the user leaves it open
+     */
+    public OptionalInt port() {
+        Optional<String> port = text(Option.PORT);
+        return port.isPresent() ? OptionalInt.of(Integer.parseInt(port.get())) : OptionalInt.empty();
+    }
+
+    /**
+     * Names the team.
+     *
+     * @return the name, {@code RoboNewbie} if the user leaves it open
+     */
+    public String team() {
+        return text(Option.TEAM).orElse(DEFAULT_TEAM);
+    }
+
+    /**
+     * Tells the number on the shirt.
+     *
+     * @return 1 to 11; 0 for any free number
+     */
+    public int number() {
+        return text(Option.NUMBER).map(Integer::valueOf).orElse(0);
+    }
+
+    /**
+     * Tells where the robot starts.
+     *
+     * @return its first place; empty if the user leaves it open
+     */
+    public Optional<StartPose> pose() {
+        return text(Option.POSE).map(Options::parsePose);
+    }
+
+    /**
+     * Tells the build of the robot.
+     *
+     * @return 0 to 4, see {@code org.robonewbie.nao.model.RobotType}
+     */
+    public int type() {
+        return text(Option.TYPE).map(Integer::valueOf).orElse(0);
+    }
+
+    /**
+     * Tells the start of all random numbers.
+     *
+     * @return the seed; empty if the run need not be repeatable
+     */
+    public OptionalLong seed() {
+        Optional<String> seed = text(Option.SEED);
+        return seed.isPresent() ? OptionalLong.of(Long.parseLong(seed.get())) : OptionalLong.empty();
+    }
+
+    /**
+     * Tells whether the own simulator does not wait for real time.
+     *
+     * @return whether it runs as fast as it can
+     */
+    public boolean isFast() {
+        return isSet(Option.FAST);
+    }
+
+    /**
+     * Tells how long the run lasts.
+     *
+     * @return simulated seconds; empty if it has no end of its own
+     */
+    public OptionalDouble seconds() {
+        Optional<String> seconds = text(Option.SECONDS);
+        return seconds.isPresent() ? OptionalDouble.of(Double.parseDouble(seconds.get())) : OptionalDouble.empty();
+    }
+
+    /**
+     * Tells whether nobody watches.
+     *
+     * @return whether there is no studio
+     */
+    public boolean isHeadless() {
+        return isSet(Option.HEADLESS);
+    }
+
+    /**
+     * Tells whether the browser is left alone.
+     *
+     * @return whether the studio is not opened in the browser
+     */
+    public boolean isNoBrowser() {
+        return isSet(Option.NO_BROWSER);
+    }
+
+    /**
+     * Tells where the true results are written to.
+     *
+     * @return the JSON file; empty for none
+     */
+    public Optional<Path> report() {
+        return text(Option.REPORT).map(Path::of);
+    }
+
+    /**
+     * Tells where the run is recorded.
+     *
+     * @return the file; empty for none
+     */
+    public Optional<Path> record() {
+        return text(Option.RECORD).map(Path::of);
+    }
+
+    /**
+     * Tells how many robots must be in before the own simulator starts its clock.
+     *
+     * @return at least 1
+     */
+    public int waitFor() {
+        return text(Option.WAIT_FOR).map(Integer::valueOf).orElse(1);
+    }
+
+    /**
+     * Lists the arguments that are no options, for the agent's own use.
+     *
+     * @return the arguments in their order
+     */
+    public List<String> arguments() {
+        return arguments;
+    }
+
+    boolean isHelp() {
+        return isSet(Option.HELP);
+    }
+
+    /** Whether the robot must live in a simulator of this process. */
+    boolean needsOwnSimulator() {
+        return strongest(ONLY_OWN_SIMULATOR) > strength(Option.HOST);
+    }
+
+    /** Whether the robot must join the server that the user named. */
+    boolean needsServer() {
+        return strength(Option.HOST) > strongest(ONLY_OWN_SIMULATOR);
+    }
+
+    private void checkPlace() {
+        if (strength(Option.HOST) < 0) {
+            return;
+        }
+        for (Option own : ONLY_OWN_SIMULATOR) {
+            if (strength(own) == strength(Option.HOST)) {
+                throw new StartUpException(own.argument() + " needs a simulator of its own, but --host "
+                        + host().orElse("") + " asks for another one: leave one of the two out.");
+            }
+        }
+    }
+
+    private int strongest(List<Option> options) {
+        return options.stream().mapToInt(this::strength).max().orElse(-1);
+    }
+
+    private int strength(Option option) {
+        OptionSource.Value value = values.get(option);
+        return value == null || value.text().equals("false") ? -1 : value.strength();
+    }
+
+    private boolean isSet(Option option) {
+        return text(option).filter("true"::equals).isPresent();
+    }
+
+    private Optional<String> text(Option option) {
+        return Optional.ofNullable(values.get(option)).map(OptionSource.Value::text);
+    }
+
+    private static StartPose parsePose(String text) {
+        double[] numbers =
+                Arrays.stream(text.split(",")).mapToDouble(Double::parseDouble).toArray();
+        return new StartPose(numbers[0], numbers[1], numbers[2]);
+    }
+}

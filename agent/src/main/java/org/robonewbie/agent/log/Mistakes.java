@@ -1,0 +1,74 @@
+package org.robonewbie.agent.log;
+
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.function.Supplier;
+
+/**
+ * Reports mistakes of the robot's program at once, but only once for each place in it, so that a mistake in each of 50
+ * cycles per second can still be read. A mistake never stops the robot.
+ */
+public final class Mistakes {
+
+    private final PrintStream out;
+    private final Set<String> known = new HashSet<>();
+    private final List<String> reported = new ArrayList<>();
+    private double seconds;
+
+    /**
+     * Creates a reporter.
+     *
+     * @param out where to, usually {@code System.err}
+     */
+    public Mistakes(PrintStream out) {
+        this.out = out;
+    }
+
+    /**
+     * Sets the clock; the framework does this in each cycle.
+     *
+     * @param seconds simulated time in seconds
+     */
+    public synchronized void setTime(double seconds) {
+        this.seconds = seconds;
+    }
+
+    /**
+     * Reports a mistake of the code that calls the framework just now.
+     *
+     * @param kind what tells this mistake from others at the same place, without values that change
+     * @param text what happened, the value, and what to do
+     */
+    public void report(String kind, Supplier<String> text) {
+        reportAt(StudentCode.place().orElse(""), kind, text);
+    }
+
+    /**
+     * Reports a mistake at a known place.
+     *
+     * @param place file and line, or empty if it has no place in the program
+     * @param kind what tells this mistake from others at the same place, without values that change
+     * @param text what happened, the value, and what to do
+     */
+    public synchronized void reportAt(String place, String kind, Supplier<String> text) {
+        if (known.add(kind + "@" + place)) {
+            String where = place.isEmpty() ? "" : " (" + place + ")";
+            String line = String.format(Locale.ROOT, "%.2f s: ", seconds) + text.get() + where;
+            reported.add(line);
+            out.println(line);
+        }
+    }
+
+    /**
+     * Lists the mistakes so far.
+     *
+     * @return the reported lines, oldest first
+     */
+    public synchronized List<String> reported() {
+        return List.copyOf(reported);
+    }
+}

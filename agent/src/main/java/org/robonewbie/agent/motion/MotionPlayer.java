@@ -1,0 +1,233 @@
+package org.robonewbie.agent.motion;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.Interpolation;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.MotionSection;
+import org.robonewbie.nao.motion.Posture;
+
+/**
+ * Plays one motion: turns keyframes into one speed for each joint and cycle. Pure calculation, without a connection.
+ *
+ * <pre>{@code
+ * MotionPlayer player = new MotionPlayer(motion, Interpolation.LINEAR);
+ * while (!player.isFinished()) {
+ *     // motors.sense(joint, degrees) for each joint of the new message
+ *     player.step(motors);
+ *     motors.endCycle();
+ *     // send motors.sentDegreesPerSecond(joint) for each joint
+ * }
+ * }</pre>
+ *
+ * <p>In each cycle a joint gets the speed that leads from where it will be when the speed begins to act ({@link
+ * Motors#expectedDegrees}) to where the interpolation wants it one cycle later. The plan runs through the keyframes without
+ * a stop; a difference between plan and robot is made good by half in each cycle, and all of it in the last one. The time of
+ * a keyframe is played in whole cycles of 20 ms, at least one, and their sum is that of the motion. After its last step the
+ * player stops all motors.
+ */
+public final class MotionPlayer {
+
+    private static final int CYCLE_MILLIS = 20;
+    private static final double CORRECTION = 0.5;
+    private static final Joint[] JOINTS = Joint.values();
+
+    private final Motion motion;
+    private final Interpolation interpolation;
+    private final int[] keyframeEnds;
+    private final double[] plannedDegrees = new double[Joint.COUNT];
+    private Posture start = Posture.ZERO;
+    private int cycle;
+    private int keyframe;
+    private boolean looping;
+
+    /**
+     * Prepares a motion; it begins with the first {@link #step}.
+     *
+     * @param motion the motion
+     * @param interpolation how joints move from one keyframe to the next
+     */
+    public MotionPlayer(Motion motion, Interpolation interpolation) {
+        this.motion = motion;
+        this.interpolation = interpolation;
+        this.keyframeEnds = keyframeEnds(motion);
+    }
+
+    /**
+     * Names what is played.
+     *
+     * @return the motion
+     */
+    public Motion motion() {
+        return motion;
+    }
+
+    /**
+     * Tells which keyframe is being approached.
+     *
+     * @return its index from 0; the last one after the end
+     */
+    public int keyframe() {
+        return keyframe;
+    }
+
+    /**
+     * Tells how long the motion has been playing.
+     *
+     * @return seconds since its beginning, or since its last beginning if it is repeated
+     */
+    public double seconds() {
+        return cycle * Motors.CYCLE_SECONDS;
+    }
+
+    /**
+     * Tells how long the motion takes.
+     *
+     * @return seconds, in whole cycles
+     */
+    public double durationSeconds() {
+        return lengthInCycles() * Motors.CYCLE_SECONDS;
+    }
+
+    /**
+     * Repeats the motion or lets it end.
+     *
+     * @param looping whether the motion begins again after its last keyframe
+     */
+    public void setLooping(boolean looping) {
+        this.looping = looping;
+    }
+
+    /**
+     * Tells whether the way to the last keyframe is over.
+     *
+     * @return whether all speeds of the motion have been given out
+     */
+    public boolean isFinished() {
+        return cycle >= lengthInCycles() && !(looping && lengthInCycles() > 0);
+    }
+
+    /**
+     * Plays one cycle of 20 ms; after the end it stops the motors.
+     *
+     * @param motors know where the joints are and take their new speeds
+     */
+    public void step(Motors motors) {
+        if (isFinished()) {
+            stop(motors);
+            return;
+        }
+        if (cycle == 0) {
+            begin(motors);
+        } else if (cycle == lengthInCycles()) {
+            beginAgain();
+        }
+        cycle++;
+        while (cycle > keyframeEnds[keyframe]) {
+            keyframe++;
+        }
+        drive(motors);
+    }
+
+    /** Stops all joints that belong to the motion. */
+    static void stop(Motors motors) {
+        for (Joint joint : JOINTS) {
+            motors.setMotionSpeed(joint, 0);
+        }
+    }
+
+    /**
+     * Finds what the motors cannot do in time.
+     *
+     * @param motors tell from where the robot starts
+     * @return one sentence for each joint and keyframe that asks for too much
+     */
+    public List<String> problems(Motors motors) {
+        List<String> problems = new ArrayList<>();
+        for (int i = 0; i < keyframeEnds.length; i++) {
+            MotionSection section = new MotionSection(expected(motors), motion, i);
+            double seconds = cyclesOf(i) * Motors.CYCLE_SECONDS;
+            for (Joint joint : JOINTS) {
+                double way = Math.abs(reachable(joint, section.to()) - reachable(joint, section.from()));
+                if (way / seconds > joint.maxDegreesPerSecond() * 1.001) {
+                    problems.add(tooFast(i, joint, way, seconds));
+                }
+            }
+        }
+        return problems;
+    }
+
+    private String tooFast(int index, Joint joint, double way, double seconds) {
+        int enough = (int) Math.ceil(way / joint.maxDegreesPerSecond() * 1000 / CYCLE_MILLIS) * CYCLE_MILLIS;
+        return String.format(
+                Locale.ROOT,
+                "Motion %s turns %s by %.0f degrees in %.0f ms on the way to keyframe %d, faster than its motor can; give"
+                        + " it at least %d ms.",
+                motion.name(),
+                joint,
+                way,
+                seconds * 1000,
+                index + 1,
+                enough);
+    }
+
+    private void begin(Motors motors) {
+        start = expected(motors);
+        System.arraycopy(start.toArray(), 0, plannedDegrees, 0, Joint.COUNT);
+    }
+
+    private void beginAgain() {
+        start = motion.keyframes().get(keyframe).posture();
+        cycle = 0;
+        keyframe = 0;
+    }
+
+    private void drive(Motors motors) {
+        MotionSection section = new MotionSection(start, motion, keyframe);
+        int before = keyframe == 0 ? 0 : keyframeEnds[keyframe - 1];
+        double fraction = (double) (cycle - before) / cyclesOf(keyframe);
+        double correction = cycle == lengthInCycles() ? 1 : CORRECTION;
+        for (Joint joint : JOINTS) {
+            int i = joint.ordinal();
+            double next = Motors.inside(joint, interpolation.degrees(section, joint, fraction));
+            double error = plannedDegrees[i] - motors.expectedDegrees(joint);
+            motors.setMotionSpeed(joint, (next - plannedDegrees[i] + correction * error) / Motors.CYCLE_SECONDS);
+            plannedDegrees[i] = next;
+        }
+    }
+
+    private int cyclesOf(int index) {
+        return keyframeEnds[index] - (index == 0 ? 0 : keyframeEnds[index - 1]);
+    }
+
+    private int lengthInCycles() {
+        return keyframeEnds.length == 0 ? 0 : keyframeEnds[keyframeEnds.length - 1];
+    }
+
+    private static double reachable(Joint joint, Posture posture) {
+        return Motors.inside(joint, posture.degrees(joint));
+    }
+
+    private static Posture expected(Motors motors) {
+        return Posture.of(
+                Arrays.stream(JOINTS).mapToDouble(motors::expectedDegrees).toArray());
+    }
+
+    /** In which cycle each keyframe is reached: the nearest to its time, but later than the one before. */
+    private static int[] keyframeEnds(Motion motion) {
+        int[] ends = new int[motion.keyframes().size()];
+        int millis = 0;
+        int end = 0;
+        for (int i = 0; i < ends.length; i++) {
+            Keyframe frame = motion.keyframes().get(i);
+            millis += Math.max(0, frame.durationMillis());
+            end = Math.max(end + 1, Math.round((float) millis / CYCLE_MILLIS));
+            ends[i] = end;
+        }
+        return ends;
+    }
+}

@@ -1,0 +1,157 @@
+package org.robonewbie.agent.motion;
+
+import java.util.Arrays;
+import org.robonewbie.nao.Joint;
+
+/**
+ * The motors of the 22 joints. A simulator takes speeds only, so this class keeps them: a motor goes on with its speed until
+ * it gets another one, a target angle is approached and held, and no joint is driven against its stop.
+ *
+ * <p>It knows the delay of the simulation: the speed that answers message k turns the joint in the step before message k + 2.
+ * Until then the speed that answered message k - 1 still acts, so a joint will be at its sensed angle plus one step of that
+ * speed when the new speed begins to act: {@link #expectedDegrees}.
+ */
+public final class Motors {
+
+    /** Time between two messages in seconds: 0.02. */
+    public static final double CYCLE_SECONDS = 0.02;
+
+    /** A joint is stopped this much before its mechanical stop, where a simulator no longer listens; degrees. */
+    public static final double MARGIN_DEGREES = 0.1;
+
+    private static final Joint[] JOINTS = Joint.values();
+    private static final double NO_TARGET = Double.NaN;
+
+    private final double[] sensedDegrees = new double[Joint.COUNT];
+    private final double[] sentDegreesPerSecond = new double[Joint.COUNT];
+    private final double[] degreesPerSecond = new double[Joint.COUNT];
+    private final double[] targetDegrees = new double[Joint.COUNT];
+    private final double[] targetDegreesPerSecond = new double[Joint.COUNT];
+    private final boolean[] commanded = new boolean[Joint.COUNT];
+    private final boolean[] stopped = new boolean[Joint.COUNT];
+
+    /** Creates motors that stand still. */
+    public Motors() {
+        Arrays.fill(targetDegrees, NO_TARGET);
+    }
+
+    /**
+     * Takes in where a joint is.
+     *
+     * @param joint the joint
+     * @param degrees its sensed angle; NaN is ignored
+     */
+    public void sense(Joint joint, double degrees) {
+        if (Double.isFinite(degrees)) {
+            sensedDegrees[joint.ordinal()] = degrees;
+        }
+    }
+
+    /**
+     * Tells where a joint was at the last message.
+     *
+     * @param joint the joint
+     * @return its sensed angle in degrees
+     */
+    public double degrees(Joint joint) {
+        return sensedDegrees[joint.ordinal()];
+    }
+
+    /**
+     * Tells where a joint will be when a speed that is set now begins to act.
+     *
+     * @param joint the joint
+     * @return its expected angle in degrees
+     */
+    public double expectedDegrees(Joint joint) {
+        return sensedDegrees[joint.ordinal()] + sentDegreesPerSecond[joint.ordinal()] * CYCLE_SECONDS;
+    }
+
+    /**
+     * Turns a joint from now on.
+     *
+     * @param joint the joint
+     * @param speed in degrees per second, finite
+     */
+    public void setSpeed(Joint joint, double speed) {
+        commanded[joint.ordinal()] = true;
+        targetDegrees[joint.ordinal()] = NO_TARGET;
+        degreesPerSecond[joint.ordinal()] = speed;
+    }
+
+    /**
+     * Moves a joint to an angle and holds it there.
+     *
+     * @param joint the joint
+     * @param target angle in degrees, finite
+     * @param speed how fast it may move, in degrees per second above 0
+     */
+    public void setTarget(Joint joint, double target, double speed) {
+        commanded[joint.ordinal()] = true;
+        targetDegrees[joint.ordinal()] = inside(joint, target);
+        targetDegreesPerSecond[joint.ordinal()] = speed;
+    }
+
+    /** Gives all joints to a motion that starts; targets and speeds from before do not count any more. */
+    void release() {
+        Arrays.fill(commanded, false);
+        Arrays.fill(targetDegrees, NO_TARGET);
+    }
+
+    /** Turns a joint by a motion, unless the joint was commanded otherwise since the motion started. */
+    void setMotionSpeed(Joint joint, double speed) {
+        if (!commanded[joint.ordinal()]) {
+            degreesPerSecond[joint.ordinal()] = speed;
+        }
+    }
+
+    /** Fixes the speeds of this cycle. */
+    public void endCycle() {
+        for (Joint joint : JOINTS) {
+            int i = joint.ordinal();
+            if (!Double.isNaN(targetDegrees[i])) {
+                double needed = (targetDegrees[i] - expectedDegrees(joint)) / CYCLE_SECONDS;
+                degreesPerSecond[i] = limit(needed, targetDegreesPerSecond[i]);
+            }
+            double possible = limit(degreesPerSecond[i], joint.maxDegreesPerSecond());
+            sentDegreesPerSecond[i] = keepInside(joint, possible);
+            stopped[i] = sentDegreesPerSecond[i] != possible;
+        }
+    }
+
+    /**
+     * Tells the speed of a motor.
+     *
+     * @param joint the joint
+     * @return the speed that was fixed by the last {@link #endCycle}, in degrees per second
+     */
+    public double sentDegreesPerSecond(Joint joint) {
+        return sentDegreesPerSecond[joint.ordinal()];
+    }
+
+    /**
+     * Tells whether a joint had to be slowed down in the last {@link #endCycle}.
+     *
+     * @param joint the joint
+     * @return whether it has reached the end of its range
+     */
+    public boolean isStopped(Joint joint) {
+        return stopped[joint.ordinal()];
+    }
+
+    /** The nearest angle at which a joint still obeys. */
+    static double inside(Joint joint, double degrees) {
+        return Math.max(joint.minDegrees() + MARGIN_DEGREES, Math.min(joint.maxDegrees() - MARGIN_DEGREES, degrees));
+    }
+
+    private double keepInside(Joint joint, double speed) {
+        double room = inside(joint, speed > 0 ? joint.maxDegrees() : joint.minDegrees()) - expectedDegrees(joint);
+        return speed > 0
+                ? Math.min(speed, Math.max(0, room / CYCLE_SECONDS))
+                : Math.max(speed, Math.min(0, room / CYCLE_SECONDS));
+    }
+
+    private static double limit(double value, double most) {
+        return Math.max(-most, Math.min(most, value));
+    }
+}
