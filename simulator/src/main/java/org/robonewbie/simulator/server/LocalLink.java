@@ -1,0 +1,104 @@
+package org.robonewbie.simulator.server;
+
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+
+/** A connection between an agent and the simulator in the same process: two queues instead of a socket. */
+final class LocalLink implements AgentLink {
+
+    private final MessageQueue toSimulator = new MessageQueue();
+    private final MessageQueue toAgent = new MessageQueue();
+    private final Runnable doorbell;
+    private final ServerEnd serverEnd = new ServerEnd();
+    private volatile boolean open = true;
+
+    /**
+     * Creates the connection.
+     *
+     * @param doorbell called after each message for the simulator, on the agent's thread
+     */
+    LocalLink(Runnable doorbell) {
+        this.doorbell = doorbell;
+    }
+
+    /**
+     * Gives the simulator's end.
+     *
+     * @return the other end of this link
+     */
+    ServerLink serverEnd() {
+        return serverEnd;
+    }
+
+    @Override
+    public void send(MessageBuffer message) throws IOException {
+        try {
+            toSimulator.put(message);
+        } catch (InterruptedException e) {
+            throw interrupted();
+        }
+        doorbell.run();
+    }
+
+    @Override
+    public boolean receive(MessageBuffer message) throws IOException {
+        try {
+            return toAgent.take(message);
+        } catch (InterruptedException e) {
+            throw interrupted();
+        }
+    }
+
+    @Override
+    public void close() {
+        serverEnd.close();
+        doorbell.run();
+    }
+
+    private static IOException interrupted() {
+        Thread.currentThread().interrupt();
+        return new InterruptedIOException("The agent's thread was interrupted while it talked to the simulator.");
+    }
+
+    private final class ServerEnd implements ServerLink {
+
+        @Override
+        public boolean poll(MessageBuffer message) {
+            return toSimulator.poll(message);
+        }
+
+        @Override
+        public boolean offer(MessageBuffer message) {
+            return toAgent.offer(message);
+        }
+
+        @Override
+        public boolean isOpen() {
+            return open;
+        }
+
+        @Override
+        public String closingReason() {
+            return "has left.";
+        }
+
+        @Override
+        public void close() {
+            open = false;
+            toSimulator.close();
+            toAgent.close();
+        }
+
+        @Override
+        public boolean isLocal() {
+            return true;
+        }
+
+        @Override
+        public String address() {
+            return "in this process";
+        }
+    }
+}

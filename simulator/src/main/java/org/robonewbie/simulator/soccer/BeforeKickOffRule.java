@@ -1,0 +1,32 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.Optional;
+import org.robonewbie.nao.TeamSide;
+
+/** Before a kick-off the ball lies in the middle and everybody stays in the own half. */
+final class BeforeKickOffRule implements PlayModeRule {
+
+    private final Match match;
+    private final HalfClearing clearing;
+
+    BeforeKickOffRule(Match match) {
+        this.match = match;
+        this.clearing = new HalfClearing(match);
+    }
+
+    @Override
+    public void apply() {
+        if (match.players().isEmpty()) {
+            return;
+        }
+        match.ball().place(match.centreSpot());
+        match.ball().forgetTouches();
+        match.setSetPiece(Optional.empty());
+        clearing.keepInOwnHalf(TeamSide.LEFT);
+        clearing.keepInOwnHalf(TeamSide.RIGHT);
+        if (match.parameters().isOn(SoccerParameter.AUTOMATIC_KICK_OFF)
+                && match.state().modeSeconds() > match.parameters().get(SoccerParameter.WAIT_BEFORE_KICK_OFF)) {
+            match.kickOff();
+        }
+    }
+}

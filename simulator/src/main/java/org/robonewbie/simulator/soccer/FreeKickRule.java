@@ -1,0 +1,47 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+
+/** Kick-in, corner kick and free kick: the ball lies at its spot, the opponents keep away from it. */
+final class FreeKickRule implements PlayModeRule {
+
+    private final Match match;
+    private final TeamSide side;
+    private final boolean indirect;
+    private final Supplier<Vector3> choice;
+    private final KickPreparation preparation;
+    private Vector3 spot = Vector3.ZERO;
+
+    FreeKickRule(Match match, TeamSide side, boolean indirect, Supplier<Vector3> choice) {
+        this.match = match;
+        this.side = side;
+        this.indirect = indirect;
+        this.choice = choice;
+        this.preparation = new KickPreparation(match, side);
+    }
+
+    @Override
+    public void begin() {
+        spot = choice.get();
+        preparation.begin();
+    }
+
+    @Override
+    public void apply() {
+        if (preparation.isPausing()) {
+            return;
+        }
+        double distance = match.parameters().get(SoccerParameter.FREE_KICK_DISTANCE);
+        double moveDistance = match.parameters().get(SoccerParameter.FREE_KICK_MOVE_DISTANCE);
+        match.repositioning().clearCircle(side.opponent(), spot, distance, moveDistance);
+        Optional<Player> taker = preparation.holdBall(spot);
+        if (taker.isPresent()) {
+            match.setSetPiece(Optional.of(new SetPiece(side, taker, match.currentTick(), indirect, false)));
+            match.setPlayMode(PlayMode.PLAY_ON);
+        }
+    }
+}

@@ -1,0 +1,45 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.Optional;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+
+/** Goal kick: the opponents leave the penalty area, and play goes on when the ball has left it too. */
+final class GoalKickRule implements PlayModeRule {
+
+    private final Match match;
+    private final TeamSide side;
+    private final KickPreparation preparation;
+    private Optional<Player> taker = Optional.empty();
+
+    GoalKickRule(Match match, TeamSide side) {
+        this.match = match;
+        this.side = side;
+        this.preparation = new KickPreparation(match, side);
+    }
+
+    @Override
+    public void begin() {
+        taker = Optional.empty();
+        preparation.begin();
+    }
+
+    @Override
+    public void apply() {
+        if (preparation.isPausing()) {
+            return;
+        }
+        Area area = match.penaltyArea(side);
+        double moveDistance = match.parameters().get(SoccerParameter.FREE_KICK_MOVE_DISTANCE);
+        match.repositioning().clearArea(side.opponent(), area, moveDistance);
+        if (taker.isEmpty()) {
+            taker = preparation.holdBall(Spots.goalKick(match, side));
+        }
+        Vector3 ball = match.ball().position();
+        if (taker.isPresent() && !area.contains(ball)) {
+            match.setSetPiece(Optional.of(new SetPiece(side, taker, match.currentTick(), false, false)));
+            match.setPlayMode(PlayMode.PLAY_ON);
+        }
+    }
+}

@@ -1,0 +1,27 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.Optional;
+import org.robonewbie.nao.TeamSide;
+
+/** After a goal: a pause, in which robots may be beamed, then the other team kicks off. */
+final class GoalRule implements PlayModeRule {
+
+    private final Match match;
+    private final TeamSide scorer;
+    private final HalfClearing clearing;
+
+    GoalRule(Match match, TeamSide scorer) {
+        this.match = match;
+        this.scorer = scorer;
+        this.clearing = new HalfClearing(match);
+    }
+
+    @Override
+    public void apply() {
+        clearing.clearForKickOff(scorer.opponent());
+        if (match.state().modeSeconds() >= match.parameters().get(SoccerParameter.RULE_GOAL_PAUSE_TIME)) {
+            match.setSetPiece(Optional.empty());
+            match.kickOff(scorer.opponent());
+        }
+    }
+}

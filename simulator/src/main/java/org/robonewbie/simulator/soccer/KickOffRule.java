@@ -1,0 +1,38 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.Optional;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+
+/** A team begins: play goes on with the first touch of the ball. */
+final class KickOffRule implements PlayModeRule {
+
+    private final Match match;
+    private final TeamSide side;
+    private final HalfClearing clearing;
+    private long beginTick;
+
+    KickOffRule(Match match, TeamSide side) {
+        this.match = match;
+        this.side = side;
+        this.clearing = new HalfClearing(match);
+    }
+
+    @Override
+    public void begin() {
+        beginTick = match.currentTick();
+        match.ball().place(match.centreSpot());
+    }
+
+    @Override
+    public void apply() {
+        clearing.clearForKickOff(side);
+        Optional<Player> toucher = match.ball().touchedAfter(beginTick);
+        if (toucher.isPresent()) {
+            match.setSetPiece(Optional.of(new SetPiece(side, toucher, match.currentTick(), true, true)));
+            match.setPlayMode(PlayMode.PLAY_ON);
+        } else if (match.state().modeSeconds() > match.parameters().get(SoccerParameter.RULE_DROP_BALL_TIME)) {
+            match.dropBall(match.ball().position());
+        }
+    }
+}

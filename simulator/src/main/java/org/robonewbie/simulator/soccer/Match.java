@@ -1,0 +1,289 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+/** The game on the pitch: everything that the rules read and change. */
+public final class Match {
+
+    private final SoccerWorld world;
+    private final SoccerParameters parameters;
+    private final Random random;
+    private final GameState state = new GameState();
+    private final Teams teams;
+    private final BallWatch ball;
+    private final Repositioning repositioning;
+    private final PlayModeRules rules;
+    private final List<MatchEvent> events = new ArrayList<>();
+    private Optional<SetPiece> setPiece = Optional.empty();
+    private Optional<TeamSide> nextFirstKickOff;
+    private boolean halfBegun;
+    private long tick;
+
+    /**
+     * Prepares a game before its kick-off.
+     *
+     * @param world the pitch and all that is on it
+     * @param parameters the settings
+     * @param seed start of the referee's chance
+     */
+    public Match(SoccerWorld world, SoccerParameters parameters, long seed) {
+        this.world = world;
+        this.parameters = parameters;
+        this.random = new Random(seed);
+        this.teams = new Teams(parameters);
+        this.ball = new BallWatch(world);
+        this.repositioning = new Repositioning(this);
+        this.rules = new PlayModeRules(this);
+        this.nextFirstKickOff = presetKickOff();
+    }
+
+    /**
+     * Gives access to clock and score.
+     *
+     * @return the state of the game
+     */
+    public GameState state() {
+        return state;
+    }
+
+    /**
+     * Gives access to the teams.
+     *
+     * @return who plays
+     */
+    public Teams teams() {
+        return teams;
+    }
+
+    /**
+     * Tells the settings.
+     *
+     * @return the parameters
+     */
+    public SoccerParameters parameters() {
+        return parameters;
+    }
+
+    /**
+     * Tells what happened in the last cycle.
+     *
+     * @return the events in their order, unmodifiable
+     */
+    public List<MatchEvent> events() {
+        return Collections.unmodifiableList(events);
+    }
+
+    /** Forgets the events; called once they have been recorded. */
+    public void clearEvents() {
+        events.clear();
+    }
+
+    /**
+     * Tells whether a robot may be beamed at present.
+     *
+     * @return true before a kick-off and after a goal
+     */
+    public boolean mayBeam() {
+        return state.playMode() == PlayMode.BEFORE_KICK_OFF
+                || state.playMode() == PlayMode.GOAL_LEFT
+                || state.playMode() == PlayMode.GOAL_RIGHT;
+    }
+
+    /**
+     * Tells whether the program shall end since the game has ended.
+     *
+     * @return true some time after the game if that is wanted
+     */
+    public boolean isProgramOver() {
+        return state.playMode() == PlayMode.GAME_OVER
+                && parameters.isOn(SoccerParameter.AUTOMATIC_QUIT)
+                && state.modeSeconds() >= 10;
+    }
+
+    /**
+     * Decides something, like a human referee does.
+     *
+     * @param playMode the new play mode
+     */
+    public void setPlayMode(PlayMode playMode) {
+        state.setPlayMode(playMode);
+        events.add(new MatchEvent.PlayModeChanged(playMode));
+        rules.of(playMode).begin();
+    }
+
+    /**
+     * Lets a team kick off.
+     *
+     * @param side the team that begins
+     */
+    public void kickOff(TeamSide side) {
+        halfBegun = true;
+        setPlayMode(side == TeamSide.LEFT ? PlayMode.KICK_OFF_LEFT : PlayMode.KICK_OFF_RIGHT);
+    }
+
+    /** Lets one of the teams kick off, as the rules or chance decide. */
+    public void kickOff() {
+        boolean first = !halfBegun;
+        TeamSide side = Optional.<TeamSide>empty()
+                .or(() -> first ? nextFirstKickOff : Optional.empty())
+                .orElseGet(() -> random.nextBoolean() ? TeamSide.LEFT : TeamSide.RIGHT);
+        if (first) {
+            boolean swap = parameters.isOn(SoccerParameter.CHANGE_SIDES_IN_SECOND_HALF);
+            nextFirstKickOff = Optional.of(swap ? side : side.opponent());
+        }
+        kickOff(side);
+    }
+
+    /** Gives the ball free where it lies, and makes room around it. */
+    public void dropBall() {
+        dropBall(ball.position());
+    }
+
+    /**
+     * Puts the score, the clock and the ball back to the beginning.
+     */
+    public void restart() {
+        state.restart();
+        events.add(new MatchEvent.PlayModeChanged(PlayMode.BEFORE_KICK_OFF));
+        nextFirstKickOff = presetKickOff();
+        halfBegun = false;
+        setPiece = Optional.empty();
+        ball.forgetTouches();
+        ball.place(centreSpot());
+    }
+
+    /**
+     * Gives a player a new body.
+     *
+     * @param old the player so far
+     * @param robot its new body
+     * @return the player with the same team and number
+     */
+    public Player replaceRobot(Player old, Robot robot) {
+        Player replacement = teams.replaceRobot(old, robot);
+        ball.replace(old, replacement);
+        return replacement;
+    }
+
+    /** Advances the game by one cycle of 20 ms, after the world has moved. */
+    public void tick() {
+        tick++;
+        state.tick(!teams.players().isEmpty());
+        ball.update(tick, teams.players());
+        if (!checkTime()) {
+            rules.of(state.playMode()).apply();
+        }
+    }
+
+    SoccerField field() {
+        return world.field();
+    }
+
+    BallWatch ball() {
+        return ball;
+    }
+
+    Repositioning repositioning() {
+        return repositioning;
+    }
+
+    Random random() {
+        return random;
+    }
+
+    long currentTick() {
+        return tick;
+    }
+
+    List<Player> players() {
+        return teams.players();
+    }
+
+    List<Player> players(TeamSide side) {
+        return teams.team(side).map(Team::players).orElse(List.of());
+    }
+
+    /** The spot in the middle of the pitch, at the height of a lying ball's centre. */
+    Vector3 centreSpot() {
+        return new Vector3(0, 0, ball.radius());
+    }
+
+    Area penaltyArea(TeamSide side) {
+        double halfLength = field().length() / 2;
+        double halfWidth = (field().penaltyWidth() + field().goalWidth()) / 2;
+        return side == TeamSide.LEFT
+                ? new Area(-halfLength, -halfLength + field().penaltyLength(), -halfWidth, halfWidth)
+                : new Area(halfLength - field().penaltyLength(), halfLength, -halfWidth, halfWidth);
+    }
+
+    Optional<SetPiece> setPiece() {
+        return setPiece;
+    }
+
+    void setSetPiece(Optional<SetPiece> newSetPiece) {
+        setPiece = newSetPiece;
+    }
+
+    /** Tells whether the restrictions of who takes a kick hold: in a real game, not for a lonely robot. */
+    boolean hasKickRules() {
+        return parameters.isOn(SoccerParameter.FREE_KICK_RULES)
+                && !parameters.isOn(SoccerParameter.PENALTY_SHOOTOUT)
+                && players().size() > 2;
+    }
+
+    void scoreGoal(TeamSide scorer) {
+        state.addGoal(scorer);
+        events.add(new MatchEvent.GoalScored(scorer, teams.name(scorer)));
+        setPlayMode(scorer == TeamSide.LEFT ? PlayMode.GOAL_LEFT : PlayMode.GOAL_RIGHT);
+    }
+
+    void dropBall(Vector3 place) {
+        Vector3 spot = Spots.dropBall(this, place);
+        double distance = parameters.get(SoccerParameter.FREE_KICK_DISTANCE);
+        double moveDistance = parameters.get(SoccerParameter.FREE_KICK_MOVE_DISTANCE);
+        TeamSide first = random.nextBoolean() ? TeamSide.LEFT : TeamSide.RIGHT;
+        ball.place(spot);
+        repositioning.clearCircle(first, spot, distance, moveDistance);
+        repositioning.clearCircle(first.opponent(), spot, distance, moveDistance);
+        setPiece = Optional.empty();
+        setPlayMode(PlayMode.PLAY_ON);
+    }
+
+    private Optional<TeamSide> presetKickOff() {
+        return parameters.isOn(SoccerParameter.COIN_TOSS_FOR_KICK_OFF) ? Optional.empty() : Optional.of(TeamSide.LEFT);
+    }
+
+    /** Ends a half when its time is up; tells whether it did. */
+    private boolean checkTime() {
+        double halfTime = parameters.get(SoccerParameter.RULE_HALF_TIME);
+        if (state.playMode() == PlayMode.GAME_OVER || state.playSeconds() < state.half() * halfTime) {
+            return false;
+        }
+        if (state.half() == 2 || parameters.isOn(SoccerParameter.SINGLE_HALF_TIME)) {
+            setPlayMode(PlayMode.GAME_OVER);
+            return true;
+        }
+        beginSecondHalf();
+        return true;
+    }
+
+    private void beginSecondHalf() {
+        state.beginSecondHalf();
+        halfBegun = false;
+        if (parameters.isOn(SoccerParameter.CHANGE_SIDES_IN_SECOND_HALF)) {
+            teams.changeSides();
+            state.swapScore();
+        }
+        setPlayMode(PlayMode.BEFORE_KICK_OFF);
+    }
+}

@@ -1,0 +1,107 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.Optional;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+
+/** The running game: double touch of who took a kick, goals, and the ball leaving the pitch. */
+final class PlayOnRule implements PlayModeRule {
+
+    private static final long DOUBLE_TOUCH_TICKS = 5;
+
+    private final Match match;
+
+    PlayOnRule(Match match) {
+        this.match = match;
+    }
+
+    @Override
+    public void apply() {
+        forgetSetPieceAfterOthersTouch();
+        if (isDoubleTouch()) {
+            TeamSide side = match.setPiece().orElseThrow().side().opponent();
+            match.setPlayMode(PlayModeRules.of(side, PlayMode.FREE_KICK_LEFT, PlayMode.FREE_KICK_RIGHT));
+            return;
+        }
+        Optional<TeamSide> goal = match.ball().goal();
+        if (goal.isPresent()) {
+            judgeGoal(goal.get());
+        } else if (!match.ball().isOnField()) {
+            judgeOut();
+        }
+    }
+
+    private void forgetSetPieceAfterOthersTouch() {
+        Optional<SetPiece> piece = match.setPiece();
+        Optional<BallWatch.Touch> touch = match.ball().lastTouch();
+        if (piece.isEmpty() || touch.isEmpty() || touch.get().tick() <= piece.get().tick()) {
+            return;
+        }
+        Player player = touch.get().player();
+        boolean other = !piece.get().taker().equals(Optional.of(player));
+        boolean released = !piece.get().kickOff()
+                || player.side() != piece.get().side()
+                || isOutsideCentreCircle(match.ball().position());
+        if (other && released) {
+            match.setSetPiece(Optional.empty());
+        } else if (other) {
+            match.setSetPiece(Optional.of(new SetPiece(
+                    piece.get().side(), Optional.empty(), piece.get().tick(), piece.get().indirect(), true)));
+        }
+    }
+
+    private boolean isOutsideCentreCircle(Vector3 ball) {
+        return Math.hypot(ball.x(), ball.y()) > match.parameters().get(SoccerParameter.FREE_KICK_DISTANCE);
+    }
+
+    private boolean isDoubleTouch() {
+        Optional<BallWatch.Touch> touch = match.ball().lastTouch();
+        return match.hasKickRules()
+                && touch.isPresent()
+                && match.setPiece()
+                        .filter(piece -> piece.taker().equals(Optional.of(touch.get().player())))
+                        .filter(piece -> touch.get().tick() >= piece.tick() + DOUBLE_TOUCH_TICKS)
+                        .isPresent();
+    }
+
+    private void judgeGoal(TeamSide goal) {
+        TeamSide scorer = goal.opponent();
+        Optional<SetPiece> piece = match.setPiece().filter(candidate -> match.hasKickRules());
+        boolean ownGoal = piece.isPresent() && piece.get().side() == goal;
+        if (ownGoal) {
+            corner(scorer);
+        } else if (piece.isPresent() && piece.get().indirect()) {
+            goalKick(goal);
+        } else {
+            match.scoreGoal(scorer);
+        }
+    }
+
+    private void judgeOut() {
+        Optional<TeamSide> toucher = match.ball().lastTouch().map(touch -> touch.player().side());
+        if (toucher.isEmpty()) {
+            return;
+        }
+        Vector3 ball = match.ball().position();
+        if (Math.abs(ball.x()) < match.field().length() / 2 + match.ball().radius()) {
+            match.setPlayMode(
+                    PlayModeRules.of(toucher.get().opponent(), PlayMode.KICK_IN_LEFT, PlayMode.KICK_IN_RIGHT));
+            return;
+        }
+        TeamSide defenders = ball.x() < 0 ? TeamSide.LEFT : TeamSide.RIGHT;
+        if (toucher.get() == defenders) {
+            corner(defenders.opponent());
+        } else {
+            goalKick(defenders);
+        }
+    }
+
+    private void corner(TeamSide attackers) {
+        match.setPlayMode(PlayModeRules.of(attackers, PlayMode.CORNER_KICK_LEFT, PlayMode.CORNER_KICK_RIGHT));
+    }
+
+    private void goalKick(TeamSide defenders) {
+        match.setPlayMode(PlayModeRules.of(defenders, PlayMode.GOAL_KICK_LEFT, PlayMode.GOAL_KICK_RIGHT));
+    }
+}

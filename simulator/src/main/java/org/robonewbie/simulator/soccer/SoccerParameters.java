@@ -1,0 +1,214 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import org.robonewbie.nao.SoccerField;
+
+/**
+ * A value for each {@link SoccerParameter}; it never changes.
+ *
+ * <pre>{@code
+ * SoccerParameters parameters = SoccerParameters.league().with("RuleHalfTime=60");
+ * double seconds = parameters.get(SoccerParameter.RULE_HALF_TIME);
+ * }</pre>
+ */
+public final class SoccerParameters {
+
+    private final double[] values;
+
+    private SoccerParameters(double[] values) {
+        this.values = values;
+    }
+
+    /**
+     * Gives the values of the league's profile, those of rcssserver3d 0.7.3.
+     *
+     * @return the parameters
+     */
+    public static SoccerParameters league() {
+        return new SoccerParameters(Arrays.stream(SoccerParameter.values())
+                .mapToDouble(SoccerParameter::leagueValue)
+                .toArray());
+    }
+
+    /**
+     * Gives the values of the beginners' profile: a small pitch, kick-off at once, no fouls, no noise when beamed.
+     *
+     * @return the parameters
+     */
+    public static SoccerParameters beginner() {
+        return new SoccerParameters(Arrays.stream(SoccerParameter.values())
+                .mapToDouble(SoccerParameter::beginnerValue)
+                .toArray());
+    }
+
+    /**
+     * Reads a number.
+     *
+     * @param parameter which one
+     * @return its value in its own unit
+     */
+    public double get(SoccerParameter parameter) {
+        return values[parameter.ordinal()];
+    }
+
+    /**
+     * Reads a yes or no.
+     *
+     * @param parameter which one
+     * @return whether it is yes
+     */
+    public boolean isOn(SoccerParameter parameter) {
+        return values[parameter.ordinal()] != 0;
+    }
+
+    /**
+     * Changes one value.
+     *
+     * @param parameter which one
+     * @param value the new value; 1 for yes and 0 for no
+     * @return parameters that differ in this value
+     */
+    public SoccerParameters with(SoccerParameter parameter, double value) {
+        double[] changed = values.clone();
+        changed[parameter.ordinal()] = value;
+        return new SoccerParameters(changed);
+    }
+
+    /**
+     * Changes one value as it is written on the command line.
+     *
+     * @param assignment such as {@code RuleHalfTime=60} or {@code UseCharging=false}
+     * @return parameters that differ in this value
+     * @throws IllegalArgumentException if there is no such parameter or the value is no number; the message says what
+     *     to write
+     */
+    public SoccerParameters with(String assignment) {
+        int equals = assignment.indexOf('=');
+        if (equals < 1) {
+            throw new IllegalArgumentException(
+                    "Setting \"" + assignment + "\" has no value. Write NAME=VALUE, for example RuleHalfTime=60.");
+        }
+        String name = assignment.substring(0, equals).trim();
+        SoccerParameter parameter = SoccerParameter.ofSimSparkName(name).orElseThrow(() -> unknown(name));
+        return with(parameter, parse(parameter, assignment.substring(equals + 1).trim()));
+    }
+
+    /**
+     * Gives the pitch that these parameters describe.
+     *
+     * @return the pitch
+     */
+    public SoccerField field() {
+        return new SoccerField(
+                get(SoccerParameter.FIELD_LENGTH),
+                get(SoccerParameter.FIELD_WIDTH),
+                get(SoccerParameter.GOAL_WIDTH),
+                get(SoccerParameter.GOAL_DEPTH),
+                get(SoccerParameter.GOAL_HEIGHT),
+                get(SoccerParameter.PENALTY_LENGTH),
+                get(SoccerParameter.PENALTY_WIDTH),
+                get(SoccerParameter.FREE_KICK_DISTANCE));
+    }
+
+    /**
+     * Writes all values as they can be read again.
+     *
+     * @return one assignment for each parameter, in their order
+     */
+    public List<String> assignments() {
+        List<String> assignments = new ArrayList<>();
+        for (SoccerParameter parameter : SoccerParameter.values()) {
+            assignments.add(parameter.simSparkName() + "=" + text(parameter, get(parameter)));
+        }
+        return assignments;
+    }
+
+    /**
+     * Lists all parameters for people.
+     *
+     * @return one line for each: name, value in the league, value for beginners, meaning
+     */
+    public static List<String> describe() {
+        return Arrays.stream(SoccerParameter.values())
+                .map(parameter -> String.format(
+                        Locale.ROOT,
+                        "%-30s %8s %8s  %s",
+                        parameter.simSparkName(),
+                        text(parameter, parameter.leagueValue()),
+                        text(parameter, parameter.beginnerValue()),
+                        parameter.description()))
+                .toList();
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof SoccerParameters parameters && Arrays.equals(values, parameters.values);
+    }
+
+    @Override
+    public int hashCode() {
+        return Arrays.hashCode(values);
+    }
+
+    @Override
+    public String toString() {
+        return String.join(" ", assignments());
+    }
+
+    private static double parse(SoccerParameter parameter, String text) {
+        if (parameter.isYesOrNo()) {
+            return switch (text) {
+                case "true" -> 1;
+                case "false" -> 0;
+                default -> throw new IllegalArgumentException("Value \"" + text + "\" of " + parameter.simSparkName()
+                        + " is neither true nor false. Write one of them.");
+            };
+        }
+        try {
+            double value = Double.parseDouble(text);
+            if (Double.isFinite(value)) {
+                return value;
+            }
+        } catch (NumberFormatException e) {
+            // Told below, together with numbers that are not finite.
+        }
+        throw new IllegalArgumentException("Value \"" + text + "\" of " + parameter.simSparkName()
+                + " is not a number. It is meant in " + parameter.description() + ".");
+    }
+
+    private static String text(SoccerParameter parameter, double value) {
+        if (parameter.isYesOrNo()) {
+            return value == 0 ? "false" : "true";
+        }
+        return value == Math.rint(value) && Math.abs(value) < 1e15 ? Long.toString((long) value) : Double.toString(value);
+    }
+
+    private static IllegalArgumentException unknown(String name) {
+        String nearest = Arrays.stream(SoccerParameter.values())
+                .map(SoccerParameter::simSparkName)
+                .min(Comparator.comparingInt(candidate -> editDistance(candidate, name)))
+                .orElseThrow();
+        return new IllegalArgumentException("Parameter \"" + name + "\" does not exist. Did you mean " + nearest
+                + "? \"robonewbie simulator --help\" lists all of them.");
+    }
+
+    private static int editDistance(String first, String second) {
+        int[] previous = new int[second.length() + 1];
+        Arrays.setAll(previous, i -> i);
+        for (int i = 1; i <= first.length(); i++) {
+            int[] current = new int[second.length() + 1];
+            current[0] = i;
+            for (int j = 1; j <= second.length(); j++) {
+                boolean same = Character.toLowerCase(first.charAt(i - 1)) == Character.toLowerCase(second.charAt(j - 1));
+                current[j] = Math.min(
+                        previous[j - 1] + (same ? 0 : 1), 1 + Math.min(previous[j], current[j - 1]));
+            }
+            previous = current;
+        }
+        return previous[second.length()];
+    }
+}

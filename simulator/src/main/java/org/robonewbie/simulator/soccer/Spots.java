@@ -1,0 +1,60 @@
+package org.robonewbie.simulator.soccer;
+
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+
+/** Where the ball is put for a kick; all places are centres of a lying ball in the world frame, metres. */
+final class Spots {
+
+    private Spots() {}
+
+    static Vector3 kickIn(Match match) {
+        Vector3 out = match.ball().lastValidPosition();
+        return at(match, out.x(), Math.copySign(sideLine(match), out.y()));
+    }
+
+    /** The corner spot lies half way between goal post and corner flag. */
+    static Vector3 corner(Match match, TeamSide attackers) {
+        SoccerField field = match.field();
+        double x = field.length() / 2 - match.ball().radius();
+        double y = (field.width() + field.goalWidth()) / 4 - match.ball().radius();
+        double sign = attackers == TeamSide.LEFT ? 1 : -1;
+        return at(match, sign * x, Math.copySign(y, match.ball().lastValidPosition().y()));
+    }
+
+    static Vector3 goalKick(Match match, TeamSide side) {
+        double x = match.field().length() / 2 - match.parameters().get(SoccerParameter.GOAL_KICK_DISTANCE);
+        return at(match, side == TeamSide.LEFT ? -x : x, 0);
+    }
+
+    static Vector3 freeKick(Match match) {
+        return outOfPenaltyAreas(match, match.ball().lastValidPosition());
+    }
+
+    static Vector3 dropBall(Match match, Vector3 place) {
+        Vector3 spot = outOfPenaltyAreas(match, place);
+        double limit = sideLine(match);
+        return at(match, spot.x(), Math.max(-limit, Math.min(limit, spot.y())));
+    }
+
+    /** Moves a place inside a penalty area to the area's front corner on the same side. */
+    private static Vector3 outOfPenaltyAreas(Match match, Vector3 place) {
+        for (TeamSide side : TeamSide.values()) {
+            Area area = match.penaltyArea(side);
+            if (area.contains(place)) {
+                double x = side == TeamSide.LEFT ? area.maxX() : area.minX();
+                return at(match, x, place.y() < 0 ? area.minY() : area.maxY());
+            }
+        }
+        return at(match, place.x(), place.y());
+    }
+
+    private static double sideLine(Match match) {
+        return match.field().width() / 2 - match.ball().radius();
+    }
+
+    private static Vector3 at(Match match, double x, double y) {
+        return new Vector3(x, y, match.ball().radius());
+    }
+}

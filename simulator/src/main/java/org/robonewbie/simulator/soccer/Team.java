@@ -1,0 +1,133 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.world.Robot;
+
+/** The players that carry the same name and defend the same half. */
+public final class Team {
+
+    /** Players in a full team, and their highest number. */
+    public static final int SIZE = 11;
+
+    private final String name;
+    private final SoccerParameters parameters;
+    private final List<Player> players = new ArrayList<>();
+    private TeamSide side;
+
+    Team(String name, TeamSide side, SoccerParameters parameters) {
+        this.name = name;
+        this.side = side;
+        this.parameters = parameters;
+    }
+
+    /**
+     * Names the team.
+     *
+     * @return the name that the first player gave, possibly empty
+     */
+    public String name() {
+        return name;
+    }
+
+    /**
+     * Tells on which side the team plays at present.
+     *
+     * @return the half that it defends
+     */
+    public TeamSide side() {
+        return side;
+    }
+
+    /**
+     * Lists who is there.
+     *
+     * @return the players in the order in which they joined, unmodifiable
+     */
+    public List<Player> players() {
+        return Collections.unmodifiableList(players);
+    }
+
+    void changeSide() {
+        side = side.opponent();
+    }
+
+    /** Says why a robot may not join, or nothing if it may; number 0 asks for any free one. */
+    Optional<String> objection(int number, RobotType type) {
+        if (players.size() >= SIZE) {
+            return Optional.of("team \"" + name + "\" has all of its " + SIZE + " players already");
+        }
+        if (number < 0 || number > SIZE) {
+            return Optional.of("number " + number + " does not exist; choose 1 to " + SIZE);
+        }
+        if (isTaken(number)) {
+            return Optional.of("number " + number + " of team \"" + name + "\" is taken; choose another one or 0 for any");
+        }
+        return typeObjection(type);
+    }
+
+    /** Takes a robot in; number 0 stands for the lowest free one. */
+    Player add(int number, Robot robot) {
+        Player player = new Player(this, number == 0 ? lowestFreeNumber() : number, robot);
+        players.add(player);
+        return player;
+    }
+
+    void remove(Player player) {
+        players.remove(player);
+    }
+
+    void replace(Player old, Player replacement) {
+        players.set(players.indexOf(old), replacement);
+    }
+
+    private Optional<String> typeObjection(RobotType type) {
+        int limit = (int) parameters.get(SoccerParameter.MAX_ROBOT_TYPE_COUNT);
+        if (count(type) >= limit) {
+            return Optional.of("team \"" + name + "\" has " + count(type) + " robots of type " + type.ordinal()
+                    + " already and MaxRobotTypeCount is " + limit + "; choose another type");
+        }
+        int pairLimit = (int) parameters.get(SoccerParameter.MAX_SUM_TWO_ROBOT_TYPES);
+        for (RobotType other : RobotType.values()) {
+            if (other != type && count(other) > 0 && count(type) + count(other) >= pairLimit) {
+                return Optional.of("team \"" + name + "\" has " + pairLimit + " robots of types " + type.ordinal() + " and "
+                        + other.ordinal() + " already, which is MaxSumTwoRobotTypes; choose another type");
+            }
+        }
+        int missing = (int) parameters.get(SoccerParameter.MIN_ROBOT_TYPES_COUNT) - typesPresent();
+        if (count(type) > 0 && SIZE - players.size() <= missing) {
+            return Optional.of("team \"" + name + "\" needs " + missing
+                    + " more types for a full team (MinRobotTypesCount); choose a type that it does not have yet");
+        }
+        return Optional.empty();
+    }
+
+    private int count(RobotType type) {
+        return (int) players.stream()
+                .filter(player -> player.robot().model().type() == type)
+                .count();
+    }
+
+    private int typesPresent() {
+        return (int) players.stream()
+                .map(player -> player.robot().model().type())
+                .distinct()
+                .count();
+    }
+
+    private boolean isTaken(int number) {
+        return players.stream().anyMatch(player -> player.number() == number);
+    }
+
+    private int lowestFreeNumber() {
+        int number = 1;
+        while (isTaken(number)) {
+            number++;
+        }
+        return number;
+    }
+}

@@ -1,0 +1,170 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.world.Robot;
+
+/**
+ * Who plays: the first team name ever heard plays on the left, the second on the right, and both stay reserved when their
+ * players leave (SimSpark: {@code gamestateaspect.cpp}).
+ */
+public final class Teams {
+
+    private final SoccerParameters parameters;
+    private final List<Team> teams = new ArrayList<>();
+    private final List<Player> players = new ArrayList<>();
+    private final Map<TeamSide, StartPlaces> startPlaces = new EnumMap<>(TeamSide.class);
+
+    Teams(SoccerParameters parameters) {
+        this.parameters = parameters;
+        for (TeamSide side : TeamSide.values()) {
+            startPlaces.put(side, new StartPlaces(side, parameters));
+        }
+    }
+
+    /**
+     * Lists all players of both teams.
+     *
+     * @return the players in the order in which they joined, unmodifiable
+     */
+    public List<Player> players() {
+        return Collections.unmodifiableList(players);
+    }
+
+    /**
+     * Finds a team.
+     *
+     * @param side the half that it defends
+     * @return the team, or empty before it has come
+     */
+    public Optional<Team> team(TeamSide side) {
+        return teams.stream().filter(team -> team.side() == side).findFirst();
+    }
+
+    /**
+     * Names a team.
+     *
+     * @param side the half that it defends
+     * @return its name, empty before it has come
+     */
+    public String name(TeamSide side) {
+        return team(side).map(Team::name).orElse("");
+    }
+
+    /**
+     * Finds a player.
+     *
+     * @param side the half that the team defends
+     * @param number the player's number
+     * @return the player, or empty if there is none
+     */
+    public Optional<Player> player(TeamSide side, int number) {
+        return players.stream()
+                .filter(player -> player.side() == side && player.number() == number)
+                .findFirst();
+    }
+
+    /**
+     * Takes a robot into a team and puts it to the side line of its half.
+     *
+     * @param name the team's name
+     * @param number the wanted number, 0 for the lowest free one
+     * @param robot the robot
+     * @return the new player
+     * @throws JoinRefusedException if team, number or robot type are not allowed; the message says why
+     */
+    public Player join(String name, int number, Robot robot) throws JoinRefusedException {
+        Team team = findOrFound(name);
+        Optional<String> objection = team.objection(number, robot.model().type());
+        if (objection.isPresent()) {
+            throw new JoinRefusedException(objection.get());
+        }
+        Player player = team.add(number, robot);
+        players.add(player);
+        putToStart(player);
+        return player;
+    }
+
+    /**
+     * Takes a player out of its team; the number becomes free.
+     *
+     * @param player the player that leaves
+     */
+    public void leave(Player player) {
+        players.remove(player);
+        player.team().remove(player);
+    }
+
+    /**
+     * Puts a player where a new player of its team appears.
+     *
+     * @param player the player
+     */
+    public void putToStart(Player player) {
+        StartPlaces places = startPlaces.get(player.side());
+        player.robot().moveUpright(places.next(), player.side() == TeamSide.LEFT ? -90 : 90);
+    }
+
+    /** Gives a player a new body. */
+    Player replaceRobot(Player old, Robot robot) {
+        Player replacement = new Player(old.team(), old.number(), robot);
+        old.team().replace(old, replacement);
+        players.set(players.indexOf(old), replacement);
+        return replacement;
+    }
+
+    void changeSides() {
+        teams.forEach(Team::changeSide);
+    }
+
+    private Team findOrFound(String name) throws JoinRefusedException {
+        for (Team team : teams) {
+            if (team.name().equals(name)) {
+                return team;
+            }
+        }
+        if (teams.size() == 2) {
+            throw new JoinRefusedException("teams \"" + teams.get(0).name() + "\" and \""
+                    + teams.get(1).name() + "\" play already; a third team \"" + name + "\" cannot");
+        }
+        TeamSide side = teams.isEmpty() ? TeamSide.LEFT : teams.get(0).side().opponent();
+        Team team = new Team(name, side, parameters);
+        teams.add(team);
+        return team;
+    }
+
+    /** The row of places at the side line; as in the original nobody ever gives a place back. */
+    private static final class StartPlaces {
+
+        private final double radius;
+        private final double halfWidth;
+        private double x;
+        private double y;
+
+        StartPlaces(TeamSide side, SoccerParameters parameters) {
+            SoccerField field = parameters.field();
+            radius = parameters.get(SoccerParameter.AGENT_RADIUS);
+            halfWidth = field.width() / 2;
+            double distance = field.length() / 2 - 2 * radius;
+            x = side == TeamSide.LEFT ? -distance : distance;
+            y = halfWidth - 2 * radius;
+        }
+
+        Vector3 next() {
+            Vector3 place = new Vector3(x, y, radius);
+            y -= 3 * radius;
+            if (y < -halfWidth) {
+                y = halfWidth - 2 * radius;
+                x += 2 * radius;
+            }
+            return place;
+        }
+    }
+}
