@@ -9,8 +9,7 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * The TCP port at which agents connect. It belongs to the simulation's thread, which also waits here for whatever comes
@@ -66,20 +65,17 @@ final class AgentPort implements AutoCloseable {
      * Reads what has arrived on all connections and accepts new ones.
      *
      * @param milliseconds how long to wait for something to happen, 0 not to wait
-     * @return the new connections
+     * @param newcomers takes the new connections
+     * @return whether anything has happened
      */
-    List<TcpServerLink> listen(long milliseconds) {
-        List<TcpServerLink> links = new ArrayList<>();
+    boolean listen(long milliseconds, Consumer<TcpServerLink> newcomers) {
         try {
-            if (milliseconds > 0) {
-                selector.select(key -> serve(key, links), milliseconds);
-            } else {
-                selector.selectNow(key -> serve(key, links));
-            }
+            Consumer<SelectionKey> action = key -> serve(key, newcomers);
+            return (milliseconds > 0 ? selector.select(action, milliseconds) : selector.selectNow(action)) > 0;
         } catch (IOException e) {
             console.say("The agent port does not answer (" + e.getMessage() + ").");
+            return false;
         }
-        return links;
     }
 
     /** Ends the waiting of {@link #listen}, from any thread. */
@@ -97,22 +93,22 @@ final class AgentPort implements AutoCloseable {
         }
     }
 
-    private void serve(SelectionKey key, List<TcpServerLink> links) {
+    private void serve(SelectionKey key, Consumer<TcpServerLink> newcomers) {
         if (key.attachment() instanceof TcpServerLink link) {
             link.receive();
         } else {
-            accept(links);
+            accept(newcomers);
         }
     }
 
-    private void accept(List<TcpServerLink> links) {
+    private void accept(Consumer<TcpServerLink> newcomers) {
         try {
             for (int i = 0; i < ACCEPTED_PER_CYCLE; i++) {
                 SocketChannel client = channel.accept();
                 if (client == null) {
                     return;
                 }
-                links.add(link(client));
+                newcomers.accept(link(client));
             }
         } catch (IOException e) {
             console.say("An agent could not be accepted (" + e.getMessage() + ").");
@@ -122,7 +118,8 @@ final class AgentPort implements AutoCloseable {
     private TcpServerLink link(SocketChannel client) throws IOException {
         client.configureBlocking(false);
         client.setOption(StandardSocketOptions.TCP_NODELAY, true);
-        TcpServerLink link = new TcpServerLink(client, String.valueOf(client.getRemoteAddress()).replace("/", ""));
+        TcpServerLink link = new TcpServerLink(
+                client, String.valueOf(client.getRemoteAddress()).replace("/", ""));
         client.register(selector, SelectionKey.OP_READ, link);
         return link;
     }

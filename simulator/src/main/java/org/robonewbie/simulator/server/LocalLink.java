@@ -81,7 +81,7 @@ final class LocalLink implements AgentLink {
 
         @Override
         public String closingReason() {
-            return "has left.";
+            return HAS_LEFT;
         }
 
         @Override

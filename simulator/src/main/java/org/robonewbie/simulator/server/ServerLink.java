@@ -5,6 +5,9 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 /** The simulator's end of an agent's connection. No method waits. */
 interface ServerLink {
 
+    /** The reason of an end that nobody has to think about. */
+    String HAS_LEFT = "has left.";
+
     /**
      * Takes the next complete message that has arrived.
      *

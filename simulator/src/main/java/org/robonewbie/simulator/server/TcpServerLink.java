@@ -1,20 +1,22 @@
 package org.robonewbie.simulator.server;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.channels.SocketChannel;
+import org.robonewbie.protocol.frame.FrameDecoder;
+import org.robonewbie.protocol.frame.FrameEncoder;
+import org.robonewbie.protocol.frame.FrameTooLongException;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /** The simulator's end of an agent's TCP connection. */
 final class TcpServerLink implements ServerLink {
 
-    /** How many bytes of one agent are read in one cycle; the rest waits in the network. */
-    private static final int BYTES_PER_CYCLE = 1 << 16;
+    /** Longest message that is accepted, in bytes: a thousand times what a robot needs. */
+    static final int MAXIMUM_LENGTH = 1 << 20;
 
     private final SocketChannel channel;
     private final String address;
-    private final FrameDecoder decoder = new FrameDecoder();
-    private ByteBuffer outgoing = ByteBuffer.allocate(0);
+    private final FrameDecoder decoder = new FrameDecoder(MAXIMUM_LENGTH);
+    private final FrameEncoder encoder = new FrameEncoder();
     private String closingReason = "";
     private boolean open = true;
     private boolean ended;
@@ -24,10 +26,10 @@ final class TcpServerLink implements ServerLink {
         this.address = address;
     }
 
-    /** Reads what has arrived; called when the operating system has something. */
+    /** Reads one chunk of what has arrived; the rest waits in the network. */
     void receive() {
         try {
-            if (!ended && decoder.fill(channel, BYTES_PER_CYCLE) < 0) {
+            if (!ended && decoder.fillFrom(channel) < 0) {
                 ended = true;
             }
         } catch (IOException e) {
@@ -44,28 +46,24 @@ final class TcpServerLink implements ServerLink {
             if (decoder.next(message)) {
                 return true;
             }
-        } catch (IOException e) {
-            end(e.getMessage() + " The connection is closed.");
+        } catch (FrameTooLongException e) {
+            end("was disconnected. " + e.getMessage());
             return false;
         }
         if (ended) {
-            end("has left.");
+            end(HAS_LEFT);
         }
         return false;
     }
 
     @Override
     public boolean offer(MessageBuffer message) {
-        boolean free = !outgoing.hasRemaining();
-        if (free) {
-            fillOutgoing(message);
-        }
         try {
-            channel.write(outgoing);
+            return encoder.send(channel, message);
         } catch (IOException e) {
             end("has lost its connection (" + e.getMessage() + ").");
+            return false;
         }
-        return free;
     }
 
     @Override
@@ -91,17 +89,6 @@ final class TcpServerLink implements ServerLink {
     @Override
     public String address() {
         return address;
-    }
-
-    private void fillOutgoing(MessageBuffer message) {
-        int length = 4 + message.length();
-        if (outgoing.capacity() < length) {
-            outgoing = ByteBuffer.allocateDirect(2 * length);
-        }
-        outgoing.clear();
-        outgoing.putInt(message.length());
-        outgoing.put(message.bytes(), 0, message.length());
-        outgoing.flip();
     }
 
     private void end(String reason) {

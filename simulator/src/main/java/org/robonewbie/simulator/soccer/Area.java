@@ -18,6 +18,9 @@ record Area(double minX, double maxX, double minY, double maxY) {
     }
 
     boolean touches(BoundingBox box) {
-        return box.max().x() >= minX && box.min().x() <= maxX && box.max().y() >= minY && box.min().y() <= maxY;
+        return box.max().x() >= minX
+                && box.min().x() <= maxX
+                && box.max().y() >= minY
+                && box.min().y() <= maxY;
     }
 }

@@ -45,7 +45,9 @@ final class HalfClearing {
                         .move(
                                 player,
                                 new Vector3(
-                                        x, player.position().y(), player.position().z()));
+                                        x,
+                                        player.position().y(),
+                                        player.position().z()));
             }
         }
     }

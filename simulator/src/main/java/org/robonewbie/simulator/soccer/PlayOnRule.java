@@ -35,7 +35,9 @@ final class PlayOnRule implements PlayModeRule {
     private void forgetSetPieceAfterOthersTouch() {
         Optional<SetPiece> piece = match.setPiece();
         Optional<BallWatch.Touch> touch = match.ball().lastTouch();
-        if (piece.isEmpty() || touch.isEmpty() || touch.get().tick() <= piece.get().tick()) {
+        if (piece.isEmpty()
+                || touch.isEmpty()
+                || touch.get().tick() <= piece.get().tick()) {
             return;
         }
         Player player = touch.get().player();
@@ -47,7 +49,11 @@ final class PlayOnRule implements PlayModeRule {
             match.setSetPiece(Optional.empty());
         } else if (other) {
             match.setSetPiece(Optional.of(new SetPiece(
-                    piece.get().side(), Optional.empty(), piece.get().tick(), piece.get().indirect(), true)));
+                    piece.get().side(),
+                    Optional.empty(),
+                    piece.get().tick(),
+                    piece.get().indirect(),
+                    true)));
         }
     }
 
@@ -60,7 +66,8 @@ final class PlayOnRule implements PlayModeRule {
         return match.hasKickRules()
                 && touch.isPresent()
                 && match.setPiece()
-                        .filter(piece -> piece.taker().equals(Optional.of(touch.get().player())))
+                        .filter(piece ->
+                                piece.taker().equals(Optional.of(touch.get().player())))
                         .filter(piece -> touch.get().tick() >= piece.tick() + DOUBLE_TOUCH_TICKS)
                         .isPresent();
     }
@@ -79,7 +86,8 @@ final class PlayOnRule implements PlayModeRule {
     }
 
     private void judgeOut() {
-        Optional<TeamSide> toucher = match.ball().lastTouch().map(touch -> touch.player().side());
+        Optional<TeamSide> toucher =
+                match.ball().lastTouch().map(touch -> touch.player().side());
         if (toucher.isEmpty()) {
             return;
         }

@@ -63,8 +63,7 @@ final class Repositioning {
 
     /** Moves a robot to a place or, if that is taken, to a free one nearby. */
     void move(Player player, Vector3 wanted) {
-        player.robot()
-                .moveTo(search(player, wanted, place -> isFree(player, place) && !isAtBall(place)));
+        player.robot().moveTo(search(player, wanted, place -> isFree(player, place) && !isAtBall(place)));
     }
 
     private Vector3 besideCircle(Player player, Vector3 centre, double moveDistance) {
@@ -117,15 +116,14 @@ final class Repositioning {
     }
 
     private boolean isAtBall(Vector3 place) {
-        double distance = Math.max(
-                2 * agentRadius, match.parameters().get(SoccerParameter.PASS_MODE_MIN_OPPONENT_BALL_DISTANCE));
+        double distance =
+                Math.max(2 * agentRadius, match.parameters().get(SoccerParameter.PASS_MODE_MIN_OPPONENT_BALL_DISTANCE));
         Vector3 ball = match.ball().position();
         return Math.hypot(place.x() - ball.x(), place.y() - ball.y()) < distance;
     }
 
     private boolean isAtGoal(Vector3 place) {
-        return Math.abs(place.x()) > field.length() / 2
-                && Math.abs(place.y()) < field.goalWidth() / 2 + agentRadius;
+        return Math.abs(place.x()) > field.length() / 2 && Math.abs(place.y()) < field.goalWidth() / 2 + agentRadius;
     }
 
     private boolean isFullArea(Player player, Vector3 place) {

@@ -27,11 +27,13 @@ public enum SoccerParameter {
     /** Width of the penalty area. */
     PENALTY_WIDTH("PenaltyWidth", 3.9, 2.6, "width of the penalty area without the goal's width, metres"),
     /** Free space around a free kick. */
-    FREE_KICK_DISTANCE("FreeKickDistance", 2, 1.3, "metres that opponents keep from a kick; radius of the centre circle"),
+    FREE_KICK_DISTANCE(
+            "FreeKickDistance", 2, 1.3, "metres that opponents keep from a kick; radius of the centre circle"),
     /** Where opponents are put at a free kick. */
     FREE_KICK_MOVE_DISTANCE("FreeKickMoveDist", 2.5, 1.5, "metres from a kick to which opponents are moved"),
     /** How far the kicking team is pushed from the ball. */
-    KICK_REPEL_DISTANCE("KickRepelDist", 0.5, 0.5, "metres that the kicking team is moved away when the ball is placed"),
+    KICK_REPEL_DISTANCE(
+            "KickRepelDist", 0.5, 0.5, "metres that the kicking team is moved away when the ball is placed"),
     /** Place of the goal kick. */
     GOAL_KICK_DISTANCE("GoalKickDist", 1, 1, "metres from the goal line to the place of a goal kick"),
     /** Strip around the pitch. */
@@ -41,7 +43,8 @@ public enum SoccerParameter {
     /** Time before the automatic kick-off. */
     WAIT_BEFORE_KICK_OFF("WaitBeforeKickOff", 30, 0, "seconds from the first agent to the automatic kick-off"),
     /** Coin for the first kick-off. */
-    COIN_TOSS_FOR_KICK_OFF("CoinTossForKickOff", false, false, "whether chance, not the left team, has the first kick-off"),
+    COIN_TOSS_FOR_KICK_OFF(
+            "CoinTossForKickOff", false, false, "whether chance, not the left team, has the first kick-off"),
     /** Penalty shoot-out. */
     PENALTY_SHOOTOUT("PenaltyShootout", false, false, "whether the left team shoots at a lone goalkeeper"),
     /** Robots may start anywhere. */
@@ -127,7 +130,8 @@ public enum SoccerParameter {
     /** Pause after that penalty. */
     SELF_COLLISION_BEAM_COOLDOWN_TIME("SelfCollisionBeamCooldownTime", 10, 10, "seconds between two such penalties"),
     /** List of self-collisions. */
-    WRITE_SELF_COLLISIONS_TO_FILE("WriteSelfCollisionsToFile", false, false, "without effect: they are in the recording"),
+    WRITE_SELF_COLLISIONS_TO_FILE(
+            "WriteSelfCollisionsToFile", false, false, "without effect: they are in the recording"),
     /** Limit for a robot that does not stand. */
     NOT_STANDING_MAX_TIME("NotStandingMaxTime", 30, 1e9, "seconds"),
     /** Limit for a goalkeeper that does not stand. */
@@ -157,7 +161,8 @@ public enum SoccerParameter {
     /** Noise of a beam. */
     BEAM_NOISE_ANGLE("BeamNoiseAngle", 10, 0, "degrees by which a beamed robot misses its direction at most"),
     /** Search for a free place. */
-    MAX_NUM_SAFE_REPOSITION_ATTEMPTS("MaxNumSafeRepositionAttempts", 100, 100, "places tried for a moved robot; 0: none"),
+    MAX_NUM_SAFE_REPOSITION_ATTEMPTS(
+            "MaxNumSafeRepositionAttempts", 100, 100, "places tried for a moved robot; 0: none"),
     /** Pass mode: speed of the ball. */
     PASS_MODE_MAX_BALL_SPEED("PassModeMaxBallSpeed", 0.05, 0.05, "metres per second"),
     /** Pass mode: distance of the player. */
@@ -171,7 +176,8 @@ public enum SoccerParameter {
     /** Pass mode: time to the next. */
     PASS_MODE_RETRY_WAIT_TIME("PassModeRetryWaitTime", 3, 3, "seconds"),
     /** Restrictions of who takes a kick; always on in the original. */
-    FREE_KICK_RULES("FreeKickRules", true, false, "whether a kicker must neither score at once nor touch the ball twice"),
+    FREE_KICK_RULES(
+            "FreeKickRules", true, false, "whether a kicker must neither score at once nor touch the ball twice"),
     /** Time in which a new robot may be beamed while the game runs; not in the original. */
     BEAM_GRACE_TIME("BeamGraceTime", 0, 2, "seconds after joining in which a robot may be beamed in every play mode");
 

@@ -164,8 +164,9 @@ public final class SoccerParameters {
             return switch (text) {
                 case "true" -> 1;
                 case "false" -> 0;
-                default -> throw new IllegalArgumentException("Value \"" + text + "\" of " + parameter.simSparkName()
-                        + " is neither true nor false. Write one of them.");
+                default ->
+                    throw new IllegalArgumentException("Value \"" + text + "\" of " + parameter.simSparkName()
+                            + " is neither true nor false. Write one of them.");
             };
         }
         try {
@@ -184,7 +185,9 @@ public final class SoccerParameters {
         if (parameter.isYesOrNo()) {
             return value == 0 ? "false" : "true";
         }
-        return value == Math.rint(value) && Math.abs(value) < 1e15 ? Long.toString((long) value) : Double.toString(value);
+        return value == Math.rint(value) && Math.abs(value) < 1e15
+                ? Long.toString((long) value)
+                : Double.toString(value);
     }
 
     private static IllegalArgumentException unknown(String name) {
@@ -203,9 +206,9 @@ public final class SoccerParameters {
             int[] current = new int[second.length() + 1];
             current[0] = i;
             for (int j = 1; j <= second.length(); j++) {
-                boolean same = Character.toLowerCase(first.charAt(i - 1)) == Character.toLowerCase(second.charAt(j - 1));
-                current[j] = Math.min(
-                        previous[j - 1] + (same ? 0 : 1), 1 + Math.min(previous[j], current[j - 1]));
+                boolean same =
+                        Character.toLowerCase(first.charAt(i - 1)) == Character.toLowerCase(second.charAt(j - 1));
+                current[j] = Math.min(previous[j - 1] + (same ? 0 : 1), 1 + Math.min(previous[j], current[j - 1]));
             }
             previous = current;
         }

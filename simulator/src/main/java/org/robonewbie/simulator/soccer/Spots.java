@@ -20,7 +20,10 @@ final class Spots {
         double x = field.length() / 2 - match.ball().radius();
         double y = (field.width() + field.goalWidth()) / 4 - match.ball().radius();
         double sign = attackers == TeamSide.LEFT ? 1 : -1;
-        return at(match, sign * x, Math.copySign(y, match.ball().lastValidPosition().y()));
+        return at(
+                match,
+                sign * x,
+                Math.copySign(y, match.ball().lastValidPosition().y()));
     }
 
     static Vector3 goalKick(Match match, TeamSide side) {

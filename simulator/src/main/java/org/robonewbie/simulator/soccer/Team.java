@@ -65,7 +65,8 @@ public final class Team {
             return Optional.of("number " + number + " does not exist; choose 1 to " + SIZE);
         }
         if (isTaken(number)) {
-            return Optional.of("number " + number + " of team \"" + name + "\" is taken; choose another one or 0 for any");
+            return Optional.of(
+                    "number " + number + " of team \"" + name + "\" is taken; choose another one or 0 for any");
         }
         return typeObjection(type);
     }
@@ -94,8 +95,8 @@ public final class Team {
         int pairLimit = (int) parameters.get(SoccerParameter.MAX_SUM_TWO_ROBOT_TYPES);
         for (RobotType other : RobotType.values()) {
             if (other != type && count(other) > 0 && count(type) + count(other) >= pairLimit) {
-                return Optional.of("team \"" + name + "\" has " + pairLimit + " robots of types " + type.ordinal() + " and "
-                        + other.ordinal() + " already, which is MaxSumTwoRobotTypes; choose another type");
+                return Optional.of("team \"" + name + "\" has " + pairLimit + " robots of types " + type.ordinal()
+                        + " and " + other.ordinal() + " already, which is MaxSumTwoRobotTypes; choose another type");
             }
         }
         int missing = (int) parameters.get(SoccerParameter.MIN_ROBOT_TYPES_COUNT) - typesPresent();

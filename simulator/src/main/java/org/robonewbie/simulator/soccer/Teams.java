@@ -2,9 +2,7 @@ package org.robonewbie.simulator.soccer;
 
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
@@ -20,13 +18,13 @@ public final class Teams {
     private final SoccerParameters parameters;
     private final List<Team> teams = new ArrayList<>();
     private final List<Player> players = new ArrayList<>();
-    private final Map<TeamSide, StartPlaces> startPlaces = new EnumMap<>(TeamSide.class);
+    private final StartPlaces leftPlaces;
+    private final StartPlaces rightPlaces;
 
     Teams(SoccerParameters parameters) {
         this.parameters = parameters;
-        for (TeamSide side : TeamSide.values()) {
-            startPlaces.put(side, new StartPlaces(side, parameters));
-        }
+        leftPlaces = new StartPlaces(TeamSide.LEFT, parameters);
+        rightPlaces = new StartPlaces(TeamSide.RIGHT, parameters);
     }
 
     /**
@@ -108,8 +106,8 @@ public final class Teams {
      * @param player the player
      */
     public void putToStart(Player player) {
-        StartPlaces places = startPlaces.get(player.side());
-        player.robot().moveUpright(places.next(), player.side() == TeamSide.LEFT ? -90 : 90);
+        boolean left = player.side() == TeamSide.LEFT;
+        player.robot().moveUpright((left ? leftPlaces : rightPlaces).next(), left ? -90 : 90);
     }
 
     /** Gives a player a new body. */

@@ -1,0 +1,60 @@
+package org.robonewbie.simulator.embedded;
+
+import java.io.IOException;
+import java.util.Optional;
+import java.util.Random;
+import java.util.ServiceLoader;
+import org.robonewbie.protocol.embedded.EmbeddedSimulator;
+import org.robonewbie.protocol.embedded.SimulatorProvider;
+import org.robonewbie.protocol.embedded.SimulatorRequest;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.Viewer;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+
+/**
+ * Starts simulators for beginners: a small pitch, simple rules, and a world that waits for its agents. It is found by {@link
+ * ServiceLoader}.
+ */
+public final class BeginnersSimulatorProvider implements SimulatorProvider {
+
+    private static final long SEEDS = 1_000_000;
+
+    /** Creates the provider. */
+    public BeginnersSimulatorProvider() {}
+
+    @Override
+    public EmbeddedSimulator start(SimulatorRequest request) throws IOException {
+        Console console = Console.standard();
+        Simulator simulator = Simulator.start(settings(request), console);
+        try {
+            Optional<Viewer.View> view = request.headless() ? Optional.empty() : openView(simulator);
+            if (request.openBrowser()) {
+                view.ifPresent(opened -> Browser.open(opened.address(), console));
+            }
+            return new ViewedSimulator(simulator, view);
+        } catch (IOException e) {
+            simulator.close();
+            throw e;
+        }
+    }
+
+    private static SimulatorSettings settings(SimulatorRequest request) {
+        return SimulatorSettings.beginner()
+                .agentPort(request.agentPort())
+                .synchronous(true)
+                .speed(request.fast() ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
+                .seed(request.seed().orElseGet(() -> (long) new Random().nextInt((int) SEEDS)))
+                .awaitedAgents(request.awaitedAgents())
+                .seconds(request.seconds())
+                .recording(request.recording())
+                .report(request.report())
+                .build();
+    }
+
+    private static Optional<Viewer.View> openView(Simulator simulator) throws IOException {
+        Optional<Viewer> viewer = ServiceLoader.load(Viewer.class).findFirst();
+        return viewer.isEmpty() ? Optional.empty() : Optional.of(viewer.get().open(simulator.control(), 0));
+    }
+}

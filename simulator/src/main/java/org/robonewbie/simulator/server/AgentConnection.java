@@ -1,0 +1,130 @@
+package org.robonewbie.simulator.server;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorMessageReader;
+import org.robonewbie.protocol.frame.MessageBuffer;
+
+/** The conversation with one agent: which commands have come, which message goes out, and whether it keeps in step. */
+final class AgentConnection {
+
+    /** Messages after which an agent must answer each one in sync mode, so that it can join without. */
+    private static final int FREE_MESSAGES = 5;
+
+    /** Commands of one agent that are kept for one cycle; a robot has 24 hinges. */
+    private static final int MAXIMUM_COMMANDS = 2000;
+
+    private final int id;
+    private final ServerLink link;
+    private final boolean strict;
+    private final ComplaintBook complaints;
+    private final EffectorMessageReader reader = new EffectorMessageReader();
+    private final MessageBuffer incoming = new MessageBuffer();
+    private final MessageBuffer outgoing = new MessageBuffer();
+    private final List<EffectorCommand> commands = new ArrayList<>();
+    private boolean synchronised;
+    private boolean answered = true;
+    private boolean heardOf;
+    private int generatedMessages;
+    private long unansweredMessages;
+
+    /**
+     * Begins the conversation.
+     *
+     * @param id number of the connection
+     * @param link the connection
+     * @param strict whether in sync mode the agent is waited for from the beginning, as agents within this process are
+     * @param console where to tell the agent's mistakes
+     */
+    AgentConnection(int id, ServerLink link, boolean strict, Console console) {
+        this.id = id;
+        this.link = link;
+        this.strict = strict;
+        this.complaints = new ComplaintBook(console, "Agent " + id + " (" + link.address() + ")");
+    }
+
+    int id() {
+        return id;
+    }
+
+    ServerLink link() {
+        return link;
+    }
+
+    /** Reads the messages that have arrived. */
+    void read() {
+        while (link.poll(incoming)) {
+            heardOf = true;
+            answered = true;
+            reader.read(incoming, this::take, this::complain);
+        }
+    }
+
+    /** Takes out the commands that have arrived, in their order. */
+    List<EffectorCommand> takeCommands() {
+        List<EffectorCommand> taken = commands.isEmpty() ? Collections.emptyList() : List.copyOf(commands);
+        commands.clear();
+        return taken;
+    }
+
+    /** Tells whether anything has ever been sent by the agent. */
+    boolean isHeardOf() {
+        return heardOf;
+    }
+
+    /** Tells whether in sync mode the world may go on as far as this agent is concerned. */
+    boolean isSynchronised() {
+        return synchronised || !link.isOpen() || (!strict && generatedMessages < FREE_MESSAGES);
+    }
+
+    /** Gives the buffer for the next message, to be filled and announced by {@link #messageGenerated}. */
+    MessageBuffer emptyMessage() {
+        outgoing.clear();
+        return outgoing;
+    }
+
+    void messageGenerated() {
+        generatedMessages++;
+    }
+
+    /** Sends the message that was generated last, if there is one. */
+    void send() {
+        if (outgoing.length() == 0) {
+            return;
+        }
+        if (!answered) {
+            unansweredMessages++;
+        }
+        if (link.offer(outgoing)) {
+            synchronised = false;
+            answered = false;
+        } else if (link.isOpen()) {
+            complain("slow", "does not read its messages fast enough; some are thrown away.");
+        }
+    }
+
+    /** Counts the messages to which no answer came before the next one was sent. */
+    long unansweredMessages() {
+        return unansweredMessages;
+    }
+
+    void complain(String kind, String sentence) {
+        complaints.complain(kind, sentence);
+    }
+
+    private void complain(String problem) {
+        complain(problem, "sent something that cannot be used. " + problem + ".");
+    }
+
+    private void take(EffectorCommand command) {
+        if (command instanceof EffectorCommand.Synchronise) {
+            synchronised = true;
+        } else if (commands.size() < MAXIMUM_COMMANDS) {
+            commands.add(command);
+        } else {
+            complain("flood", "sends more than " + MAXIMUM_COMMANDS + " commands in one cycle; the rest is ignored.");
+        }
+    }
+}

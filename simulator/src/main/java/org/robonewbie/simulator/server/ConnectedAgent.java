@@ -1,0 +1,127 @@
+package org.robonewbie.simulator.server;
+
+import java.util.Optional;
+import org.robonewbie.protocol.effector.EffectorCommand.Beam;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
+import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
+import org.robonewbie.simulator.soccer.Player;
+import org.robonewbie.simulator.world.Robot;
+
+/** An agent with its connection, its robot and what it asked for in this cycle. */
+final class ConnectedAgent {
+
+    private static final int VISION_INTERVAL = 3;
+
+    private final AgentConnection connection;
+    private final Hearing hearing = new Hearing();
+    private Optional<Robot> robot = Optional.empty();
+    private Optional<Player> player = Optional.empty();
+    private Optional<CreateRobot> wantedRobot = Optional.empty();
+    private Optional<JoinTeam> wantedTeam = Optional.empty();
+    private Optional<Beam> wantedBeam = Optional.empty();
+    private Optional<Beam> lastBeam = Optional.empty();
+    private boolean teamToBeTold;
+    private long cycles;
+    private long cyclesInTeam;
+
+    ConnectedAgent(AgentConnection connection) {
+        this.connection = connection;
+    }
+
+    AgentConnection connection() {
+        return connection;
+    }
+
+    Hearing hearing() {
+        return hearing;
+    }
+
+    Optional<Robot> robot() {
+        return robot;
+    }
+
+    Optional<Player> player() {
+        return player;
+    }
+
+    void setRobot(Robot newRobot) {
+        robot = Optional.of(newRobot);
+    }
+
+    void join(Player newPlayer) {
+        player = Optional.of(newPlayer);
+        teamToBeTold = true;
+        cyclesInTeam = 0;
+    }
+
+    void replaceBody(Player newPlayer) {
+        player = Optional.of(newPlayer);
+        robot = Optional.of(newPlayer.robot());
+    }
+
+    void want(CreateRobot command) {
+        wantedRobot = Optional.of(command);
+    }
+
+    void want(JoinTeam command) {
+        wantedTeam = Optional.of(command);
+    }
+
+    void want(Beam command) {
+        wantedBeam = Optional.of(command);
+    }
+
+    void remember(Beam beam) {
+        lastBeam = Optional.of(beam);
+    }
+
+    /** Where the robot was beamed last, with noise. */
+    Optional<Beam> lastBeam() {
+        return lastBeam;
+    }
+
+    Optional<CreateRobot> takeWantedRobot() {
+        Optional<CreateRobot> taken = wantedRobot;
+        wantedRobot = Optional.empty();
+        return taken;
+    }
+
+    Optional<JoinTeam> takeWantedTeam() {
+        Optional<JoinTeam> taken = wantedTeam;
+        wantedTeam = Optional.empty();
+        return taken;
+    }
+
+    Optional<Beam> takeWantedBeam() {
+        Optional<Beam> taken = wantedBeam;
+        wantedBeam = Optional.empty();
+        return taken;
+    }
+
+    /** Tells, once after joining, that number and team are to be sent. */
+    boolean takeTeamToBeTold() {
+        boolean taken = teamToBeTold;
+        teamToBeTold = false;
+        return taken;
+    }
+
+    /** Counts a cycle; vision comes in each third one since the agent has connected. */
+    void cycleEnds() {
+        cycles++;
+        cyclesInTeam++;
+    }
+
+    boolean seesInThisCycle() {
+        return cycles % VISION_INTERVAL == 0;
+    }
+
+    double secondsInTeam() {
+        return cyclesInTeam * 0.02;
+    }
+
+    @Override
+    public String toString() {
+        return player.map(Player::toString).orElse("an agent without team") + " (agent " + connection.id() + ", "
+                + connection.link().address() + ")";
+    }
+}

@@ -1,0 +1,223 @@
+package org.robonewbie.simulator.server;
+
+import java.util.List;
+import java.util.Random;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.Hinge;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorCommand.Beam;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
+import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
+import org.robonewbie.protocol.effector.EffectorCommand.Say;
+import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
+import org.robonewbie.simulator.soccer.JoinRefusedException;
+import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.Player;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+/**
+ * Carries out the commands of agents. Hinges move and words are heard at once; robots are created, join and are beamed just
+ * before the world's next step.
+ */
+final class Effectors {
+
+    private static final String STANDARD_ROBOT = "rsg/agent/nao/nao.rsg";
+    private static final String TYPED_ROBOT = "rsg/agent/nao/nao_hetero.rsg";
+    private static final int MAXIMUM_ROBOTS = 44;
+    private static final double HEARING_RANGE = 50;
+    private static final Vector3 PLACE_OF_REFUSED = new Vector3(0, 0, 10);
+
+    private final SoccerWorld world;
+    private final Match match;
+    private final Random random;
+
+    Effectors(SoccerWorld world, Match match, long seed) {
+        this.world = world;
+        this.match = match;
+        this.random = new Random(seed);
+    }
+
+    /** Does what acts at once and keeps the rest for {@link #prepareStep}. */
+    void execute(ConnectedAgent agent, List<ConnectedAgent> everybody) {
+        for (EffectorCommand command : agent.connection().takeCommands()) {
+            if (command instanceof CreateRobot create) {
+                wantRobot(agent, create);
+            } else if (agent.robot().isEmpty()) {
+                agent.connection()
+                        .complain(
+                                "no robot",
+                                "sent a command before it had a robot. Send (scene " + STANDARD_ROBOT
+                                        + ") first and wait for a message.");
+            } else {
+                execute(agent, agent.robot().get(), command, everybody);
+            }
+        }
+    }
+
+    /** Creates robots, lets them join and beams them, as agents asked for in this cycle. */
+    void prepareStep(ConnectedAgent agent) {
+        agent.takeWantedRobot().ifPresent(create -> create(agent, create));
+        agent.takeWantedTeam().ifPresent(join -> join(agent, join));
+        agent.takeWantedBeam().ifPresent(beam -> beam(agent, beam));
+    }
+
+    /** Puts a robot to where it was beamed last or, if it never was, to where new robots appear. */
+    void putToStart(ConnectedAgent agent) {
+        agent.player()
+                .ifPresent(player -> agent.lastBeam()
+                        .ifPresentOrElse(
+                                beam -> place(player, beam.xMetres(), beam.yMetres(), beam.headingDegrees()),
+                                () -> match.teams().putToStart(player)));
+    }
+
+    private void execute(ConnectedAgent agent, Robot robot, EffectorCommand command, List<ConnectedAgent> everybody) {
+        if (command instanceof SetHingeSpeed speed) {
+            setSpeed(agent, robot, speed);
+        } else if (command instanceof JoinTeam join) {
+            agent.want(join);
+        } else if (command instanceof Beam beam) {
+            agent.want(beam);
+        } else if (command instanceof Say say) {
+            agent.player().ifPresent(speaker -> say(agent, speaker, say.text(), everybody));
+        }
+    }
+
+    private static void wantRobot(ConnectedAgent agent, CreateRobot create) {
+        if (agent.robot().isEmpty()) {
+            agent.want(create);
+        } else {
+            agent.connection().complain("second robot", "asked for a second robot; it keeps the first one.");
+        }
+    }
+
+    private static void setSpeed(ConnectedAgent agent, Robot robot, SetHingeSpeed command) {
+        List<Hinge> hinges = robot.model().hinges();
+        for (int i = 0; i < hinges.size(); i++) {
+            if (hinges.get(i).effectorName().equals(command.effectorName())) {
+                if (Double.isNaN(command.radiansPerSecond())) {
+                    agent.connection()
+                            .complain(
+                                    "NaN " + command.effectorName(),
+                                    "sent speed NaN for hinge " + command.effectorName()
+                                            + ", which is ignored. Was something divided by zero?");
+                }
+                robot.setMotorSpeed(i, command.radiansPerSecond());
+                return;
+            }
+        }
+        agent.connection()
+                .complain(
+                        command.effectorName(),
+                        "moves hinge " + command.effectorName() + ", which a robot of type "
+                                + robot.model().type().ordinal() + " does not have.");
+    }
+
+    private static void say(ConnectedAgent agent, Player speaker, String text, List<ConnectedAgent> everybody) {
+        String team = speaker.team().name();
+        agent.hearing().hearOwn(team, text);
+        for (ConnectedAgent other : everybody) {
+            if (other != agent && other.player().isPresent()) {
+                Player listener = other.player().get();
+                Vector3 way = speaker.position().minus(listener.position());
+                if (way.length() <= HEARING_RANGE) {
+                    double sign = listener.side() == TeamSide.LEFT ? 1 : -1;
+                    double direction = Math.toDegrees(Math.atan2(sign * way.y(), sign * way.x()));
+                    other.hearing().hear(listener.team() == speaker.team(), team, direction, text);
+                }
+            }
+        }
+    }
+
+    private void create(ConnectedAgent agent, CreateRobot create) {
+        int type = robotType(create);
+        if (type < 0) {
+            agent.connection()
+                    .complain(
+                            "scene",
+                            "asked for the unknown robot \"" + create.path() + " "
+                                    + String.join(" ", create.parameters()) + "\". There are " + STANDARD_ROBOT
+                                    + " and "
+                                    + TYPED_ROBOT + " with a type from 0 to 4.");
+        } else if (world.robots().size() >= MAXIMUM_ROBOTS) {
+            agent.connection()
+                    .complain("crowd", "gets no robot, since there are " + MAXIMUM_ROBOTS + " robots already.");
+        } else {
+            agent.setRobot(world.addRobot(RobotType.values()[type]));
+        }
+    }
+
+    /** Finds the wanted type; -1 stands for a robot that does not exist. */
+    private static int robotType(CreateRobot create) {
+        if (create.path().equals(STANDARD_ROBOT)) {
+            return 0;
+        }
+        if (!create.path().equals(TYPED_ROBOT)) {
+            return -1;
+        }
+        String type = create.parameters().isEmpty() ? "0" : create.parameters().get(0);
+        return type.matches("[0-4]") ? type.charAt(0) - '0' : -1;
+    }
+
+    private void join(ConnectedAgent agent, JoinTeam join) {
+        if (agent.player().isPresent()) {
+            agent.connection()
+                    .complain(
+                            "init",
+                            "wants to join again; it stays " + agent.player().get() + ".");
+            match.teams().putToStart(agent.player().get());
+            return;
+        }
+        Robot robot = agent.robot().orElseThrow();
+        try {
+            agent.join(match.teams().join(join.team(), join.number(), robot));
+        } catch (JoinRefusedException e) {
+            agent.connection().complain(String.valueOf(e.getMessage()), "cannot join: " + e.getMessage() + ".");
+            robot.moveUpright(PLACE_OF_REFUSED, 0);
+        }
+    }
+
+    private void beam(ConnectedAgent agent, Beam beam) {
+        if (agent.player().isEmpty() || !mayBeam(agent)) {
+            return;
+        }
+        SoccerParameters parameters = match.parameters();
+        double noise = parameters.get(SoccerParameter.BEAM_NOISE_XY);
+        double x = beam.xMetres() + spread(noise);
+        double y = beam.yMetres() + spread(noise);
+        double yaw = beam.headingDegrees() + spread(parameters.get(SoccerParameter.BEAM_NOISE_ANGLE));
+        if (!Double.isFinite(x) || !Double.isFinite(y) || !Double.isFinite(yaw)) {
+            agent.connection().complain("beam", "wants to be beamed to " + beam + ", which is not a place.");
+            return;
+        }
+        agent.remember(new Beam(x, y, yaw));
+        place(agent.player().get(), x, y, yaw);
+    }
+
+    private void place(Player player, double wantedX, double wantedY, double headingDegrees) {
+        SoccerField field = world.field();
+        double x = wantedX;
+        double y = wantedY;
+        if (!match.parameters().isOn(SoccerParameter.START_ANY_FIELD_POSITION)) {
+            x = Math.max(-field.length() / 2, Math.min(0, x));
+            y = Math.max(-field.width() / 2, Math.min(field.width() / 2, y));
+        }
+        double z = match.parameters().get(SoccerParameter.AGENT_RADIUS);
+        boolean left = player.side() == TeamSide.LEFT;
+        Vector3 position = left ? new Vector3(x, y, z) : new Vector3(-x, -y, z);
+        player.robot().moveUpright(position, left ? headingDegrees - 90 : headingDegrees + 90);
+    }
+
+    private boolean mayBeam(ConnectedAgent agent) {
+        return match.mayBeam() || agent.secondsInTeam() < match.parameters().get(SoccerParameter.BEAM_GRACE_TIME);
+    }
+
+    private double spread(double limit) {
+        return limit == 0 ? 0 : limit * (2 * random.nextDouble() - 1);
+    }
+}

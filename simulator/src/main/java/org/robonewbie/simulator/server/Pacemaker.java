@@ -1,0 +1,79 @@
+package org.robonewbie.simulator.server;
+
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * Keeps simulated time in step with real time. When a cycle takes too long, the lost time is dropped, so that the world
+ * becomes slower for a moment instead of hurrying afterwards.
+ */
+final class Pacemaker {
+
+    private static final double CYCLE_NANOSECONDS = 20e6;
+    private static final long MEASURING_NANOSECONDS = 1_000_000_000L;
+
+    private double speed;
+    private long due;
+    private boolean running;
+    private long missedCycles;
+    private long measuredCycles;
+    private long measuringStart = System.nanoTime();
+    private double realTimeFactor;
+
+    Pacemaker(double speed) {
+        this.speed = speed;
+    }
+
+    void setSpeed(double newSpeed) {
+        speed = newSpeed;
+        excuse();
+    }
+
+    double speed() {
+        return speed;
+    }
+
+    /** Forgets the time that has passed: the world was meant to stand still. */
+    void excuse() {
+        running = false;
+    }
+
+    /** Waits until the next cycle is due. */
+    void awaitNextCycle() {
+        long now = System.nanoTime();
+        measure(now);
+        if (Double.isInfinite(speed)) {
+            return;
+        }
+        long length = Math.round(CYCLE_NANOSECONDS / speed);
+        due = running ? due + length : now + length;
+        running = true;
+        long late = now - due;
+        if (late > length) {
+            missedCycles += late / length;
+            due = now;
+        }
+        while (due - System.nanoTime() > 0) {
+            LockSupport.parkNanos(due - System.nanoTime());
+        }
+    }
+
+    /** Counts the cycles that real time had and the world had not. */
+    long missedCycles() {
+        return missedCycles;
+    }
+
+    /** Simulated seconds per second over the last second. */
+    double realTimeFactor() {
+        return realTimeFactor;
+    }
+
+    private void measure(long now) {
+        measuredCycles++;
+        long elapsed = now - measuringStart;
+        if (elapsed >= MEASURING_NANOSECONDS) {
+            realTimeFactor = measuredCycles * CYCLE_NANOSECONDS / elapsed;
+            measuringStart = now;
+            measuredCycles = 0;
+        }
+    }
+}

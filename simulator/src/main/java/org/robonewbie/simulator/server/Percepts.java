@@ -1,0 +1,95 @@
+package org.robonewbie.simulator.server;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.model.Hinge;
+import org.robonewbie.protocol.perceptor.FootForce;
+import org.robonewbie.protocol.perceptor.FootForces;
+import org.robonewbie.protocol.perceptor.GameState;
+import org.robonewbie.protocol.perceptor.JointAngles;
+import org.robonewbie.protocol.perceptor.JointAngles.ExtraHinge;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.perceptor.Vision;
+import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.world.FootSensor;
+import org.robonewbie.simulator.world.Robot;
+
+/** Asks all perceptors of a robot at the end of a cycle. */
+final class Percepts {
+
+    private final Match match;
+
+    Percepts(Match match) {
+        this.match = match;
+    }
+
+    PerceptorMessage of(ConnectedAgent agent, Robot robot, double seconds) {
+        double playSeconds = match.state().playSeconds();
+        boolean labelled = match.parameters().isOn(SoccerParameter.LABEL_MESSAGES);
+        return new PerceptorMessage(
+                OptionalDouble.of(seconds),
+                Optional.of(gameState(agent, playSeconds)),
+                agent.hearing().collect(playSeconds, labelled),
+                Optional.of(robot.gyroDegreesPerSecond()),
+                Optional.of(robot.acceleration()),
+                jointAngles(robot),
+                footForces(robot),
+                Optional.<Vision>empty());
+    }
+
+    private GameState gameState(ConnectedAgent agent, double playSeconds) {
+        boolean tellTeam = agent.takeTeamToBeTold();
+        boolean tellScore = match.parameters().isOn(SoccerParameter.REPORT_SCORE);
+        return new GameState(
+                agent.player()
+                        .filter(player -> tellTeam)
+                        .map(player -> OptionalInt.of(player.number()))
+                        .orElse(OptionalInt.empty()),
+                agent.player().filter(player -> tellTeam).map(player -> player.side()),
+                tellScore ? OptionalInt.of(match.state().score(TeamSide.LEFT)) : OptionalInt.empty(),
+                tellScore ? OptionalInt.of(match.state().score(TeamSide.RIGHT)) : OptionalInt.empty(),
+                playSeconds,
+                match.state().playMode().simSparkName());
+    }
+
+    private static JointAngles jointAngles(Robot robot) {
+        double[] degrees = new double[Joint.COUNT];
+        for (Joint joint : Joint.values()) {
+            degrees[joint.ordinal()] = robot.jointDegrees(joint);
+        }
+        return JointAngles.of(degrees, toes(robot));
+    }
+
+    private static List<ExtraHinge> toes(Robot robot) {
+        if (!robot.model().type().hasToes()) {
+            return List.of();
+        }
+        List<ExtraHinge> toes = new ArrayList<>();
+        List<Hinge> hinges = robot.model().hinges();
+        for (int i = 0; i < hinges.size(); i++) {
+            String name = hinges.get(i).perceptorName();
+            if (name.endsWith("j7")) {
+                toes.add(new ExtraHinge(name, robot.jointDegrees(i)));
+            }
+        }
+        return toes;
+    }
+
+    private static FootForces footForces(Robot robot) {
+        return new FootForces(
+                footForce(robot, FootSensor.LEFT_FOOT),
+                footForce(robot, FootSensor.RIGHT_FOOT),
+                footForce(robot, FootSensor.LEFT_TOES),
+                footForce(robot, FootSensor.RIGHT_TOES));
+    }
+
+    private static Optional<FootForce> footForce(Robot robot, FootSensor sensor) {
+        return robot.footForce(sensor).map(reading -> new FootForce(reading.point(), reading.force()));
+    }
+}

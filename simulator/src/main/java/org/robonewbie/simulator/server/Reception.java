@@ -1,0 +1,83 @@
+package org.robonewbie.simulator.server;
+
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import org.robonewbie.protocol.frame.AgentLink;
+
+/** Takes in new agents and their messages, and lets the simulation sleep until there is something new. */
+final class Reception {
+
+    private static final int MAXIMUM_AGENTS = 256;
+
+    private final AgentPort port;
+    private final SimulationCycle cycle;
+    private final SimulatorSettings settings;
+    private final Queue<LocalLink> newcomers = new ConcurrentLinkedQueue<>();
+    private volatile boolean rung;
+    private volatile boolean sleeping;
+    private volatile boolean closed;
+
+    Reception(AgentPort port, SimulationCycle cycle, SimulatorSettings settings) {
+        this.port = port;
+        this.cycle = cycle;
+        this.settings = settings;
+    }
+
+    /** Connects an agent of this process, from any thread; agents are numbered in the order of these calls. */
+    AgentLink connect() {
+        LocalLink link = new LocalLink(this::ring);
+        newcomers.add(link);
+        ring();
+        if (closed) {
+            link.close();
+        }
+        return link;
+    }
+
+    /** Says that there is something new, from any thread. */
+    void ring() {
+        rung = true;
+        if (sleeping) {
+            port.wakeUp();
+        }
+    }
+
+    /** Takes in whoever and whatever has arrived, without waiting. */
+    void receive() {
+        rung = false;
+        admit(0);
+        cycle.readMessages();
+    }
+
+    /** Waits until there is something new; tells whether there is. */
+    boolean await(long milliseconds) {
+        sleeping = true;
+        boolean news = rung || admit(milliseconds) || rung;
+        sleeping = false;
+        return news;
+    }
+
+    void close() {
+        closed = true;
+        port.close();
+        newcomers.forEach(LocalLink::close);
+    }
+
+    /** Admits new agents; tells whether anything has happened at the port. */
+    private boolean admit(long milliseconds) {
+        boolean active = port.listen(milliseconds, this::admit);
+        for (LocalLink link = newcomers.poll(); link != null; link = newcomers.poll()) {
+            cycle.connect(link.serverEnd(), true);
+        }
+        return active;
+    }
+
+    private void admit(TcpServerLink link) {
+        if (cycle.agents().size() >= MAXIMUM_AGENTS) {
+            link.close();
+            cycle.refused(link, MAXIMUM_AGENTS);
+        } else {
+            cycle.connect(link, cycle.agents().size() < settings.awaitedAgents());
+        }
+    }
+}

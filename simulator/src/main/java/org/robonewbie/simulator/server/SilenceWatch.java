@@ -1,0 +1,49 @@
+package org.robonewbie.simulator.server;
+
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Set;
+
+/** Names agents that keep the world waiting in sync mode, and drops those of other processes after some time. */
+final class SilenceWatch {
+
+    private static final double SECONDS_UNTIL_NAMED = 5;
+
+    private final Console console;
+    private final double secondsUntilDropped;
+    private final Set<Integer> named = new HashSet<>();
+    private long waitingSince;
+    private boolean waiting;
+
+    SilenceWatch(Console console, double secondsUntilDropped) {
+        this.console = console;
+        this.secondsUntilDropped = secondsUntilDropped;
+    }
+
+    void everybodyAnswered() {
+        waiting = false;
+    }
+
+    void isWaitingFor(ConnectedAgent agent) {
+        long now = System.nanoTime();
+        if (!waiting) {
+            waiting = true;
+            waitingSince = now;
+        }
+        double seconds = (now - waitingSince) / 1e9;
+        boolean local = agent.connection().link().isLocal();
+        if (seconds >= SECONDS_UNTIL_NAMED && named.add(agent.connection().id())) {
+            console.say("The world waits for " + agent + ", which has not sent (syn) for "
+                    + Math.round(SECONDS_UNTIL_NAMED) + " s."
+                    + (local ? "" : " It is dropped after " + text(secondsUntilDropped) + " s."));
+        }
+        if (!local && seconds >= secondsUntilDropped) {
+            console.say("Dropped " + agent + ", which has not sent (syn) for " + text(seconds) + " s.");
+            agent.connection().link().close();
+        }
+    }
+
+    private static String text(double seconds) {
+        return String.format(Locale.ROOT, "%.0f", seconds);
+    }
+}

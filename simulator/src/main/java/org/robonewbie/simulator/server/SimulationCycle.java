@@ -1,0 +1,211 @@
+package org.robonewbie.simulator.server;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
+import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.Player;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.world.BallProperties;
+import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+/**
+ * One cycle of 20 ms after the other, without clock and threads: read the agents' messages, send them what was generated in
+ * the cycle before, move the world, judge the game, generate the next messages (SimSpark: {@code simulationserver.cpp}).
+ *
+ * <p>So an agent's answer to message k is read when message k + 1 has already been generated, and shows its effect in message
+ * k + 2. Agents are always served in the order in which they connected, so that equal answers give equal games.
+ */
+final class SimulationCycle {
+
+    private static final double CYCLE_SECONDS = 0.02;
+
+    private final SoccerWorld world;
+    private final Match match;
+    private final Effectors effectors;
+    private final Percepts percepts;
+    private final Console console;
+    private final List<ConnectedAgent> agents = new ArrayList<>();
+    private final StepListener listener;
+    private final ComplaintBook refusals;
+    private int connections;
+    private long cycle;
+
+    /** Is told about each movement of the world, for statistics that the referee's interventions must not disturb. */
+    interface StepListener {
+
+        /** The world is about to move. */
+        void beforeStep();
+
+        /** The world has moved; the referee has not yet judged. */
+        void afterStep();
+    }
+
+    SimulationCycle(SoccerParameters parameters, long seed, Console console, StepListener listener) {
+        this.world = new SoccerWorld(
+                parameters.field(),
+                new BallProperties(
+                        parameters.get(SoccerParameter.BALL_RADIUS), parameters.get(SoccerParameter.BALL_MASS)));
+        Random seeds = new Random(seed);
+        this.match = new Match(world, parameters, seeds.nextLong());
+        this.effectors = new Effectors(world, match, seeds.nextLong());
+        this.percepts = new Percepts(match);
+        this.console = console;
+        this.refusals = new ComplaintBook(console, "The simulator");
+        this.listener = listener;
+    }
+
+    SoccerWorld world() {
+        return world;
+    }
+
+    Match match() {
+        return match;
+    }
+
+    /** Tells how many cycles are over. */
+    long cycle() {
+        return cycle;
+    }
+
+    /** Lists the agents in the order in which they connected. */
+    List<ConnectedAgent> agents() {
+        return Collections.unmodifiableList(agents);
+    }
+
+    /**
+     * Takes in an agent.
+     *
+     * @param link its connection
+     * @param strict whether in sync mode it is waited for from its first message on
+     */
+    void connect(ServerLink link, boolean strict) {
+        connections++;
+        agents.add(new ConnectedAgent(new AgentConnection(connections, link, strict, console)));
+    }
+
+    /** Tells that a connection was closed at once since there are too many. */
+    void refused(ServerLink link, int limit) {
+        refusals.complain(
+                "limit",
+                "had to close a connection from " + link.address() + ", since " + limit
+                        + " agents are connected already.");
+    }
+
+    /** Puts ball, robots and score back to the start of the game. */
+    void reset() {
+        match.restart();
+        for (ConnectedAgent agent : agents) {
+            agent.player().ifPresent(player -> renew(agent, player));
+        }
+    }
+
+    /** Puts the ball somewhere. */
+    void placeBall(Vector3 position, Vector3 velocity) {
+        world.ball().moveTo(position);
+        world.ball().setVelocity(velocity);
+    }
+
+    /** Reads what the agents have sent, and forgets those that left before they had a robot. */
+    void readMessages() {
+        boolean anybodyLeft = false;
+        for (int i = 0; i < agents.size(); i++) {
+            agents.get(i).connection().read();
+            anybodyLeft |= !agents.get(i).connection().link().isOpen();
+        }
+        if (anybodyLeft) {
+            agents.removeIf(agent -> agent.robot().isEmpty() && hasLeft(agent));
+        }
+    }
+
+    /** Finds the first agent that has not yet answered. */
+    Optional<ConnectedAgent> unsynchronisedAgent() {
+        for (int i = 0; i < agents.size(); i++) {
+            if (!agents.get(i).connection().isSynchronised()) {
+                return Optional.of(agents.get(i));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Counts the agents that are connected and have sent something. */
+    int heardAgents() {
+        return (int) agents.stream()
+                .filter(agent -> agent.connection().isHeardOf()
+                        && agent.connection().link().isOpen())
+                .count();
+    }
+
+    /** Does all that belongs to one cycle, with the messages that have been read. */
+    void run() {
+        for (ConnectedAgent agent : agents) {
+            effectors.execute(agent, agents);
+        }
+        for (ConnectedAgent agent : agents) {
+            agent.connection().send();
+        }
+        for (ConnectedAgent agent : agents) {
+            effectors.prepareStep(agent);
+        }
+        listener.beforeStep();
+        world.step();
+        listener.afterStep();
+        cycle++;
+        removeVanishedAgents();
+        match.tick();
+        generateMessages();
+    }
+
+    /** Gives an agent a new robot with its joints at 0, where the old one was beamed last. */
+    private void renew(ConnectedAgent agent, Player player) {
+        Robot robot = world.addRobot(player.robot().model().type());
+        world.removeRobot(player.robot());
+        agent.replaceBody(match.replaceRobot(player, robot));
+        effectors.putToStart(agent);
+    }
+
+    private void removeVanishedAgents() {
+        for (int i = agents.size() - 1; i >= 0; i--) {
+            ConnectedAgent agent = agents.get(i);
+            if (hasLeft(agent)) {
+                agents.remove(i);
+                agent.player().ifPresent(match.teams()::leave);
+                agent.robot().ifPresent(world::removeRobot);
+            }
+        }
+    }
+
+    private boolean hasLeft(ConnectedAgent agent) {
+        ServerLink link = agent.connection().link();
+        if (link.isOpen()) {
+            return false;
+        }
+        boolean unnoticed = agent.robot().isEmpty() && !agent.connection().isHeardOf();
+        if (!unnoticed || !link.closingReason().equals(ServerLink.HAS_LEFT)) {
+            console.say(agent + " " + link.closingReason());
+        }
+        return true;
+    }
+
+    private void generateMessages() {
+        for (ConnectedAgent agent : agents) {
+            agent.cycleEnds();
+            if (agent.robot().isPresent()) {
+                generateMessage(agent, agent.robot().get());
+            }
+        }
+    }
+
+    private void generateMessage(ConnectedAgent agent, Robot robot) {
+        MessageBuffer message = agent.connection().emptyMessage();
+        new PerceptorMessageWriter(message).write(percepts.of(agent, robot, cycle * CYCLE_SECONDS));
+        agent.connection().messageGenerated();
+    }
+}

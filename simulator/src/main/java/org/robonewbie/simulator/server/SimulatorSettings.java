@@ -1,0 +1,240 @@
+package org.robonewbie.simulator.server;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+
+/**
+ * What a simulator shall do.
+ *
+ * <pre>{@code
+ * SimulatorSettings settings =
+ *         SimulatorSettings.league().agentPort(0).synchronous(true).build();
+ * }</pre>
+ *
+ * @param parameters pitch, rules and noise of beams
+ * @param bindAddress address of this computer at which agents may connect; 127.0.0.1 for this computer only
+ * @param agentPort TCP port for agents, 0 for any free one
+ * @param synchronous whether the world waits for the agents; else it runs on the clock
+ * @param speed simulated seconds per second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
+ * @param noise whether robots see with noise
+ * @param seed start of all random numbers
+ * @param awaitedAgents how many agents must have spoken before the first cycle, 0 not to wait
+ * @param silentAgentSeconds real seconds after which an agent of another process that keeps the world waiting is dropped
+ * @param seconds simulated seconds after which the simulation ends; empty runs until it is closed
+ * @param recording file for the recording
+ * @param report file for the report
+ */
+public record SimulatorSettings(
+        SoccerParameters parameters,
+        String bindAddress,
+        int agentPort,
+        boolean synchronous,
+        double speed,
+        boolean noise,
+        long seed,
+        int awaitedAgents,
+        double silentAgentSeconds,
+        OptionalDouble seconds,
+        Optional<Path> recording,
+        Optional<Path> report) {
+
+    /** The port of the league. */
+    public static final int DEFAULT_AGENT_PORT = 3100;
+
+    private static final double DEFAULT_SILENT_AGENT_SECONDS = 60;
+
+    /**
+     * Begins with settings like those of rcssserver3d: port 3100, real time, rules and noise of the league.
+     *
+     * @return a builder
+     */
+    public static Builder league() {
+        return new Builder(SoccerParameters.league());
+    }
+
+    /**
+     * Begins with the beginners' pitch and rules; the rest is as in the league.
+     *
+     * @return a builder
+     */
+    public static Builder beginner() {
+        return new Builder(SoccerParameters.beginner());
+    }
+
+    /** Collects settings; what is not set keeps its usual value. */
+    public static final class Builder {
+
+        private SoccerParameters parameters;
+        private String bindAddress = "127.0.0.1";
+        private int agentPort = DEFAULT_AGENT_PORT;
+        private boolean synchronous;
+        private double speed = 1;
+        private boolean noise = true;
+        private long seed;
+        private int awaitedAgents;
+        private double silentAgentSeconds = DEFAULT_SILENT_AGENT_SECONDS;
+        private OptionalDouble seconds = OptionalDouble.empty();
+        private Optional<Path> recording = Optional.empty();
+        private Optional<Path> report = Optional.empty();
+
+        private Builder(SoccerParameters parameters) {
+            this.parameters = parameters;
+        }
+
+        /**
+         * Sets pitch and rules.
+         *
+         * @param value the parameters
+         * @return this builder
+         */
+        public Builder parameters(SoccerParameters value) {
+            parameters = value;
+            return this;
+        }
+
+        /**
+         * Sets who may connect.
+         *
+         * @param value address of this computer, such as 127.0.0.1 or 0.0.0.0
+         * @return this builder
+         */
+        public Builder bindAddress(String value) {
+            bindAddress = value;
+            return this;
+        }
+
+        /**
+         * Sets the port.
+         *
+         * @param value TCP port, 0 for any free one
+         * @return this builder
+         */
+        public Builder agentPort(int value) {
+            agentPort = value;
+            return this;
+        }
+
+        /**
+         * Sets whether the world waits for the agents.
+         *
+         * @param value whether it does
+         * @return this builder
+         */
+        public Builder synchronous(boolean value) {
+            synchronous = value;
+            return this;
+        }
+
+        /**
+         * Sets the speed at the start.
+         *
+         * @param value simulated seconds per second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
+         * @return this builder
+         */
+        public Builder speed(double value) {
+            speed = value;
+            return this;
+        }
+
+        /**
+         * Sets whether robots see with noise.
+         *
+         * @param value whether they do
+         * @return this builder
+         */
+        public Builder noise(boolean value) {
+            noise = value;
+            return this;
+        }
+
+        /**
+         * Sets the start of all random numbers.
+         *
+         * @param value any number
+         * @return this builder
+         */
+        public Builder seed(long value) {
+            seed = value;
+            return this;
+        }
+
+        /**
+         * Sets how many agents are awaited.
+         *
+         * @param value how many must have spoken before the first cycle, 0 not to wait
+         * @return this builder
+         */
+        public Builder awaitedAgents(int value) {
+            awaitedAgents = value;
+            return this;
+        }
+
+        /**
+         * Sets how long a silent agent may hold the world up.
+         *
+         * @param value real seconds
+         * @return this builder
+         */
+        public Builder silentAgentSeconds(double value) {
+            silentAgentSeconds = value;
+            return this;
+        }
+
+        /**
+         * Sets when the simulation ends.
+         *
+         * @param value simulated seconds, or empty to run until it is closed
+         * @return this builder
+         */
+        public Builder seconds(OptionalDouble value) {
+            seconds = value;
+            return this;
+        }
+
+        /**
+         * Sets where the recording is written.
+         *
+         * @param value the file, or empty for none
+         * @return this builder
+         */
+        public Builder recording(Optional<Path> value) {
+            recording = value;
+            return this;
+        }
+
+        /**
+         * Sets where the report is written.
+         *
+         * @param value the file, or empty for none
+         * @return this builder
+         */
+        public Builder report(Optional<Path> value) {
+            report = value;
+            return this;
+        }
+
+        /**
+         * Finishes the settings.
+         *
+         * @return the settings
+         */
+        public SimulatorSettings build() {
+            return new SimulatorSettings(
+                    parameters,
+                    bindAddress,
+                    agentPort,
+                    synchronous,
+                    speed,
+                    noise,
+                    seed,
+                    awaitedAgents,
+                    silentAgentSeconds,
+                    seconds,
+                    recording,
+                    report);
+        }
+    }
+}
