@@ -10,6 +10,8 @@ import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.perceptor.FootForce;
+import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.BoundingBox;
 import org.robonewbie.simulator.physics.Contact;
@@ -51,11 +53,7 @@ public final class Robot {
         RobotBuilder builder = new RobotBuilder(this, assembly);
         this.bodies = builder.addBodies(START_POSITION);
         this.hinges = builder.addHinges(bodies, START_POSITION);
-        for (FootSensor sensor : FootSensor.values()) {
-            if (model.links().stream().anyMatch(link -> link.name().equals(sensor.linkName()))) {
-                plates.put(sensor, new FootPlate());
-            }
-        }
+        addFootPlates();
         torsoAtEndOfStep = bodies.get(0).pose();
     }
 
@@ -170,13 +168,16 @@ public final class Robot {
     }
 
     /**
-     * Feels what a foot touches.
+     * Feels what the feet touch.
      *
-     * @param sensor which plate
-     * @return point and force, or empty when the plate touched nothing in the last step or does not exist
+     * @return point and force of each plate in the frame of its link; empty where nothing was touched in the last step
      */
-    public Optional<FootForce> footForce(FootSensor sensor) {
-        return Optional.ofNullable(plates.get(sensor)).flatMap(FootPlate::reading);
+    public FootForces footForces() {
+        return new FootForces(
+                reading(FootSensor.LEFT_FOOT),
+                reading(FootSensor.RIGHT_FOOT),
+                reading(FootSensor.LEFT_TOE),
+                reading(FootSensor.RIGHT_TOE));
     }
 
     /**
@@ -254,20 +255,34 @@ public final class Robot {
     }
 
     void feel(int linkIndex, Contact contact) {
-        plates.forEach((sensor, plate) -> {
-            if (model.links().get(linkIndex).name().equals(sensor.linkName())) {
+        for (FootPlate plate : plates.values()) {
+            if (plate.link() == linkIndex) {
                 plate.add(contact);
             }
-        });
+        }
     }
 
     void finishStep() {
         torsoAtEndOfStep = bodies.get(0).pose();
-        plates.forEach((sensor, plate) -> plate.update(linkPose(model.linkIndex(sensor.linkName()))));
+        plates.values().forEach(plate -> plate.update(linkPose(plate.link())));
     }
 
     void remove() {
         assembly.remove();
+    }
+
+    private void addFootPlates() {
+        for (int i = 0; i < model.links().size(); i++) {
+            for (FootSensor sensor : FootSensor.values()) {
+                if (model.links().get(i).name().equals(sensor.linkName())) {
+                    plates.put(sensor, new FootPlate(i));
+                }
+            }
+        }
+    }
+
+    private Optional<FootForce> reading(FootSensor sensor) {
+        return Optional.ofNullable(plates.get(sensor)).flatMap(FootPlate::reading);
     }
 
     private static void stop(RigidBody body) {

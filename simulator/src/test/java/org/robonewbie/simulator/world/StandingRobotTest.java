@@ -44,10 +44,8 @@ class StandingRobotTest {
 
     @Test
     void feelsItsWeightUnderBothFeet() {
-        double right =
-                robot.footForce(FootSensor.RIGHT_FOOT).orElseThrow().force().z();
-        double left =
-                robot.footForce(FootSensor.LEFT_FOOT).orElseThrow().force().z();
+        double right = robot.footForces().right().orElseThrow().force().z();
+        double left = robot.footForces().left().orElseThrow().force().z();
 
         assertThat(right + left).isCloseTo(WEIGHT_NEWTONS, within(0.05));
         assertThat(right).isCloseTo(left, within(0.05));
@@ -64,6 +62,6 @@ class StandingRobotTest {
 
     @Test
     void hasNoToeSensorsAsTypeZero() {
-        assertThat(robot.footForce(FootSensor.RIGHT_TOES)).isEmpty();
+        assertThat(robot.footForces().rightToe()).isEmpty();
     }
 }

@@ -1,0 +1,112 @@
+package org.robonewbie.nao.kinematics;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.Hinge;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.Posture;
+
+/**
+ * Calculates from the joint angles where each link of the robot is: from the torso outwards, each hinge turns its child link
+ * about its axis.
+ *
+ * <pre>{@code
+ * BodyPoses body = ForwardKinematics.of(RobotType.TYPE_0).poses(posture);
+ * Vector3 leftFoot = body.foot(Leg.LEFT).position();   // metres from the torso's centre
+ * }</pre>
+ */
+public final class ForwardKinematics {
+
+    private static final List<ForwardKinematics> ALL =
+            Arrays.stream(RobotType.values()).map(ForwardKinematics::new).toList();
+    private static final int NO_JOINT = -1;
+    private static final Joint[] JOINTS = Joint.values();
+
+    private final NaoModel model;
+    private final List<Turn> turns = new ArrayList<>();
+
+    /** One hinge: its child moves with its parent and turns about the axis, in construction pose coordinates. */
+    private record Turn(int parent, int child, int joint, Vector3 anchor, Vector3 axis) {}
+
+    private ForwardKinematics(RobotType type) {
+        model = NaoModel.of(type);
+        for (Hinge hinge : model.hinges()) {
+            turns.add(new Turn(
+                    model.linkIndex(hinge.parent()),
+                    model.linkIndex(hinge.child()),
+                    jointIndex(hinge),
+                    SimSparkFrame.toBody(hinge.anchor()),
+                    SimSparkFrame.toBody(hinge.axis())));
+        }
+    }
+
+    /**
+     * Looks up the kinematics of a robot type.
+     *
+     * @param type the robot type
+     * @return its kinematics
+     */
+    public static ForwardKinematics of(RobotType type) {
+        return ALL.get(type.ordinal());
+    }
+
+    /**
+     * Calculates where all links are. Toes of robot type 4 are taken as straight.
+     *
+     * @param posture the joint angles
+     * @return the poses of all links
+     */
+    public BodyPoses poses(Posture posture) {
+        // Each entry maps the construction pose to where the link is now.
+        Pose[] moved = new Pose[model.links().size()];
+        moved[0] = Pose.ORIGIN;
+        for (Turn turn : turns) {
+            moved[turn.child] = moved[turn.parent].times(turned(turn, posture));
+        }
+        List<Pose> poses = new ArrayList<>(moved.length);
+        for (int i = 0; i < moved.length; i++) {
+            poses.add(new Pose(moved[i].transform(constructionPosition(i)), moved[i].rotation()));
+        }
+        return new BodyPoses(model, poses);
+    }
+
+    /**
+     * Calculates where the camera is, which sits in the centre of the head and looks along the head's x axis.
+     *
+     * @param neckYawDegrees angle of {@link Joint#NECK_YAW} in degrees
+     * @param neckPitchDegrees angle of {@link Joint#NECK_PITCH} in degrees
+     * @return the camera as seen from the torso
+     */
+    public Pose camera(double neckYawDegrees, double neckPitchDegrees) {
+        Pose yaw = turned(turns.get(model.hingeIndex(Joint.NECK_YAW)), neckYawDegrees);
+        Pose pitch = turned(turns.get(model.hingeIndex(Joint.NECK_PITCH)), neckPitchDegrees);
+        Pose moved = yaw.times(pitch);
+        return new Pose(moved.transform(constructionPosition(model.linkIndex(BodyPoses.HEAD))), moved.rotation());
+    }
+
+    private static Pose turned(Turn turn, Posture posture) {
+        return turn.joint == NO_JOINT ? Pose.ORIGIN : turned(turn, posture.degrees(JOINTS[turn.joint]));
+    }
+
+    private static Pose turned(Turn turn, double degrees) {
+        Rotation rotation = Rotation.about(turn.axis, degrees);
+        return new Pose(turn.anchor.minus(rotation.apply(turn.anchor)), rotation);
+    }
+
+    private Vector3 constructionPosition(int link) {
+        return SimSparkFrame.toBody(model.links().get(link).position());
+    }
+
+    private static int jointIndex(Hinge hinge) {
+        for (Joint joint : Joint.values()) {
+            if (joint.effectorName().equals(hinge.effectorName())) {
+                return joint.ordinal();
+            }
+        }
+        return NO_JOINT;
+    }
+}

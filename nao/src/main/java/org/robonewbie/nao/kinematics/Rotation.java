@@ -1,0 +1,101 @@
+package org.robonewbie.nao.kinematics;
+
+import org.robonewbie.nao.Vector3;
+
+/**
+ * A turn in space by the right-hand rule, kept as a quaternion of length 1.
+ *
+ * <pre>{@code
+ * Vector3 left = Rotation.about(new Vector3(0, 0, 1), 90).apply(new Vector3(1, 0, 0));   // (0, 1, 0)
+ * }</pre>
+ *
+ * @param w cosine of half the angle
+ * @param x first component of the axis times the sine of half the angle
+ * @param y second component
+ * @param z third component
+ */
+public record Rotation(double w, double x, double y, double z) {
+
+    /** No turn at all. */
+    public static final Rotation NONE = new Rotation(1, 0, 0, 0);
+
+    /**
+     * Creates a turn about an axis.
+     *
+     * @param axis direction of the axis, of any length but 0
+     * @param degrees angle in degrees; positive is anticlockwise when the axis points at the observer
+     * @return the turn
+     */
+    public static Rotation about(Vector3 axis, double degrees) {
+        double half = Math.toRadians(degrees) / 2;
+        double factor = Math.sin(half) / axis.length();
+        return new Rotation(Math.cos(half), factor * axis.x(), factor * axis.y(), factor * axis.z());
+    }
+
+    /**
+     * Creates the turn of something that looks along x with z up: first about z, then about its own y, then about its own x.
+     *
+     * @param yawDegrees turn about z in degrees; positive is to the left
+     * @param pitchDegrees turn about y in degrees; positive bows down
+     * @param rollDegrees turn about x in degrees; positive leans to the right
+     * @return the turn
+     */
+    public static Rotation ofYawPitchRoll(double yawDegrees, double pitchDegrees, double rollDegrees) {
+        return about(new Vector3(0, 0, 1), yawDegrees)
+                .times(about(new Vector3(0, 1, 0), pitchDegrees))
+                .times(about(new Vector3(1, 0, 0), rollDegrees));
+    }
+
+    /**
+     * Turns a vector.
+     *
+     * @param vector the vector
+     * @return the turned vector, of the same length
+     */
+    public Vector3 apply(Vector3 vector) {
+        Vector3 axis = new Vector3(x, y, z);
+        Vector3 twice = axis.cross(vector).times(2);
+        return vector.plus(twice.times(w)).plus(axis.cross(twice));
+    }
+
+    /**
+     * Joins two turns.
+     *
+     * @param first the turn that is made first
+     * @return the turn that has the effect of both
+     */
+    public Rotation times(Rotation first) {
+        return new Rotation(
+                w * first.w - x * first.x - y * first.y - z * first.z,
+                w * first.x + x * first.w + y * first.z - z * first.y,
+                w * first.y - x * first.z + y * first.w + z * first.x,
+                w * first.z + x * first.y - y * first.x + z * first.w);
+    }
+
+    /**
+     * Turns back.
+     *
+     * @return the opposite turn
+     */
+    public Rotation inverse() {
+        return new Rotation(w, -x, -y, -z);
+    }
+
+    /**
+     * Measures the turn.
+     *
+     * @return the angle in degrees, 0 to 180
+     */
+    public double angleDegrees() {
+        return Math.toDegrees(2 * Math.atan2(Math.sqrt(x * x + y * y + z * z), Math.abs(w)));
+    }
+
+    /**
+     * Tells to which side the turned x axis points.
+     *
+     * @return the angle about z in degrees, -180 to 180; positive is to the left
+     */
+    public double yawDegrees() {
+        return Math.toDegrees(Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)));
+    }
+}

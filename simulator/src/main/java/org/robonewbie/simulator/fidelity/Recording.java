@@ -1,0 +1,11 @@
+package org.robonewbie.simulator.fidelity;
+
+import java.util.List;
+
+/**
+ * What one file holds: one or more runs, each on a fresh world.
+ *
+ * @param name the file's name without its ending
+ * @param runs in the order of the file
+ */
+public record Recording(String name, List<RecordedRun> runs) {}

@@ -1,0 +1,111 @@
+package org.robonewbie.studio;
+
+import java.nio.ByteBuffer;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.WorldSnapshot;
+
+/**
+ * Brings the newest state of the simulation to all pages, about 25 times per second.
+ *
+ * <p>The simulation's thread only leaves a reference here. A thread of the feed turns it into bytes once and gives them to
+ * each spectator that has dealt with its last frame; the others miss it. So no page can slow down the simulation or
+ * another page.
+ */
+final class LiveFeed implements SimulationObserver, AutoCloseable {
+
+    /** A little less than two cycles, so that in real time every second cycle is sent. */
+    private static final long SEND_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(37);
+
+    private static final long LATEST_LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
+
+    private final SimulationControl simulation;
+    private final List<Spectator> spectators = new CopyOnWriteArrayList<>();
+    private final Thread sender = new Thread(this::send, "studio-live-feed");
+    private volatile @Nullable WorldSnapshot latest;
+    private volatile boolean open = true;
+    private long lastWakeNanos = System.nanoTime() - SEND_INTERVAL_NANOS;
+
+    private @Nullable WorldSnapshot written;
+    private @Nullable Scene scene;
+    private int sceneRevision;
+    private String sceneJson = "";
+    private ByteBuffer frame = ByteBuffer.allocate(0);
+
+    LiveFeed(SimulationControl simulation) {
+        this.simulation = simulation;
+        sender.setDaemon(true);
+    }
+
+    void start() {
+        simulation.addObserver(this);
+        sender.start();
+    }
+
+    SimulationControl simulation() {
+        return simulation;
+    }
+
+    int spectators() {
+        return spectators.size();
+    }
+
+    void add(Spectator spectator) {
+        spectators.add(spectator);
+        LockSupport.unpark(sender);
+    }
+
+    void remove(Spectator spectator) {
+        spectators.remove(spectator);
+    }
+
+    @Override
+    public void cycleEnded(WorldSnapshot snapshot) {
+        latest = snapshot;
+        long now = System.nanoTime();
+        if (now - lastWakeNanos >= SEND_INTERVAL_NANOS) {
+            lastWakeNanos = now;
+            LockSupport.unpark(sender);
+        }
+    }
+
+    private void send() {
+        while (open) {
+            WorldSnapshot snapshot = latest;
+            if (snapshot != null && !spectators.isEmpty()) {
+                write(snapshot);
+                for (Spectator spectator : spectators) {
+                    spectator.offer(sceneRevision, sceneJson, frame);
+                }
+            }
+            LockSupport.parkNanos(LATEST_LOOK_NANOS);
+        }
+    }
+
+    private void write(WorldSnapshot snapshot) {
+        if (snapshot.equals(written)) {
+            return;
+        }
+        Scene current = Scene.of(simulation.field(), snapshot);
+        if (!current.equals(scene)) {
+            scene = current;
+            sceneRevision = (sceneRevision + 1) & 0xffff;
+            sceneJson = SceneWriter.write(current, sceneRevision);
+        }
+        frame = StateFrame.write(snapshot, sceneRevision);
+        written = snapshot;
+    }
+
+    @Override
+    public void close() {
+        simulation.removeObserver(this);
+        open = false;
+        LockSupport.unpark(sender);
+        spectators.forEach(Spectator::sayGoodbye);
+    }
+}

@@ -1,0 +1,44 @@
+package org.robonewbie.studio;
+
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.WorldSnapshot;
+
+/**
+ * What of the world seldom changes: the pitch, the teams and who plays. Pages get it once and again after each change.
+ *
+ * @param field the pitch
+ * @param teamLeft name of the left team, empty before it joined
+ * @param teamRight name of the right team, empty before it joined
+ * @param robots the robots in the order of the state frames
+ */
+record Scene(SoccerField field, String teamLeft, String teamRight, List<Player> robots) {
+
+    /**
+     * One robot without its state.
+     *
+     * @param id number of its connection
+     * @param team name of its team, empty before it joined one
+     * @param side its half, empty before it joined a team
+     * @param number its number, 0 before it joined a team
+     * @param type its build
+     */
+    record Player(int id, String team, Optional<TeamSide> side, int number, RobotType type) {
+
+        static Player of(RobotSnapshot robot) {
+            return new Player(robot.id(), robot.team(), robot.side(), robot.number(), robot.type());
+        }
+    }
+
+    static Scene of(SoccerField field, WorldSnapshot snapshot) {
+        return new Scene(
+                field,
+                snapshot.teamLeft(),
+                snapshot.teamRight(),
+                snapshot.robots().stream().map(Player::of).toList());
+    }
+}

@@ -1,0 +1,136 @@
+package org.robonewbie.studio;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.util.Arrays;
+import java.util.Locale;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.Hinge;
+import org.robonewbie.nao.model.Link;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.Shape;
+
+/** Writes a {@link Scene} as JSON for the pages, with the bodies of all robot types that play. */
+final class SceneWriter {
+
+    private SceneWriter() {}
+
+    /**
+     * Writes a scene.
+     *
+     * @param scene the scene
+     * @param revision its number, which the state frames that fit to it carry
+     * @return one JSON object
+     */
+    static String write(Scene scene, int revision) {
+        JsonObject json = new JsonObject();
+        json.addProperty("kind", "scene");
+        json.addProperty("revision", revision);
+        json.add("field", field(scene.field()));
+        JsonObject teams = new JsonObject();
+        teams.addProperty("left", scene.teamLeft());
+        teams.addProperty("right", scene.teamRight());
+        json.add("teams", teams);
+        JsonArray robots = new JsonArray();
+        JsonObject models = new JsonObject();
+        for (Scene.Player player : scene.robots()) {
+            robots.add(player(player));
+            if (!models.has(player.type().name())) {
+                models.add(player.type().name(), model(NaoModel.of(player.type())));
+            }
+        }
+        json.add("robots", robots);
+        json.add("models", models);
+        JsonArray playModes = new JsonArray();
+        Arrays.stream(PlayMode.values()).map(PlayMode::simSparkName).forEach(playModes::add);
+        json.add("playModes", playModes);
+        return json.toString();
+    }
+
+    private static JsonObject field(SoccerField field) {
+        JsonObject json = new JsonObject();
+        json.addProperty("length", field.length());
+        json.addProperty("width", field.width());
+        json.addProperty("goalWidth", field.goalWidth());
+        json.addProperty("goalDepth", field.goalDepth());
+        json.addProperty("goalHeight", field.goalHeight());
+        json.addProperty("penaltyLength", field.penaltyLength());
+        json.addProperty("penaltyWidth", field.penaltyWidth());
+        json.addProperty("centreCircleRadius", field.centreCircleRadius());
+        return json;
+    }
+
+    private static JsonObject player(Scene.Player player) {
+        JsonObject json = new JsonObject();
+        json.addProperty("id", player.id());
+        json.addProperty("team", player.team());
+        json.addProperty(
+                "side",
+                player.side().map(side -> side.name().toLowerCase(Locale.ROOT)).orElse(""));
+        json.addProperty("number", player.number());
+        json.addProperty("type", player.type().name());
+        return json;
+    }
+
+    private static JsonObject model(NaoModel model) {
+        JsonArray links = new JsonArray();
+        model.links().forEach(link -> links.add(link(link)));
+        JsonArray hinges = new JsonArray();
+        model.hinges().forEach(hinge -> hinges.add(hinge(hinge, model)));
+        JsonObject json = new JsonObject();
+        json.add("links", links);
+        json.add("hinges", hinges);
+        return json;
+    }
+
+    private static JsonObject link(Link link) {
+        JsonObject json = new JsonObject();
+        json.addProperty("name", link.name());
+        json.add("position", vector(link.position()));
+        json.add("size", vector(size(link.shape())));
+        return json;
+    }
+
+    private static Vector3 size(Shape shape) {
+        if (shape instanceof Shape.Box box) {
+            return box.size();
+        }
+        if (shape instanceof Shape.Capsule capsule) {
+            double width = 2 * capsule.radius();
+            return new Vector3(width, width, capsule.length() + width);
+        }
+        double width = 2 * ((Shape.Sphere) shape).radius();
+        return new Vector3(width, width, width);
+    }
+
+    private static JsonObject hinge(Hinge hinge, NaoModel model) {
+        JsonObject json = new JsonObject();
+        json.addProperty("joint", jointName(hinge));
+        json.addProperty("child", model.linkIndex(hinge.child()));
+        json.addProperty("parent", model.linkIndex(hinge.parent()));
+        json.add("anchor", vector(hinge.anchor()));
+        json.add("axis", vector(hinge.axis()));
+        json.addProperty("minDegrees", hinge.minDegrees());
+        json.addProperty("maxDegrees", hinge.maxDegrees());
+        return json;
+    }
+
+    private static String jointName(Hinge hinge) {
+        return Arrays.stream(Joint.values())
+                .filter(joint -> joint.effectorName().equals(hinge.effectorName()))
+                .map(Joint::name)
+                .findFirst()
+                .orElse(hinge.effectorName());
+    }
+
+    private static JsonArray vector(Vector3 vector) {
+        JsonArray json = new JsonArray();
+        json.add(vector.x());
+        json.add(vector.y());
+        json.add(vector.z());
+        return json;
+    }
+}

@@ -1,0 +1,86 @@
+package org.robonewbie.studio;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.WorldSnapshot;
+
+/**
+ * The binary form in which the state of the world travels to the pages, little-endian.
+ *
+ * <p>For each robot only the torso's pose and the joint angles are sent, 64 bytes; the page computes the other limbs. So 22
+ * robots at 25 frames per second need 36 KB per second.
+ *
+ * <pre>
+ * header   u8 version, u8 flags (1 = paused), u16 scene revision, u32 cycle,
+ *          f32 game time, f32 asked speed, f32 real-time factor,
+ *          u8 play mode, u8 score left, u8 score right, u8 half
+ * ball     3 × f32 position, 4 × i16 rotation w, x, y, z (1 = 32767)
+ * robots   each 3 × f32 torso position, 4 × i16 torso rotation, then i16 per hinge in 1/100 degree
+ * </pre>
+ */
+final class StateFrame {
+
+    /** The first byte of every frame; pages of another version ask to be loaded again. */
+    static final int VERSION = 1;
+
+    private static final int HEADER_BYTES = 24;
+    private static final int POSE_BYTES = 20;
+    private static final int UNIT_ROTATION = Short.MAX_VALUE;
+    private static final float STEPS_PER_DEGREE = 100;
+
+    private StateFrame() {}
+
+    /**
+     * Writes a state.
+     *
+     * @param snapshot the state of the world
+     * @param sceneRevision number of the scene that tells who the robots are
+     * @return the frame, ready to be read
+     */
+    static ByteBuffer write(WorldSnapshot snapshot, int sceneRevision) {
+        ByteBuffer buffer = ByteBuffer.allocate(size(snapshot)).order(ByteOrder.LITTLE_ENDIAN);
+        buffer.put((byte) VERSION).put((byte) (snapshot.paused() ? 1 : 0)).putShort((short) sceneRevision);
+        buffer.putInt((int) snapshot.cycle());
+        buffer.putFloat((float) snapshot.gameTime());
+        buffer.putFloat((float) snapshot.speed());
+        buffer.putFloat((float) snapshot.realTimeFactor());
+        buffer.put((byte) snapshot.playMode().ordinal());
+        buffer.put((byte) snapshot.scoreLeft())
+                .put((byte) snapshot.scoreRight())
+                .put((byte) snapshot.half());
+        Vector3 ball = snapshot.ballPosition();
+        buffer.putFloat((float) ball.x()).putFloat((float) ball.y()).putFloat((float) ball.z());
+        putRotation(buffer, snapshot.ballOrientation(), 0);
+        snapshot.robots().forEach(robot -> putRobot(buffer, robot));
+        return buffer.flip().asReadOnlyBuffer();
+    }
+
+    private static int size(WorldSnapshot snapshot) {
+        int size = HEADER_BYTES + POSE_BYTES;
+        for (RobotSnapshot robot : snapshot.robots()) {
+            size += POSE_BYTES + Short.BYTES * robot.jointDegrees().length;
+        }
+        return size;
+    }
+
+    private static void putRobot(ByteBuffer buffer, RobotSnapshot robot) {
+        float[] torso = robot.linkPoses();
+        buffer.putFloat(torso[0]).putFloat(torso[1]).putFloat(torso[2]);
+        putRotation(buffer, torso, 3);
+        for (float degrees : robot.jointDegrees()) {
+            buffer.putShort(clamped(degrees * STEPS_PER_DEGREE));
+        }
+    }
+
+    private static void putRotation(ByteBuffer buffer, float[] quaternion, int start) {
+        for (int i = start; i < start + 4; i++) {
+            buffer.putShort(clamped(quaternion[i] * UNIT_ROTATION));
+        }
+    }
+
+    private static short clamped(float value) {
+        return (short) Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, Math.round(value)));
+    }
+}

@@ -1,0 +1,123 @@
+package org.robonewbie.studio;
+
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParseException;
+import com.google.gson.JsonParser;
+import java.util.Locale;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.SimulationControl;
+
+/**
+ * Reads what a page asks for, such as <code>{"do":"step","cycles":1}</code>. Nothing that is out of range gets through to the
+ * simulation.
+ */
+final class StudioCommandReader {
+
+    private static final double SLOWEST = 0.1;
+    private static final double FASTEST = 100;
+    private static final int MAX_CYCLES = 50_000;
+    private static final double REACH_METRES = 50;
+    private static final int PLAYERS = 11;
+
+    private final JsonObject json;
+
+    private StudioCommandReader(JsonObject json) {
+        this.json = json;
+    }
+
+    /**
+     * Reads a command.
+     *
+     * @param text one JSON object
+     * @return the command
+     * @throws IllegalArgumentException if it cannot be understood; the message is meant for the person at the page
+     */
+    static StudioCommand read(String text) {
+        try {
+            return new StudioCommandReader(JsonParser.parseString(text).getAsJsonObject()).read();
+        } catch (JsonParseException | IllegalStateException e) {
+            throw new IllegalArgumentException("The studio cannot read \"" + text + "\". Load the page again.", e);
+        }
+    }
+
+    private StudioCommand read() {
+        String name = text("do");
+        return switch (name) {
+            case "seen" -> new StudioCommand.Seen();
+            case "pause" -> new StudioCommand.Pause();
+            case "resume" -> new StudioCommand.Resume();
+            case "step" -> new StudioCommand.Step((int) number("cycles", 1, MAX_CYCLES));
+            case "speed" -> new StudioCommand.Speed(speed());
+            case "reset" -> new StudioCommand.Reset();
+            case "placeBall" -> new StudioCommand.PlaceBall(position());
+            case "placeRobot" ->
+                new StudioCommand.PlaceRobot(
+                        side(), (int) number("number", 1, PLAYERS), position(), number("headingDegrees", -360, 360));
+            case "kickOff" -> new StudioCommand.KickOff(side());
+            case "dropBall" -> new StudioCommand.DropBall();
+            case "playMode" -> new StudioCommand.SetPlayMode(playMode());
+            default ->
+                throw new IllegalArgumentException(
+                        "The studio does not know the command \"" + name + "\". Load the page again.");
+        };
+    }
+
+    private double speed() {
+        boolean fastest = json.has("factor") && text("factor").equals("fastest");
+        return fastest ? SimulationControl.AS_FAST_AS_POSSIBLE : number("factor", SLOWEST, FASTEST);
+    }
+
+    private Vector3 position() {
+        return new Vector3(
+                number("x", -REACH_METRES, REACH_METRES),
+                number("y", -REACH_METRES, REACH_METRES),
+                number("z", 0, REACH_METRES));
+    }
+
+    private TeamSide side() {
+        return switch (text("side")) {
+            case "left" -> TeamSide.LEFT;
+            case "right" -> TeamSide.RIGHT;
+            default ->
+                throw new IllegalArgumentException(
+                        "The side \"" + text("side") + "\" does not exist. Choose \"left\" or \"right\".");
+        };
+    }
+
+    private PlayMode playMode() {
+        return PlayMode.ofSimSparkName(text("mode"))
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "The play mode \"" + text("mode") + "\" does not exist. Choose one of the list."));
+    }
+
+    private double number(String key, double min, double max) {
+        double value = numberOrNaN(key);
+        if (!(value >= min && value <= max)) {
+            throw new IllegalArgumentException(String.format(
+                    Locale.ROOT,
+                    "The value %s for \"%s\" of \"%s\" is not possible. Choose one from %s to %s.",
+                    json.get(key),
+                    key,
+                    text("do"),
+                    min,
+                    max));
+        }
+        return value;
+    }
+
+    private double numberOrNaN(String key) {
+        try {
+            return json.has(key) ? json.get(key).getAsDouble() : Double.NaN;
+        } catch (NumberFormatException | UnsupportedOperationException e) {
+            return Double.NaN;
+        }
+    }
+
+    private String text(String key) {
+        JsonElement element = json.get(key);
+        return element != null && element.isJsonPrimitive() ? element.getAsString() : "";
+    }
+}

@@ -1,0 +1,137 @@
+package org.robonewbie.studio;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.URI;
+import java.time.Duration;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import org.eclipse.jetty.server.Handler;
+import org.eclipse.jetty.server.Server;
+import org.eclipse.jetty.server.ServerConnector;
+import org.eclipse.jetty.util.thread.QueuedThreadPool;
+import org.eclipse.jetty.websocket.server.WebSocketUpgradeHandler;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.Viewer;
+
+/**
+ * The studio of one running simulation: a web server on 127.0.0.1 with the pages and the live feed on one port.
+ *
+ * <pre>{@code
+ * try (StudioServer studio = StudioServer.start(simulation, 0, AccessToken.random())) {
+ *     System.out.println(studio.address());
+ * }
+ * }</pre>
+ */
+public final class StudioServer implements Viewer.View {
+
+    /** Kept, since a logger that nobody keeps forgets its level. */
+    private static final Logger JETTY_LOGGER = Logger.getLogger("org.eclipse.jetty");
+
+    private static final Duration QUIET_LIMIT = Duration.ofMinutes(10);
+    private static final int MAX_COMMAND_BYTES = 4096;
+    private static final int MAX_THREADS = 12;
+
+    private final Server server;
+    private final LiveFeed feed;
+    private final URI address;
+
+    private StudioServer(Server server, LiveFeed feed, URI address) {
+        this.server = server;
+        this.feed = feed;
+        this.address = address;
+    }
+
+    /**
+     * Starts the studio.
+     *
+     * @param simulation what to show and steer
+     * @param port TCP port on 127.0.0.1, 0 for any free one
+     * @param token the secret of the pages
+     * @return the running studio
+     * @throws IOException if the port cannot be opened; the message says what to do
+     */
+    public static StudioServer start(SimulationControl simulation, int port, AccessToken token) throws IOException {
+        silenceServerTalk();
+        QueuedThreadPool threads = new QueuedThreadPool(MAX_THREADS, 2);
+        threads.setName("studio");
+        threads.setDaemon(true);
+        Server server = new Server(threads);
+        ServerConnector connector = new ServerConnector(server, 1, 1);
+        connector.setHost(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}).getHostAddress());
+        connector.setPort(port);
+        server.addConnector(connector);
+        openPort(connector, port);
+
+        int openPort = connector.getLocalPort();
+        LiveFeed feed = new LiveFeed(simulation);
+        AccessRule rule = new AccessRule(openPort, token);
+        String policy = WebFiles.contentSecurityPolicy(openPort);
+        server.setHandler(new AccessGuard(rule, policy, live(server, feed)));
+        run(server);
+        feed.start();
+        return new StudioServer(server, feed, URI.create("http://127.0.0.1:" + openPort + "/?token=" + token.text()));
+    }
+
+    private static void silenceServerTalk() {
+        if (JETTY_LOGGER.getLevel() == null) {
+            JETTY_LOGGER.setLevel(Level.WARNING);
+        }
+    }
+
+    private static Handler live(Server server, LiveFeed feed) {
+        WebSocketUpgradeHandler live = WebSocketUpgradeHandler.from(server, container -> {
+            container.setIdleTimeout(QUIET_LIMIT);
+            container.setMaxTextMessageSize(MAX_COMMAND_BYTES);
+            container.setMaxBinaryMessageSize(MAX_COMMAND_BYTES);
+            container.addMapping(
+                    AccessRule.LIVE_PATH, (request, response, callback) -> new Spectator(feed, feed.simulation()));
+        });
+        live.setHandler(new WebFiles());
+        return live;
+    }
+
+    private static void openPort(ServerConnector connector, int port) throws IOException {
+        try {
+            connector.open();
+        } catch (IOException e) {
+            throw new IOException(
+                    "The studio cannot use port " + port + " of 127.0.0.1; probably another program uses it. "
+                            + "End that program, or choose another port (0 = any free one).",
+                    e);
+        }
+    }
+
+    @SuppressWarnings("IllegalCatch")
+    private static void run(Server server) throws IOException {
+        try {
+            server.start();
+        } catch (Exception e) {
+            throw new IOException("The studio's web server cannot start: " + e.getMessage(), e);
+        }
+    }
+
+    @Override
+    public URI address() {
+        return address;
+    }
+
+    /**
+     * Counts the pages that look.
+     *
+     * @return how many pages are connected now
+     */
+    public int spectators() {
+        return feed.spectators();
+    }
+
+    @Override
+    public void close() {
+        feed.close();
+        try {
+            server.stop();
+        } catch (Exception e) {
+            throw new IllegalStateException("The studio's web server did not stop: " + e.getMessage(), e);
+        }
+    }
+}

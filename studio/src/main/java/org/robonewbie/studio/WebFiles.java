@@ -1,0 +1,95 @@
+package org.robonewbie.studio;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Base64;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.server.Handler;
+import org.eclipse.jetty.server.Request;
+import org.eclipse.jetty.server.Response;
+import org.eclipse.jetty.util.Callback;
+
+/**
+ * Serves the pages, scripts and pictures of the studio from the class path, and nothing else: a path is made of plain
+ * names, so that it cannot climb out of the folder {@code web}.
+ */
+final class WebFiles extends Handler.Abstract {
+
+    private static final String START_PAGE = "index.html";
+    private static final Pattern PATH = Pattern.compile("/((?:[a-z0-9-]+/)*[a-z0-9-]+(?:\\.[a-z0-9]+)*\\.([a-z]+))");
+    private static final Pattern IMPORT_MAP =
+            Pattern.compile("<script type=\"importmap\">(.*?)</script>", Pattern.DOTALL);
+    private static final Map<String, String> TYPES = Map.of(
+            "html", "text/html;charset=utf-8",
+            "css", "text/css;charset=utf-8",
+            "js", "text/javascript;charset=utf-8",
+            "svg", "image/svg+xml",
+            "png", "image/png");
+
+    @Override
+    public boolean handle(Request request, Response response, Callback callback) throws Exception {
+        String path = Request.getPathInContext(request);
+        Matcher matcher = PATH.matcher(path.equals("/") ? "/" + START_PAGE : path);
+        if (!matcher.matches() || !TYPES.containsKey(matcher.group(2))) {
+            return false;
+        }
+        Optional<byte[]> content = read(matcher.group(1));
+        if (content.isEmpty()) {
+            return false;
+        }
+        response.getHeaders()
+                .put(HttpHeader.CONTENT_TYPE, TYPES.get(matcher.group(2)))
+                .put(HttpHeader.CACHE_CONTROL, "no-cache")
+                .put(HttpHeader.CONTENT_LENGTH, content.get().length);
+        boolean withBody = !request.getMethod().equals("HEAD");
+        response.write(true, ByteBuffer.wrap(withBody ? content.get() : new byte[0]), callback);
+        return true;
+    }
+
+    /**
+     * Says what the pages may load: this server's own files and its live feed. The start page's import map is the only
+     * inline script and is known by its hash.
+     *
+     * @param port the server's port
+     * @return the text of the header Content-Security-Policy
+     */
+    static String contentSecurityPolicy(int port) {
+        return "default-src 'none'; script-src 'self' 'sha256-" + importMapHash() + "'; style-src 'self'; "
+                + "img-src 'self' data: blob:; connect-src 'self' ws://127.0.0.1:" + port + " ws://localhost:" + port
+                + "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    }
+
+    private static String importMapHash() {
+        String page = read(START_PAGE)
+                .map(bytes -> new String(bytes, StandardCharsets.UTF_8))
+                .orElseThrow();
+        Matcher matcher = IMPORT_MAP.matcher(page);
+        if (!matcher.find()) {
+            throw new IllegalStateException(START_PAGE + " has no import map.");
+        }
+        try {
+            MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            byte[] hash = digest.digest(matcher.group(1).getBytes(StandardCharsets.UTF_8));
+            return Base64.getEncoder().encodeToString(hash);
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("Every Java has SHA-256.", e);
+        }
+    }
+
+    private static Optional<byte[]> read(String name) {
+        try (InputStream stream = WebFiles.class.getResourceAsStream("web/" + name)) {
+            return stream == null ? Optional.empty() : Optional.of(stream.readAllBytes());
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

@@ -1,0 +1,6 @@
+/**
+ * The browser application: a web server on this computer only, and the live feed from the simulation to the pages. Read
+ * {@link org.robonewbie.studio.StudioServer} first; the pages themselves are the files below {@code web}.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.studio;

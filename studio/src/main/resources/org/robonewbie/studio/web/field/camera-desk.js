@@ -1,0 +1,187 @@
+/** The camera: which of four ways of looking is chosen, and how mouse and keys turn it. */
+import * as THREE from 'three';
+import { POSE, rotated } from '../state/kinematics.js';
+import { eye, moved, overview, turned, zoomed } from '../state/view-point.js';
+
+/**
+ * @typedef {import('../state/view-point.js').ViewPoint} ViewPoint
+ * @typedef {'orbit' | 'follow' | 'top' | 'eye'} CameraMode
+ * @typedef {import('../live/state-frame.js').Scene} Scene
+ */
+
+/** The cameras in the order of their keys 1 to 4. @type {Array<{mode: CameraMode, name: string, hint: string}>} */
+export const CAMERAS = [
+  { mode: 'orbit', name: 'Free', hint: 'Turn with the mouse, move with the right button' },
+  { mode: 'follow', name: 'Follow', hint: 'Keeps the chosen robot in the middle' },
+  { mode: 'top', name: 'Top', hint: 'The whole pitch from above' },
+  { mode: 'eye', name: 'Robot’s eyes', hint: 'What the chosen robot looks at' },
+];
+
+const FIELD_OF_VIEW = 38;
+const EYE_FIELD_OF_VIEW = 75;
+const FOLLOW_HEIGHT = 0.29;
+const CATCH_UP_PER_SECOND = 6;
+
+export class CameraDesk {
+  /** @param {THREE.PerspectiveCamera} camera */
+  constructor(camera) {
+    this.camera = camera;
+    /** @type {CameraMode} */
+    this.mode = 'orbit';
+    this.chosen = 0;
+    this.userHasChosen = false;
+    /** @type {ViewPoint} */
+    this.view = { target: [0, 0, 0], azimuthDegrees: -90, elevationDegrees: 36, distance: 14 };
+    /** @type {ViewPoint} */
+    this.shown = this.view;
+    /** @type {Scene | undefined} */
+    this.scene = undefined;
+  }
+
+  /**
+   * Fits to who plays: a single robot is followed, many are seen from the side line.
+   *
+   * @param {Scene} scene
+   */
+  setScene(scene) {
+    const first = this.scene === undefined;
+    this.scene = scene;
+    this.chosen = Math.min(this.chosen, Math.max(0, scene.robots.length - 1));
+    if (this.userHasChosen) {
+      return;
+    }
+    this.setMode(scene.robots.length === 1 ? 'follow' : 'orbit');
+    this.userHasChosen = false;
+    if (first) {
+      this.shown = this.view;
+    }
+  }
+
+  /** @param {CameraMode} mode */
+  setMode(mode) {
+    this.userHasChosen = true;
+    this.mode = mode;
+    const field = this.scene?.field ?? { length: 12, width: 8 };
+    if (mode === 'follow') {
+      this.view = { ...this.view, azimuthDegrees: -38, elevationDegrees: 13, distance: 2.1 };
+    } else if (mode !== 'eye') {
+      this.view = overview(field, this.camera.aspect, mode === 'top');
+    }
+  }
+
+  /** @param {ViewPoint} view set at once, without gliding there */
+  jumpTo(view) {
+    this.view = view;
+    this.shown = view;
+  }
+
+  /** @param {number} robot index of the robot to follow */
+  choose(robot) {
+    this.chosen = robot;
+    if (this.mode !== 'eye') {
+      this.setMode('follow');
+    }
+  }
+
+  /** @param {number} right degrees @param {number} up degrees */
+  turn(right, up) {
+    this.#free();
+    this.view = turned(this.view, right, up);
+  }
+
+  /** @param {number} factor */
+  zoom(factor) {
+    this.view = zoomed(this.view, factor);
+  }
+
+  /** @param {number} right part of the distance @param {number} up part of the distance */
+  move(right, up) {
+    this.#free();
+    if (this.mode === 'follow') {
+      this.mode = 'orbit';
+    }
+    this.view = moved(this.view, right, up);
+  }
+
+  #free() {
+    this.userHasChosen = true;
+    if (this.mode === 'top') {
+      this.mode = 'orbit';
+    }
+  }
+
+  /**
+   * Moves the camera on.
+   *
+   * @param {Float32Array[]} poses of all links of each robot
+   * @param {number} seconds since the last call
+   * @returns {boolean} whether it has moved
+   */
+  update(poses, seconds) {
+    const robot = poses[this.chosen];
+    this.#setFieldOfView(this.mode === 'eye' && robot ? EYE_FIELD_OF_VIEW : FIELD_OF_VIEW);
+    if (this.mode === 'eye' && robot) {
+      return this.#lookThroughEyes(robot);
+    }
+    if (this.mode === 'follow' && robot) {
+      this.view = { ...this.view, target: [robot[0], robot[1], FOLLOW_HEIGHT] };
+    }
+    return this.#glide(Math.min(1, CATCH_UP_PER_SECOND * seconds));
+  }
+
+  /** @param {number} degrees */
+  #setFieldOfView(degrees) {
+    if (this.camera.fov !== degrees) {
+      this.camera.fov = degrees;
+      this.camera.updateProjectionMatrix();
+    }
+  }
+
+  /** @param {Float32Array} robot */
+  #lookThroughEyes(robot) {
+    const model = /** @type {Scene} */ (this.scene).models[this.scene?.robots[this.chosen].type ?? ''];
+    const head = model.links.findIndex(({ name }) => name === 'head');
+    const at = head * POSE;
+    const forward = rotated(robot, head, [0, 1, 0]);
+    const place = [0, 1, 2].map((i) => robot[at + i] + 0.075 * forward[i]);
+    this.camera.up.set(...threeNumbers(rotated(robot, head, [0, 0, 1])));
+    this.camera.position.set(...threeNumbers(place));
+    this.camera.lookAt(place[0] + forward[0], place[1] + forward[1], place[2] + forward[2]);
+    return true;
+  }
+
+  /** @param {number} part of the way that is still to go */
+  #glide(part) {
+    const { view, shown } = this;
+    const turn = shortestTurn(view.azimuthDegrees - shown.azimuthDegrees);
+    const next = {
+      target: shown.target.map((value, i) => value + part * (view.target[i] - value)),
+      azimuthDegrees: shown.azimuthDegrees + part * turn,
+      elevationDegrees: shown.elevationDegrees + part * (view.elevationDegrees - shown.elevationDegrees),
+      distance: shown.distance + part * (view.distance - shown.distance),
+    };
+    const step =
+      Math.hypot(...next.target.map((value, i) => value - shown.target[i])) +
+      Math.abs(next.azimuthDegrees - shown.azimuthDegrees) / 50 +
+      Math.abs(next.elevationDegrees - shown.elevationDegrees) / 50 +
+      Math.abs(next.distance - shown.distance);
+    this.shown = next;
+    this.camera.up.set(0, 0, 1);
+    this.camera.position.set(...threeNumbers(eye(next)));
+    this.camera.lookAt(...threeNumbers(next.target));
+    return step > 0.0005;
+  }
+}
+
+/**
+ * @param {number[]} list
+ * @returns {[number, number, number]}
+ */
+function threeNumbers(list) {
+  return [list[0], list[1], list[2]];
+}
+
+/** @param {number} degrees */
+function shortestTurn(degrees) {
+  return ((((degrees + 180) % 360) + 360) % 360) - 180;
+}

@@ -1,0 +1,166 @@
+/** The picture of the field: owns the three.js scene and draws it; what is drawn comes from outside. */
+import * as THREE from 'three';
+import { ball } from './ball.js';
+import { Light, PALETTES, roomReflections } from './light.js';
+import { pitch } from './pitch.js';
+import { RobotCrowd } from './robot-crowd.js';
+import { SoftShadows } from './soft-shadows.js';
+
+/**
+ * @typedef {import('../live/state-frame.js').Scene} Scene
+ * @typedef {import('../state/smoothing.js').Picture} Picture
+ * @typedef {import('../state/quality.js').Quality} Quality
+ */
+
+export class FieldView {
+  /**
+   * @param {HTMLElement} stage where the picture goes
+   * @param {Quality} quality
+   */
+  constructor(stage, quality) {
+    this.stage = stage;
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(38, 1, 0.05, 160);
+    this.camera.up.set(0, 0, 1);
+    this.light = new Light(this.scene);
+    this.crowd = new RobotCrowd();
+    this.softShadows = new SoftShadows();
+    this.ball = ball();
+    this.ball.visible = false;
+    this.scene.add(this.crowd.group, this.softShadows.group, this.ball);
+    this.palette = PALETTES.light;
+    this.realShadows = false;
+    /** @type {Scene | undefined} */
+    this.content = undefined;
+    /** @type {THREE.Group | undefined} */
+    this.pitch = undefined;
+    this.quality = quality;
+    this.renderer = this.#newRenderer();
+    this.setQuality(quality);
+  }
+
+  /** Tells what the browser says about the graphics. @returns {string} */
+  get graphics() {
+    const gl = this.renderer.getContext();
+    const info = gl.getExtension('WEBGL_debug_renderer_info');
+    return info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : '';
+  }
+
+  /** @param {Quality} quality */
+  setQuality(quality) {
+    if (quality.antialias !== this.quality.antialias) {
+      this.quality = quality;
+      this.renderer.dispose();
+      this.renderer.domElement.remove();
+      this.renderer = this.#newRenderer();
+    }
+    this.quality = quality;
+    this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
+    this.scene.environmentIntensity = 0.5;
+    this.crowd.setQuality(quality);
+    this.setShadows(this.realShadows);
+    this.resize();
+  }
+
+  #newRenderer() {
+    const renderer = new THREE.WebGLRenderer({ antialias: this.quality.antialias, powerPreference: 'high-performance' });
+    renderer.shadowMap.type = THREE.PCFSoftShadowMap;
+    this.stage.append(renderer.domElement);
+    return renderer;
+  }
+
+  /** @param {boolean} real whether the sun casts shadows; else soft spots are drawn */
+  setShadows(real) {
+    this.realShadows = real;
+    this.renderer.shadowMap.enabled = real;
+    this.light.sun.castShadow = real;
+    this.softShadows.group.visible = !real;
+    this.crowd.setShadows(real);
+    this.scene.traverse((thing) => {
+      const material = /** @type {THREE.Mesh} */ (thing).material;
+      if (material instanceof THREE.Material) {
+        material.needsUpdate = true;
+      }
+    });
+  }
+
+  /** @param {'light' | 'dark'} theme */
+  setTheme(theme) {
+    this.palette = PALETTES[theme];
+    this.light.setPalette(this.palette);
+    if (this.content) {
+      this.#layPitch(this.content);
+    }
+  }
+
+  /** @param {Scene} content who plays where */
+  setScene(content) {
+    if (JSON.stringify(content.field) !== JSON.stringify(this.content?.field)) {
+      this.#layPitch(content);
+    }
+    this.content = content;
+    this.crowd.setScene(content);
+    this.softShadows.setScene(content);
+    this.ball.visible = false;
+  }
+
+  /** @param {Scene} content */
+  #layPitch(content) {
+    if (this.pitch) {
+      this.scene.remove(this.pitch);
+    }
+    this.pitch = pitch(content.field, this.palette);
+    this.scene.add(this.pitch);
+  }
+
+  /** Fits the picture to the page. */
+  resize() {
+    const width = Math.max(1, this.stage.clientWidth);
+    const height = Math.max(1, this.stage.clientHeight);
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, this.quality.pixelRatio));
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /**
+   * Moves everything to where it is now.
+   *
+   * @param {Picture} picture
+   */
+  update(picture) {
+    this.crowd.update(picture.robots);
+    this.softShadows.update(this.crowd.poses, picture.ball);
+    const [x, y, z, rw, rx, ry, rz] = picture.ball;
+    this.ball.position.set(x, y, z);
+    this.ball.quaternion.set(rx, ry, rz, rw);
+    this.ball.visible = true;
+  }
+
+  draw() {
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Counts what the last picture needed. */
+  get drawCalls() {
+    return this.renderer.info.render.calls;
+  }
+
+  /**
+   * The line of sight through a point of the page.
+   *
+   * @param {number} clientX
+   * @param {number} clientY
+   * @returns {THREE.Ray}
+   */
+  rayAt(clientX, clientY) {
+    const box = this.stage.getBoundingClientRect();
+    const place = new THREE.Vector2(
+      (2 * (clientX - box.left)) / box.width - 1,
+      1 - (2 * (clientY - box.top)) / box.height,
+    );
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera(place, this.camera);
+    return caster.ray;
+  }
+}

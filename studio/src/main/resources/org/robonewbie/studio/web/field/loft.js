@@ -1,0 +1,198 @@
+/** Rounded bodies: a skin is drawn over cross-sections along an axis, as over the ribs of a boat. */
+import * as THREE from 'three';
+
+/**
+ * @typedef {object} Section one rib
+ * @property {number} at place on the axis, metres
+ * @property {number} wide half width (x), metres
+ * @property {number} deep half depth (y; −z if the axis is y), metres
+ * @property {number} [x] offset of the centre
+ * @property {number} [y] offset of the centre
+ *
+ * @typedef {object} LoftOptions
+ * @property {'z' | 'y' | 'x'} [axis] along which the sections stand; z if left out
+ * @property {number} [segments] facets around
+ * @property {number} [rings] facets along
+ * @property {number} [square] 2 = ellipse, more = squarer
+ * @property {number} [inflate] metres by which the skin stands off
+ * @property {[number, number]} [around] only this range of angles: degrees, 0 = front (y), 90 = right (x)
+ * @property {[number, number]} [along] only this range of the axis, 0 to 1
+ */
+
+const RADIANS = Math.PI / 180;
+
+/**
+ * Draws the skin.
+ *
+ * @param {Section[]} sections the ribs in rising order
+ * @param {LoftOptions} [options]
+ * @returns {THREE.BufferGeometry} with uv that reads correctly from outside if it is a patch
+ */
+export function loft(sections, options = {}) {
+  const { segments = 20, rings = 12, around, along = [0, 1] } = options;
+  const [start, end] = around ?? [0, 360];
+  const positions = [];
+  const uvs = [];
+  for (let ring = 0; ring <= rings; ring++) {
+    const v = ring / rings;
+    const section = sectionAt(sections, along[0] + v * (along[1] - along[0]));
+    for (let segment = 0; segment <= segments; segment++) {
+      const u = segment / segments;
+      positions.push(...pointOn(section, start + u * (end - start), options));
+      uvs.push(1 - u, v);
+    }
+  }
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(positions, 3));
+  geometry.setAttribute('uv', new THREE.Float32BufferAttribute(uvs, 2));
+  geometry.setIndex(gridIndex(rings, segments));
+  geometry.computeVertexNormals();
+  if (!around) {
+    closeSeam(geometry, rings, segments);
+  }
+  return oriented(geometry, options.axis ?? 'z');
+}
+
+/**
+ * Blends the ribs to a smooth curve (Catmull-Rom).
+ *
+ * @param {Section[]} sections
+ * @param {number} part 0 to 1 along all sections
+ * @returns {Required<Section>}
+ */
+function sectionAt(sections, part) {
+  const place = part * (sections.length - 1);
+  const index = Math.min(Math.floor(place), sections.length - 2);
+  const t = place - index;
+  const ribs = [-1, 0, 1, 2].map((step) => sections[Math.max(0, Math.min(sections.length - 1, index + step))]);
+  /** @param {'at' | 'wide' | 'deep' | 'x' | 'y'} key */
+  const value = (key) => {
+    const [a, b, c, d] = ribs.map((rib) => rib[key] ?? 0);
+    return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
+  };
+  return {
+    at: value('at'),
+    wide: Math.max(0, value('wide')),
+    deep: Math.max(0, value('deep')),
+    x: value('x'),
+    y: value('y'),
+  };
+}
+
+/**
+ * @param {Required<Section>} section
+ * @param {number} degrees
+ * @param {LoftOptions} options
+ */
+function pointOn(section, degrees, { square = 2.4, inflate = 0 }) {
+  const sine = Math.sin(degrees * RADIANS);
+  const cosine = Math.cos(degrees * RADIANS);
+  const x = (section.wide + inflate) * Math.sign(sine) * Math.abs(sine) ** (2 / square);
+  const y = (section.deep + inflate) * Math.sign(cosine) * Math.abs(cosine) ** (2 / square);
+  return [section.x + x, section.y + y, section.at];
+}
+
+/**
+ * @param {number} rings
+ * @param {number} segments
+ */
+function gridIndex(rings, segments) {
+  const index = [];
+  for (let ring = 0; ring < rings; ring++) {
+    for (let segment = 0; segment < segments; segment++) {
+      const a = ring * (segments + 1) + segment;
+      const b = a + segments + 1;
+      index.push(a, b, a + 1, b, b + 1, a + 1);
+    }
+  }
+  return index;
+}
+
+/**
+ * Lets the light run smoothly over the line where the skin meets itself.
+ *
+ * @param {THREE.BufferGeometry} geometry
+ * @param {number} rings
+ * @param {number} segments
+ */
+function closeSeam(geometry, rings, segments) {
+  const normals = geometry.getAttribute('normal');
+  const sum = new THREE.Vector3();
+  for (let ring = 0; ring <= rings; ring++) {
+    const first = ring * (segments + 1);
+    const last = first + segments;
+    sum.set(
+      normals.getX(first) + normals.getX(last),
+      normals.getY(first) + normals.getY(last),
+      normals.getZ(first) + normals.getZ(last),
+    ).normalize();
+    normals.setXYZ(first, sum.x, sum.y, sum.z);
+    normals.setXYZ(last, sum.x, sum.y, sum.z);
+  }
+}
+
+/**
+ * @param {THREE.BufferGeometry} geometry
+ * @param {'z' | 'y' | 'x'} axis
+ */
+function oriented(geometry, axis) {
+  if (axis === 'y') {
+    geometry.rotateX(-Math.PI / 2);
+  } else if (axis === 'x') {
+    geometry.rotateY(Math.PI / 2);
+  }
+  return geometry;
+}
+
+/**
+ * A barrel with rounded edges.
+ *
+ * @param {number} radius
+ * @param {number} length
+ * @param {LoftOptions} [options]
+ */
+export function barrel(radius, length, options = {}) {
+  const half = length / 2;
+  const round = Math.min(0.3 * radius, 0.3 * length);
+  const ribs = [
+    [-half, 0],
+    [-half, 0.6 * (radius - round)],
+    [-half, radius - round],
+    [-half + 0.3 * round, radius - 0.3 * round],
+    [-half + round, radius],
+    [half - round, radius],
+    [half - 0.3 * round, radius - 0.3 * round],
+    [half, radius - round],
+    [half, 0.6 * (radius - round)],
+    [half, 0],
+  ].map(([at, r]) => ({ at, wide: r, deep: r }));
+  return loft(ribs, { square: 2, rings: ribs.length - 1, ...options });
+}
+
+/**
+ * A ball that may be flattened.
+ *
+ * @param {number} x half width
+ * @param {number} y half depth
+ * @param {number} z half height
+ * @param {LoftOptions} [options]
+ */
+export function egg(x, y, z, options = {}) {
+  const ribs = [];
+  for (let i = 0; i <= 8; i++) {
+    const angle = (i / 8 - 0.5) * Math.PI;
+    const r = Math.max(0, Math.cos(angle));
+    ribs.push({ at: z * Math.sin(angle), wide: x * r, deep: y * r });
+  }
+  return loft(ribs, { square: 2, rings: 10, ...options });
+}
+
+/**
+ * A flat ring or disc that looks along y.
+ *
+ * @param {number} inner radius of the hole, 0 for a disc
+ * @param {number} outer
+ */
+export function disc(inner, outer) {
+  return new THREE.RingGeometry(inner, outer, 20, 1).rotateX(-Math.PI / 2);
+}

@@ -1,0 +1,292 @@
+/**
+ * How our NAO looks: white shells over dark joints, round eyes, parts in the team's colour. One body per link of the
+ * simulated robot, in the link's own frame: x to the robot's right, y forward, z up, metres. Right limbs are designed, left
+ * ones mirrored.
+ */
+import { barrel, disc, egg, loft } from './loft.js';
+import { joined, mirrored, piece } from './parts.js';
+
+/**
+ * @typedef {import('three').BufferGeometry} BufferGeometry
+ * @typedef {import('./parts.js').Piece} Piece
+ * @typedef {import('./loft.js').Section} Section
+ * @typedef {import('./loft.js').LoftOptions} LoftOptions
+ */
+
+/** @type {Section[]} */
+const TORSO = [
+  { at: -0.098, wide: 0.03, deep: 0.026 },
+  { at: -0.092, wide: 0.046, deep: 0.04 },
+  { at: -0.06, wide: 0.053, deep: 0.048 },
+  { at: -0.015, wide: 0.057, deep: 0.053, y: 0.002 },
+  { at: 0.035, wide: 0.066, deep: 0.058, y: 0.004 },
+  { at: 0.07, wide: 0.07, deep: 0.054, y: 0.002 },
+  { at: 0.092, wide: 0.056, deep: 0.044 },
+  { at: 0.1, wide: 0.03, deep: 0.028 },
+  { at: 0.101, wide: 0, deep: 0 },
+];
+
+/** @type {Section[]} */
+const HEAD = [
+  { at: -0.046, wide: 0, deep: 0 },
+  { at: -0.044, wide: 0.028, deep: 0.026, y: 0.004 },
+  { at: -0.03, wide: 0.052, deep: 0.05, y: 0.006 },
+  { at: -0.005, wide: 0.065, deep: 0.06, y: 0.004 },
+  { at: 0.022, wide: 0.067, deep: 0.062 },
+  { at: 0.046, wide: 0.057, deep: 0.055, y: -0.003 },
+  { at: 0.062, wide: 0.033, deep: 0.034, y: -0.006 },
+  { at: 0.066, wide: 0, deep: 0, y: -0.006 },
+];
+
+/** @type {Section[]} */
+const UPPER_ARM = [
+  { at: -0.036, wide: 0, deep: 0, x: -0.006 },
+  { at: -0.032, wide: 0.018, deep: 0.018, x: -0.006 },
+  { at: -0.018, wide: 0.029, deep: 0.029, x: -0.005 },
+  { at: 0.01, wide: 0.031, deep: 0.03, x: -0.004 },
+  { at: 0.034, wide: 0.026, deep: 0.026, x: -0.008, y: -0.005 },
+  { at: 0.048, wide: 0.02, deep: 0.02, x: -0.01, y: -0.008 },
+];
+
+/** @type {Section[]} */
+const FOREARM = [
+  { at: -0.045, wide: 0.013, deep: 0.013 },
+  { at: -0.038, wide: 0.022, deep: 0.022 },
+  { at: -0.012, wide: 0.028, deep: 0.029 },
+  { at: 0.012, wide: 0.027, deep: 0.027 },
+  { at: 0.03, wide: 0.021, deep: 0.021 },
+  { at: 0.034, wide: 0.014, deep: 0.014 },
+];
+
+/** @type {Section[]} */
+const HAND = [
+  { at: 0.032, wide: 0.012, deep: 0.012 },
+  { at: 0.04, wide: 0.017, deep: 0.021 },
+  { at: 0.055, wide: 0.016, deep: 0.022 },
+  { at: 0.063, wide: 0.01, deep: 0.016 },
+  { at: 0.064, wide: 0, deep: 0 },
+];
+
+/** @type {Section[]} */
+const THIGH = [
+  { at: -0.078, wide: 0.02, deep: 0.02, y: -0.004 },
+  { at: -0.07, wide: 0.028, deep: 0.03, y: -0.003 },
+  { at: -0.04, wide: 0.035, deep: 0.037 },
+  { at: 0.0, wide: 0.038, deep: 0.041, y: 0.002 },
+  { at: 0.032, wide: 0.036, deep: 0.036, y: -0.004 },
+  { at: 0.048, wide: 0.026, deep: 0.026, y: -0.008 },
+  { at: 0.055, wide: 0.01, deep: 0.01, y: -0.01 },
+];
+
+/** @type {Section[]} */
+const SHANK = [
+  { at: -0.052, wide: 0.022, deep: 0.022, y: -0.006 },
+  { at: -0.044, wide: 0.029, deep: 0.029, y: -0.005 },
+  { at: -0.01, wide: 0.036, deep: 0.037, y: 0.002 },
+  { at: 0.022, wide: 0.037, deep: 0.039, y: 0.003 },
+  { at: 0.044, wide: 0.031, deep: 0.031, y: 0.002 },
+  { at: 0.054, wide: 0.02, deep: 0.02 },
+];
+
+/** @type {Section[]} */
+const FOOT = [
+  { at: -0.0065, wide: 0.044, deep: 0.083 },
+  { at: -0.001, wide: 0.0445, deep: 0.083 },
+  { at: 0.009, wide: 0.042, deep: 0.079, y: -0.001 },
+  { at: 0.019, wide: 0.037, deep: 0.066, y: -0.01 },
+  { at: 0.029, wide: 0.031, deep: 0.047, y: -0.022 },
+  { at: 0.036, wide: 0.024, deep: 0.032, y: -0.029 },
+];
+
+/** @type {Section[]} */
+const SOLE = [
+  { at: -0.01, wide: 0.038, deep: 0.077 },
+  { at: -0.009, wide: 0.0445, deep: 0.0835 },
+  { at: -0.005, wide: 0.0455, deep: 0.0845 },
+];
+
+/**
+ * Builds the bodies of all links.
+ *
+ * @param {boolean} fine whether rounded bodies have many facets
+ * @returns {Map<string, BufferGeometry>} by the link's name
+ */
+export function naoBodies(fine) {
+  const grid = fine ? { segments: 24, rings: 14 } : { segments: 12, rings: 7 };
+  const small = fine ? { segments: 18, rings: 10 } : { segments: 10, rings: 6 };
+  const bodies = new Map([
+    ['body', joined(torso(grid, small))],
+    ['neck', joined([piece('joint', barrel(0.024, 0.08, { segments: small.segments }), [0, 0, 0.01])])],
+    ['head', joined(head(grid, small))],
+  ]);
+  /** @type {Array<[string, () => Piece[]]>} */
+  const limbs = [
+    ['shoulder', () => shoulder(small)],
+    ['upperarm', () => upperArm(small)],
+    ['elbow', () => [piece('joint', egg(0.022, 0.022, 0.022, small))]],
+    ['lowerarm', () => lowerArm(small)],
+    ['hip1', () => [piece('joint', egg(0.03, 0.03, 0.03, small))]],
+    ['hip2', () => [piece('joint', barrel(0.024, 0.062, { ...small, rings: 9, axis: 'y' }))]],
+    ['thigh', () => thigh(grid, small)],
+    ['shank', () => shank(grid)],
+    ['ankle', () => ankle(small)],
+    ['foot', () => foot(grid)],
+    ['toe', () => [piece('trim', loft(boxRibs(0.043, 0.018, 0.005), { ...small, square: 5 }))]],
+  ];
+  for (const [name, pieces] of limbs) {
+    bodies.set(`r${name}`, joined(pieces()));
+    bodies.set(`l${name}`, mirrored(joined(pieces())));
+  }
+  return bodies;
+}
+
+/**
+ * The place of the number on chest and back: two patches of the torso's skin.
+ *
+ * @returns {BufferGeometry[]}
+ */
+export function numberPlates() {
+  /** @type {LoftOptions} */
+  const patch = { segments: 8, rings: 6, inflate: 0.0012 };
+  return [
+    loft(TORSO, { ...patch, around: [-31, 31], along: [0.49, 0.69] }),
+    loft(TORSO, { ...patch, around: [142, 218], along: [0.44, 0.72] }),
+  ];
+}
+
+/**
+ * @param {LoftOptions} grid
+ * @param {LoftOptions} small
+ */
+function torso(grid, small) {
+  return [
+    piece('shell', loft(TORSO, grid)),
+    piece('team', loft(TORSO, { ...small, inflate: 0.0016, around: [-62, 62], along: [0.735, 0.8], rings: 3 })),
+    piece('team', loft(TORSO, { ...small, inflate: 0.0016, around: [118, 242], along: [0.75, 0.8], rings: 3 })),
+    piece('trim', disc(0.0075, 0.0125), [0, 0.0588, -0.004]),
+    piece('eye', disc(0, 0.0075), [0, 0.0588, -0.004]),
+    piece('joint', barrel(0.03, 0.16, { ...small, rings: 9, axis: 'x' }), [0, 0, 0.075]),
+    piece('joint', loft(boxRibs(0.05, 0.036, 0.022), { ...small, square: 3 }), [0, -0.004, -0.11]),
+  ];
+}
+
+/**
+ * @param {LoftOptions} grid
+ * @param {LoftOptions} small
+ */
+function head(grid, small) {
+  const ear = { ...small, rings: 9, axis: /** @type {'x'} */ ('x') };
+  return [
+    piece('shell', loft(HEAD, { ...grid, square: 2.3 })),
+    ...eye(1),
+    ...eye(-1),
+    piece('black', disc(0, 0.006).rotateX(0.55), [0, 0.0575, 0.038]),
+    piece('black', disc(0, 0.0055).rotateX(-0.35), [0, 0.0622, -0.02]),
+    piece('team', barrel(0.031, 0.016, ear), [0.062, -0.006, 0.008]),
+    piece('team', barrel(0.031, 0.016, ear), [-0.062, -0.006, 0.008]),
+    piece('trim', barrel(0.021, 0.012, ear), [0.0665, -0.006, 0.008]),
+    piece('trim', barrel(0.021, 0.012, ear), [-0.0665, -0.006, 0.008]),
+  ];
+}
+
+/** @param {1 | -1} side */
+function eye(side) {
+  /** @param {number} inner @param {number} outer @param {number} off */
+  const ring = (inner, outer, off) =>
+    disc(inner, outer)
+      .rotateX(0.06)
+      .rotateZ(-side * 0.4)
+      .translate(side * (0.0285 + 0.4 * off), 0.0585 + off, 0.009);
+  return [
+    piece('black', ring(0, 0.0178, 0)),
+    piece('eye', ring(0.0072, 0.0142, 0.0006)),
+    piece('black', ring(0, 0.0072, 0.0006)),
+  ];
+}
+
+/** @param {LoftOptions} small */
+function shoulder(small) {
+  const along = { ...small, rings: 9, axis: /** @type {'x'} */ ('x') };
+  return [
+    piece('shell', barrel(0.037, 0.05, along), [0.004, 0, 0]),
+    piece('team', barrel(0.03, 0.012, along), [0.027, 0, 0]),
+  ];
+}
+
+/** @param {LoftOptions} small */
+function upperArm(small) {
+  const along = { ...small, axis: /** @type {'y'} */ ('y') };
+  return [
+    piece('shell', loft(UPPER_ARM, along)),
+    piece('team', loft(UPPER_ARM, { ...along, inflate: 0.0015, around: [35, 145], along: [0.42, 0.8], rings: 5 })),
+  ];
+}
+
+/** @param {LoftOptions} small */
+function lowerArm(small) {
+  const along = { ...small, axis: /** @type {'y'} */ ('y') };
+  const finger = () => barrel(0.0055, 0.03, { segments: 8, axis: 'y' });
+  return [
+    piece('shell', loft(FOREARM, along)),
+    piece('team', loft(FOREARM, { ...along, inflate: 0.0015, along: [0.56, 0.76], rings: 4 })),
+    piece('trim', loft(HAND, along)),
+    piece('joint', finger(), [0, 0.072, 0.012]),
+    piece('joint', finger(), [0, 0.074, -0.001]),
+    piece('joint', finger(), [0, 0.072, -0.014]),
+    piece('joint', finger().rotateZ(0.5), [-0.014, 0.057, 0.008]),
+  ];
+}
+
+/**
+ * @param {LoftOptions} grid
+ * @param {LoftOptions} small
+ */
+function thigh(grid, small) {
+  return [
+    piece('shell', loft(THIGH, grid)),
+    piece('team', loft(THIGH, { ...small, inflate: 0.0016, around: [42, 138], along: [0.3, 0.66] })),
+    piece('joint', barrel(0.026, 0.064, { ...small, rings: 9, axis: 'x' }), [0, -0.005, -0.08]),
+  ];
+}
+
+/** @param {LoftOptions} grid */
+function shank(grid) {
+  return [
+    piece('shell', loft(SHANK, grid)),
+    piece('team', loft(SHANK, { ...grid, inflate: 0.0016, around: [-52, 52], along: [0.36, 0.76] })),
+  ];
+}
+
+/** @param {LoftOptions} small */
+function ankle(small) {
+  return [
+    piece('joint', barrel(0.022, 0.056, { ...small, rings: 9, axis: 'x' })),
+    piece('joint', barrel(0.02, 0.058, { ...small, rings: 9, axis: 'y' }), [0, 0, -0.004]),
+  ];
+}
+
+/** @param {LoftOptions} grid */
+function foot(grid) {
+  return [
+    piece('shell', loft(FOOT, { ...grid, square: 2.8 })),
+    piece('joint', loft(SOLE, { ...grid, square: 2.9, rings: 4 })),
+    piece('team', loft(FOOT, { ...grid, square: 2.8, inflate: 0.0014, around: [-58, 58], along: [0.1, 0.5] })),
+  ];
+}
+
+/**
+ * @param {number} wide
+ * @param {number} deep
+ * @param {number} high
+ * @returns {Section[]}
+ */
+function boxRibs(wide, deep, high) {
+  return [
+    { at: -high, wide: 0, deep: 0 },
+    { at: -high, wide: 0.85 * wide, deep: 0.85 * deep },
+    { at: -0.7 * high, wide, deep },
+    { at: 0.7 * high, wide, deep },
+    { at: high, wide: 0.85 * wide, deep: 0.85 * deep },
+    { at: high, wide: 0, deep: 0 },
+  ];
+}

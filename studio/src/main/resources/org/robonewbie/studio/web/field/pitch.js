@@ -1,0 +1,234 @@
+/** The pitch: grass in stripes, white lines, goals with nets; all sizes from the simulator. */
+import * as THREE from 'three';
+
+/** @typedef {import('../live/state-frame.js').Field} Field */
+
+const LINE_WIDTH = 0.05;
+const BORDER = 1;
+const POST_RADIUS = 0.03;
+const STRIPES = 12;
+const NET_STEP = 0.1;
+const OVER_GRASS = 0.002;
+
+/**
+ * Builds the pitch.
+ *
+ * @param {Field} field
+ * @param {{grass: number, grassStripe: number, surround: number}} colours
+ * @returns {THREE.Group}
+ */
+export function pitch(field, colours) {
+  const group = new THREE.Group();
+  group.add(surround(colours.surround), grass(field, colours), lines(field), ...goals(field));
+  return group;
+}
+
+/** @param {number} colour */
+function surround(colour) {
+  const floor = new THREE.Mesh(new THREE.PlaneGeometry(200, 200), new THREE.MeshLambertMaterial({ color: colour }));
+  floor.position.z = -0.012;
+  return floor;
+}
+
+/**
+ * @param {Field} field
+ * @param {{grass: number, grassStripe: number}} colours
+ */
+function grass(field, colours) {
+  const step = field.length / STRIPES;
+  const places = [];
+  const tints = [];
+  for (let i = -1; i <= STRIPES; i++) {
+    const left = i < 0 ? -field.length / 2 - BORDER : -field.length / 2 + i * step;
+    const right = i === STRIPES ? field.length / 2 + BORDER : -field.length / 2 + (i + 1) * step;
+    places.push(...rectangle(left, -field.width / 2 - BORDER, right, field.width / 2 + BORDER));
+    const colour = new THREE.Color(i % 2 === 0 ? colours.grass : colours.grassStripe);
+    for (let corner = 0; corner < 6; corner++) {
+      tints.push(colour.r, colour.g, colour.b);
+    }
+  }
+  const geometry = flat(places);
+  geometry.setAttribute('color', new THREE.Float32BufferAttribute(tints, 3));
+  const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ vertexColors: true }));
+  mesh.receiveShadow = true;
+  mesh.name = 'grass';
+  return mesh;
+}
+
+/** @param {Field} field */
+function lines(field) {
+  const places = linePlaces(field);
+  const mesh = new THREE.Mesh(
+    flat(places),
+    new THREE.MeshLambertMaterial({ color: 0xffffff, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 }),
+  );
+  mesh.position.z = OVER_GRASS;
+  mesh.receiveShadow = true;
+  return mesh;
+}
+
+/**
+ * All lines as triangles on the ground.
+ *
+ * @param {Field} field
+ * @returns {number[]} x, y, z of the corners
+ */
+export function linePlaces(field) {
+  const { length, width, penaltyLength } = field;
+  const penaltyWidth = field.goalWidth + field.penaltyWidth;
+  const places = [
+    ...frame(-length / 2, -width / 2, length / 2, width / 2),
+    ...rectangle(-LINE_WIDTH / 2, -width / 2, LINE_WIDTH / 2, width / 2),
+    ...ring(field.centreCircleRadius - LINE_WIDTH / 2, field.centreCircleRadius + LINE_WIDTH / 2, 64),
+    ...ring(0, 1.6 * LINE_WIDTH, 16),
+    ...frame(-length / 2, -penaltyWidth / 2, -length / 2 + penaltyLength, penaltyWidth / 2),
+    ...frame(length / 2 - penaltyLength, -penaltyWidth / 2, length / 2, penaltyWidth / 2),
+  ];
+  return places;
+}
+
+/**
+ * @param {number} left
+ * @param {number} low
+ * @param {number} right
+ * @param {number} high
+ */
+function frame(left, low, right, high) {
+  const half = LINE_WIDTH / 2;
+  return [
+    ...rectangle(left - half, low - half, right + half, low + half),
+    ...rectangle(left - half, high - half, right + half, high + half),
+    ...rectangle(left - half, low, left + half, high),
+    ...rectangle(right - half, low, right + half, high),
+  ];
+}
+
+/**
+ * @param {number} left
+ * @param {number} low
+ * @param {number} right
+ * @param {number} high
+ */
+function rectangle(left, low, right, high) {
+  return [left, low, 0, right, low, 0, right, high, 0, left, low, 0, right, high, 0, left, high, 0];
+}
+
+/**
+ * @param {number} inner
+ * @param {number} outer
+ * @param {number} corners
+ */
+function ring(inner, outer, corners) {
+  const places = [];
+  for (let i = 0; i < corners; i++) {
+    const [a, b] = [i, i + 1].map((corner) => (2 * Math.PI * corner) / corners);
+    const [ax, ay, bx, by] = [Math.cos(a), Math.sin(a), Math.cos(b), Math.sin(b)];
+    places.push(inner * ax, inner * ay, 0, outer * ax, outer * ay, 0, outer * bx, outer * by, 0);
+    places.push(inner * ax, inner * ay, 0, outer * bx, outer * by, 0, inner * bx, inner * by, 0);
+  }
+  return places;
+}
+
+/** @param {number[]} places */
+function flat(places) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(places, 3));
+  const normals = places.map((_, i) => (i % 3 === 2 ? 1 : 0));
+  geometry.setAttribute('normal', new THREE.Float32BufferAttribute(normals, 3));
+  return geometry;
+}
+
+/** @param {Field} field */
+function goals(field) {
+  const frames = [];
+  const netting = [];
+  for (const end of [-1, 1]) {
+    frames.push(...goalFrame(field, end));
+    netting.push(...net(field, end));
+  }
+  const bars = new THREE.InstancedMesh(
+    new THREE.CylinderGeometry(POST_RADIUS, POST_RADIUS, 1, 14),
+    new THREE.MeshLambertMaterial({ color: 0xf7f9fa }),
+    frames.length,
+  );
+  frames.forEach((bar, i) => bars.setMatrixAt(i, bar));
+  bars.name = 'goals';
+  bars.castShadow = true;
+  bars.frustumCulled = false;
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(netting, 3));
+  const threads = new THREE.LineSegments(
+    geometry,
+    new THREE.LineBasicMaterial({ color: 0xffffff, transparent: true, opacity: 0.42 }),
+  );
+  return [bars, threads];
+}
+
+/**
+ * @param {Field} field
+ * @param {number} end -1 for the left goal, 1 for the right one
+ */
+function goalFrame(field, end) {
+  const front = end * (field.length / 2 + POST_RADIUS);
+  const back = front + end * field.goalDepth;
+  const side = field.goalWidth / 2 + POST_RADIUS;
+  const top = field.goalHeight;
+  const low = 0.02;
+  return [
+    bar([front, -side, 0], [front, -side, top], 1),
+    bar([front, side, 0], [front, side, top], 1),
+    bar([front, -side - POST_RADIUS, top], [front, side + POST_RADIUS, top], 1),
+    bar([back, -side, low], [back, side, low], 0.5),
+    bar([front, -side, low], [back, -side, low], 0.5),
+    bar([front, side, low], [back, side, low], 0.5),
+    bar([front, -side, top], [back, -side, low], 0.4),
+    bar([front, side, top], [back, side, low], 0.4),
+  ];
+}
+
+/**
+ * @param {number[]} from
+ * @param {number[]} to
+ * @param {number} thickness
+ */
+function bar(from, to, thickness) {
+  const start = new THREE.Vector3(...from);
+  const way = new THREE.Vector3(...to).sub(start);
+  const length = way.length();
+  const rotation = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), way.clone().normalize());
+  const middle = start.addScaledVector(way, 0.5);
+  return new THREE.Matrix4().compose(middle, rotation, new THREE.Vector3(thickness, length, thickness));
+}
+
+/**
+ * The net hangs from the crossbar slanting to the ground behind, and closes both sides.
+ *
+ * @param {Field} field
+ * @param {number} end
+ * @returns {number[]} pairs of points
+ */
+function net(field, end) {
+  const front = end * (field.length / 2 + POST_RADIUS);
+  const back = front + end * field.goalDepth;
+  const side = field.goalWidth / 2 + POST_RADIUS;
+  const points = [];
+  const columns = Math.round((2 * side) / NET_STEP);
+  for (let i = 0; i <= columns; i++) {
+    const y = -side + (2 * side * i) / columns;
+    points.push(front, y, field.goalHeight, back, y, 0);
+  }
+  const rows = Math.round(field.goalHeight / NET_STEP);
+  for (let i = 0; i <= rows; i++) {
+    const z = (field.goalHeight * i) / rows;
+    const x = back + ((front - back) * i) / rows;
+    points.push(x, -side, z, x, side, z);
+    points.push(front, -side, z, x, -side, z, front, side, z, x, side, z);
+  }
+  const deep = Math.max(2, Math.round(field.goalDepth / NET_STEP));
+  for (let i = 1; i < deep; i++) {
+    const x = front + ((back - front) * i) / deep;
+    const z = field.goalHeight * (1 - i / deep);
+    points.push(x, -side, 0, x, -side, z, x, side, 0, x, side, z);
+  }
+  return points;
+}

@@ -1,0 +1,79 @@
+/** The line to the simulator: opens it, opens it again when it breaks, and hands on what arrives. */
+
+const RETRY_MILLISECONDS = 700;
+const SILENCE_MILLISECONDS = 5000;
+
+/**
+ * @typedef {object} Listener
+ * @property {() => void} opened
+ * @property {() => void} lost
+ * @property {(message: any) => void} told a JSON message has come
+ * @property {(bytes: ArrayBuffer) => void} frameArrived a state frame has come
+ */
+
+export class Connection {
+  /**
+   * @param {string} address of the live feed, with the token
+   * @param {Listener} listener
+   */
+  constructor(address, listener) {
+    this.address = address;
+    this.listener = listener;
+    this.lastSound = 0;
+    /** @type {WebSocket | undefined} */
+    this.socket = undefined;
+  }
+
+  open() {
+    const socket = new WebSocket(this.address);
+    socket.binaryType = 'arraybuffer';
+    socket.onopen = () => {
+      this.lastSound = performance.now();
+      this.listener.opened();
+    };
+    socket.onmessage = (event) => this.#receive(event.data);
+    socket.onclose = () => {
+      if (this.socket === socket) {
+        this.#lose();
+      }
+    };
+    this.socket = socket;
+  }
+
+  /**
+   * Asks the simulator for something; without a connection nothing happens.
+   *
+   * @param {object} command such as `{do: 'pause'}`
+   */
+  send(command) {
+    if (this.socket?.readyState === WebSocket.OPEN) {
+      this.socket.send(JSON.stringify(command));
+    }
+  }
+
+  /** Gives up a line on which nothing has come for long, as after a computer has slept. */
+  checkSilence() {
+    const silent = performance.now() - this.lastSound > SILENCE_MILLISECONDS;
+    if (silent && this.socket?.readyState === WebSocket.OPEN) {
+      const deaf = this.socket;
+      this.#lose();
+      deaf.close();
+    }
+  }
+
+  /** @param {string | ArrayBuffer} data */
+  #receive(data) {
+    this.lastSound = performance.now();
+    if (typeof data === 'string') {
+      this.listener.told(JSON.parse(data));
+    } else {
+      this.listener.frameArrived(data);
+    }
+  }
+
+  #lose() {
+    this.socket = undefined;
+    this.listener.lost();
+    setTimeout(() => this.open(), RETRY_MILLISECONDS);
+  }
+}

@@ -1,0 +1,121 @@
+/** Reads the binary state frames of the live feed; their form is described at the server's class StateFrame. */
+
+/**
+ * @typedef {object} RobotState
+ * @property {Float32Array} torso position x, y, z in metres and rotation w, x, y, z
+ * @property {Float32Array} degrees angle of each hinge
+ *
+ * @typedef {object} Frame
+ * @property {boolean} paused
+ * @property {number} sceneRevision
+ * @property {number} cycle
+ * @property {number} gameTime seconds
+ * @property {number} speed asked simulated seconds per second; Infinity = as fast as possible
+ * @property {number} realTimeFactor measured simulated seconds per second
+ * @property {number} playMode index in the scene's list
+ * @property {number} scoreLeft
+ * @property {number} scoreRight
+ * @property {number} half
+ * @property {Float32Array} ball pose, seven numbers
+ * @property {RobotState[]} robots
+ *
+ * @typedef {import('../state/kinematics.js').RobotModel} RobotModel
+ *
+ * @typedef {object} Player
+ * @property {number} id
+ * @property {string} team
+ * @property {'left'|'right'|''} side
+ * @property {number} number
+ * @property {string} type
+ *
+ * @typedef {object} Field
+ * @property {number} length
+ * @property {number} width
+ * @property {number} goalWidth
+ * @property {number} goalDepth
+ * @property {number} goalHeight
+ * @property {number} penaltyLength
+ * @property {number} penaltyWidth
+ * @property {number} centreCircleRadius
+ *
+ * @typedef {object} Scene
+ * @property {number} revision
+ * @property {Field} field
+ * @property {{left: string, right: string}} teams
+ * @property {Player[]} robots
+ * @property {Object<string, RobotModel>} models by robot type
+ * @property {string[]} playModes
+ */
+
+const VERSION = 1;
+const HEADER_BYTES = 24;
+const POSE_BYTES = 20;
+const UNIT_ROTATION = 32767;
+const STEPS_PER_DEGREE = 100;
+
+/**
+ * Reads a frame.
+ *
+ * @param {ArrayBuffer} bytes what has arrived
+ * @param {Scene} scene who plays
+ * @returns {Frame | undefined} the state, or undefined if it belongs to another scene
+ * @throws {Error} if the studio speaks another version than this page
+ */
+export function readFrame(bytes, scene) {
+  const view = new DataView(bytes);
+  if (view.getUint8(0) !== VERSION) {
+    throw new Error('The studio is newer than this page. Load the page again.');
+  }
+  if (view.getUint16(2, true) !== scene.revision) {
+    return undefined;
+  }
+  let at = HEADER_BYTES + POSE_BYTES;
+  const robots = scene.robots.map((player) => {
+    const hinges = scene.models[player.type].hinges.length;
+    const robot = { torso: readPose(view, at), degrees: readDegrees(view, at + POSE_BYTES, hinges) };
+    at += POSE_BYTES + 2 * hinges;
+    return robot;
+  });
+  return {
+    paused: (view.getUint8(1) & 1) !== 0,
+    sceneRevision: scene.revision,
+    cycle: view.getUint32(4, true),
+    gameTime: view.getFloat32(8, true),
+    speed: view.getFloat32(12, true),
+    realTimeFactor: view.getFloat32(16, true),
+    playMode: view.getUint8(20),
+    scoreLeft: view.getUint8(21),
+    scoreRight: view.getUint8(22),
+    half: view.getUint8(23),
+    ball: readPose(view, HEADER_BYTES),
+    robots,
+  };
+}
+
+/**
+ * @param {DataView} view
+ * @param {number} at
+ */
+function readPose(view, at) {
+  const pose = new Float32Array(7);
+  for (let i = 0; i < 3; i++) {
+    pose[i] = view.getFloat32(at + 4 * i, true);
+  }
+  for (let i = 0; i < 4; i++) {
+    pose[3 + i] = view.getInt16(at + 12 + 2 * i, true) / UNIT_ROTATION;
+  }
+  return pose;
+}
+
+/**
+ * @param {DataView} view
+ * @param {number} at
+ * @param {number} count
+ */
+function readDegrees(view, at, count) {
+  const degrees = new Float32Array(count);
+  for (let i = 0; i < count; i++) {
+    degrees[i] = view.getInt16(at + 2 * i, true) / STEPS_PER_DEGREE;
+  }
+  return degrees;
+}

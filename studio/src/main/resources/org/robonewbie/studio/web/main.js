@@ -1,0 +1,178 @@
+/** Starts the studio: brings connection, state, picture and panels together. */
+import { CameraDesk, CAMERAS } from './field/camera-desk.js';
+import { FieldView } from './field/field-view.js';
+import { Hand } from './field/hand.js';
+import { Connection } from './live/connection.js';
+import { readFrame } from './live/state-frame.js';
+import { byId } from './panels/elements.js';
+import { deeds, listenToKeys } from './panels/keys.js';
+import { banner, notes } from './panels/messages.js';
+import { roomsPanel } from './panels/rooms.js';
+import { scoreBoardPanel } from './panels/score-board.js';
+import { cameraPanel, trainerPanel } from './panels/side.js';
+import { themeSwitch } from './panels/theme.js';
+import { timeActions, transportPanel } from './panels/transport.js';
+import { firstQuality, QualityChooser, QUALITIES, qualityIndex } from './state/quality.js';
+import { Smoothing } from './state/smoothing.js';
+import { initialState, withConnection, withFrame, withoutConnection, withScene } from './state/studio-state.js';
+
+const options = new URLSearchParams(location.search);
+const token = options.get('token') ?? '';
+
+let state = initialState(token !== '');
+let stale = true;
+let owesAnswer = false;
+let lastPicture = 0;
+let picturesInARow = 0;
+
+const asked = qualityIndex(options.get('quality'));
+const view = new FieldView(byId('stage'), QUALITIES[asked < 0 ? 1 : asked]);
+const chooser = new QualityChooser(asked < 0 ? firstQuality(view.graphics) : asked, asked >= 0);
+if (asked < 0) {
+  view.setQuality(chooser.quality);
+}
+const desk = new CameraDesk(view.camera);
+const smoothing = new Smoothing();
+const note = notes();
+
+const connection = new Connection(`ws://${location.host}/live?token=${encodeURIComponent(token)}`, {
+  opened() {
+    state = withConnection(state);
+    smoothing.clear();
+    stale = true;
+  },
+  lost() {
+    state = withoutConnection(state);
+    owesAnswer = false;
+    stale = true;
+  },
+  told(message) {
+    if (message.kind === 'scene') {
+      state = withScene(state, message);
+      view.setScene(message);
+      desk.setScene(message);
+    } else {
+      note(message.text);
+    }
+    stale = true;
+  },
+  frameArrived(bytes) {
+    owesAnswer = true;
+    const frame = state.scene && readFrame(bytes, state.scene);
+    if (frame) {
+      state = withFrame(state, frame, performance.now());
+      smoothing.push(frame, performance.now());
+    }
+    stale = true;
+  },
+});
+/** @param {object} command */
+const send = (command) => connection.send(command);
+const touch = () => {
+  stale = true;
+};
+
+const time = timeActions(() => state, send);
+/** @param {import('./field/camera-desk.js').CameraMode} mode */
+const chooseCamera = (mode) => {
+  desk.setMode(mode);
+  touch();
+};
+const shadows = options.get('shadows') === 'on';
+/** @param {boolean} on */
+const setShadows = (on) => {
+  view.setShadows(on);
+  touch();
+};
+const draws = [
+  scoreBoardPanel(),
+  transportPanel(time),
+  cameraPanel(desk, { choose: chooseCamera, shadows, setShadows }),
+  trainerPanel(send),
+  banner(),
+];
+roomsPanel();
+setShadows(shadows);
+new Hand(view, desk, { now: () => state, send, changed: touch });
+listenToKeys(
+  deeds(
+    {
+      turn: (right, up) => (desk.turn(right, up), touch()),
+      zoom: (factor) => (desk.zoom(factor), touch()),
+      camera: (index) => chooseCamera(CAMERAS[index].mode),
+    },
+    time,
+    send,
+  ),
+);
+themeSwitch(options.get('theme'), (theme) => {
+  view.setTheme(theme);
+  touch();
+});
+new ResizeObserver(() => {
+  view.resize();
+  touch();
+}).observe(view.stage);
+
+/**
+ * Draws if anything has changed. Nothing is drawn while the world and the eye stand still.
+ *
+ * @param {number} now milliseconds
+ */
+function turn(now) {
+  requestAnimationFrame(turn);
+  const seconds = Math.min(0.2, (now - lastPicture) / 1000);
+  if (stale || smoothing.isMoving(now)) {
+    drawPicture(now, seconds);
+  } else {
+    picturesInARow = 0;
+    lastPicture = now;
+  }
+  if (owesAnswer) {
+    owesAnswer = false;
+    send({ do: 'seen' });
+  }
+}
+
+/**
+ * @param {number} now milliseconds
+ * @param {number} seconds since the last picture
+ */
+function drawPicture(now, seconds) {
+  stale = false;
+  const picture = smoothing.picture(now);
+  if (picture && state.scene) {
+    view.update(picture);
+  }
+  stale = desk.update(view.crowd.poses, seconds);
+  view.light.shine(desk.shown.target);
+  view.draw();
+  draws.forEach((draw) => draw(state, now));
+  picturesInARow++;
+  if (picturesInARow > 2 && chooser.pictureTook(now - lastPicture)) {
+    view.setQuality(chooser.quality);
+    picturesInARow = 0;
+  }
+  lastPicture = now;
+}
+
+setInterval(() => {
+  connection.checkSilence();
+  draws.forEach((draw) => draw(state, performance.now()));
+}, 500);
+if (token !== '') {
+  connection.open();
+}
+requestAnimationFrame(turn);
+
+/** What tests and the curious ask for in the browser's console. */
+Object.assign(window, {
+  studio: {
+    get state() {
+      return state;
+    },
+    view,
+    desk,
+    chooser,
+  },
+});

@@ -1,0 +1,84 @@
+/** Everything that keys do, and the page that explains it. */
+import { CAMERAS } from '../field/camera-desk.js';
+import { byId, element } from './elements.js';
+
+/**
+ * @typedef {object} Deed
+ * @property {string[]} keys as the browser names them
+ * @property {string} shown as people read them
+ * @property {string} text
+ * @property {() => void} act
+ */
+
+/**
+ * @param {object} desk
+ * @param {(degreesRight: number, degreesUp: number) => void} desk.turn
+ * @param {(factor: number) => void} desk.zoom
+ * @param {(index: number) => void} desk.camera
+ * @param {ReturnType<typeof import('./transport.js').timeActions>} time
+ * @param {(command: object) => void} send
+ * @returns {Deed[]}
+ */
+export function deeds(desk, time, send) {
+  const help = /** @type {HTMLDialogElement} */ (byId('help'));
+  return [
+    { keys: [' '], shown: 'Space', text: 'pause or play', act: time.toggle },
+    { keys: ['.'], shown: '.', text: 'one cycle (20 ms)', act: () => time.step(1) },
+    { keys: [','], shown: ',', text: 'ten cycles', act: () => time.step(10) },
+    { keys: ['+', '='], shown: '+', text: 'faster', act: time.faster },
+    { keys: ['-'], shown: '−', text: 'slower', act: time.slower },
+    { keys: ['r', 'R'], shown: 'R', text: 'reset', act: time.reset },
+    { keys: ['k'], shown: 'K', text: 'kick-off of the left team', act: () => send({ do: 'kickOff', side: 'left' }) },
+    { keys: ['l'], shown: 'L', text: 'kick-off of the right team', act: () => send({ do: 'kickOff', side: 'right' }) },
+    { keys: ['b'], shown: 'B', text: 'drop ball', act: () => send({ do: 'dropBall' }) },
+    ...CAMERAS.map(({ name }, i) => ({
+      keys: [String(i + 1)],
+      shown: String(i + 1),
+      text: `camera: ${name}`,
+      act: () => desk.camera(i),
+    })),
+    { keys: ['ArrowLeft'], shown: '←', text: 'turn the view left', act: () => desk.turn(-6, 0) },
+    { keys: ['ArrowRight'], shown: '→', text: 'turn the view right', act: () => desk.turn(6, 0) },
+    { keys: ['ArrowUp'], shown: '↑', text: 'look from higher', act: () => desk.turn(0, 4) },
+    { keys: ['ArrowDown'], shown: '↓', text: 'look from lower', act: () => desk.turn(0, -4) },
+    { keys: ['PageUp'], shown: 'Page up', text: 'nearer', act: () => desk.zoom(0.85) },
+    { keys: ['PageDown'], shown: 'Page down', text: 'farther', act: () => desk.zoom(1.18) },
+    { keys: ['?'], shown: '?', text: 'this list', act: () => (help.open ? help.close() : help.showModal()) },
+  ];
+}
+
+const MOUSE = [
+  ['Drag the ground', 'turn the view'],
+  ['Drag with right button or Shift', 'move the view'],
+  ['Wheel', 'nearer, farther'],
+  ['Drag ball or robot', 'put it somewhere else'],
+  ['Click a robot', 'follow it'],
+];
+
+/** @param {Deed[]} list */
+export function listenToKeys(list) {
+  const help = /** @type {HTMLDialogElement} */ (byId('help'));
+  /** @param {string} key @param {string} text */
+  const row = (key, text) => element('div', {}, element('dt', {}, element('kbd', {}, key)), element('dd', {}, text));
+  const close = element('button', { type: 'button', class: 'primary' }, 'Close');
+  close.addEventListener('click', () => help.close());
+  help.append(
+    element('h2', {}, 'Keys and mouse'),
+    element('dl', {}, ...list.map((deed) => row(deed.shown, deed.text)), ...MOUSE.map(([key, text]) => row(key, text))),
+    close,
+  );
+  byId('help-button').addEventListener('click', () => help.showModal());
+  document.addEventListener('keydown', (event) => {
+    const target = /** @type {HTMLElement} */ (event.target);
+    const typing = ['SELECT', 'INPUT', 'TEXTAREA'].includes(target.tagName);
+    const pressing = target.tagName === 'BUTTON' && event.key === ' ';
+    if (typing || pressing || event.ctrlKey || event.metaKey || event.altKey || (help.open && event.key !== '?')) {
+      return;
+    }
+    const deed = list.find(({ keys }) => keys.includes(event.key));
+    if (deed) {
+      event.preventDefault();
+      deed.act();
+    }
+  });
+}

@@ -1,0 +1,38 @@
+/** What the studio says: a banner while nothing can be seen, and short notes. */
+import { message } from '../state/studio-state.js';
+import { byId, element, setText } from './elements.js';
+
+/** @typedef {import('../state/studio-state.js').StudioState} StudioState */
+
+const NOTE_MILLISECONDS = 6000;
+
+/** @returns {(state: StudioState, now: number) => void} draws the banner */
+export function banner() {
+  const title = element('strong');
+  const text = element('span');
+  const panel = byId('banner');
+  panel.append(element('span', { class: 'spinner', 'aria-hidden': 'true' }), element('div', {}, title, text));
+  return (state, now) => {
+    const shown = message(state, now);
+    panel.hidden = !shown;
+    if (shown) {
+      panel.dataset.tone = shown.tone;
+      setText(title, shown.title);
+      setText(text, shown.text);
+    }
+  };
+}
+
+/** @returns {(text: string) => void} shows a note for some seconds */
+export function notes() {
+  const panel = byId('toast');
+  let timer = 0;
+  return (text) => {
+    setText(panel, text);
+    panel.hidden = false;
+    clearTimeout(timer);
+    timer = window.setTimeout(() => {
+      panel.hidden = true;
+    }, NOTE_MILLISECONDS);
+  };
+}

@@ -1,0 +1,30 @@
+/** Teams, score, time of play and play mode. */
+import { scoreBoard } from '../state/studio-state.js';
+import { byId, element, setText } from './elements.js';
+
+/** @typedef {import('../state/studio-state.js').StudioState} StudioState */
+
+/** @returns {(state: StudioState) => void} draws the score board */
+export function scoreBoardPanel() {
+  const left = element('span', { class: 'team left' });
+  const right = element('span', { class: 'team right' });
+  const score = element('strong', { class: 'score' });
+  const time = element('span', { class: 'clock' });
+  const half = element('span');
+  const mode = element('span', { class: 'mode' });
+  byId('score-board').append(
+    element('div', { class: 'score-line' }, left, score, right),
+    element('div', { class: 'game-line' }, time, half, mode),
+  );
+  return (state) => {
+    const board = scoreBoard(state);
+    setText(left, board.left);
+    setText(right, board.right);
+    left.classList.toggle('absent', !board.hasLeft);
+    right.classList.toggle('absent', !board.hasRight);
+    setText(score, board.score);
+    setText(time, board.clock);
+    setText(half, board.half);
+    setText(mode, board.playMode);
+  };
+}

@@ -1,0 +1,31 @@
+/** Light and dark: as the computer is set, until the person chooses. */
+import { byId } from './elements.js';
+
+/** @typedef {'light' | 'dark'} Theme */
+
+const KEY = 'robonewbie-theme';
+
+/**
+ * @param {string | null} forced theme of the page's address
+ * @param {(theme: Theme) => void} changed
+ */
+export function themeSwitch(forced, changed) {
+  const system = window.matchMedia('(prefers-color-scheme: dark)');
+  const button = byId('theme-button');
+  let choice = forced ?? localStorage.getItem(KEY);
+  const apply = () => {
+    /** @type {Theme} */
+    const theme = choice === 'light' || choice === 'dark' ? choice : system.matches ? 'dark' : 'light';
+    document.documentElement.dataset.theme = theme;
+    button.textContent = theme === 'dark' ? 'Light' : 'Dark';
+    button.title = `Change to ${theme === 'dark' ? 'light' : 'dark'} colours`;
+    changed(theme);
+  };
+  button.addEventListener('click', () => {
+    choice = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark';
+    localStorage.setItem(KEY, choice);
+    apply();
+  });
+  system.addEventListener('change', apply);
+  apply();
+}

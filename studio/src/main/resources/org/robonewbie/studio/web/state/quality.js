@@ -1,0 +1,100 @@
+/**
+ * Chooses how fine the picture is by the time that pictures take, so that weak computers stay smooth. Pure.
+ *
+ * @typedef {object} Quality
+ * @property {string} name
+ * @property {number} pixelRatio pixels of the picture per pixel of the page, at most
+ * @property {boolean} antialias
+ * @property {boolean} glossy whether surfaces shine
+ * @property {boolean} fine whether rounded bodies have many facets
+ */
+
+/** From cheap to fine. @type {Quality[]} */
+export const QUALITIES = [
+  { name: 'lowest', pixelRatio: 0.5, antialias: false, glossy: false, fine: false },
+  { name: 'low', pixelRatio: 0.75, antialias: false, glossy: false, fine: false },
+  { name: 'medium', pixelRatio: 1, antialias: false, glossy: false, fine: true },
+  { name: 'high', pixelRatio: 2, antialias: true, glossy: true, fine: true },
+];
+
+const PICTURES = 24;
+const TOO_SLOW_MILLISECONDS = 45;
+const EASY_MILLISECONDS = 20;
+const EASY_ROUNDS = 5;
+
+/**
+ * Finds the level by its name in the page's address.
+ *
+ * @param {string | null} name
+ * @returns {number} index, or -1 for an unknown name
+ */
+export function qualityIndex(name) {
+  return QUALITIES.findIndex((quality) => quality.name === name);
+}
+
+/**
+ * Guesses where to start.
+ *
+ * @param {string} graphics what the browser says about the graphics card
+ * @returns {number} index of the quality
+ */
+export function firstQuality(graphics) {
+  return /swiftshader|llvmpipe|software|basic render/i.test(graphics) ? 1 : QUALITIES.length - 1;
+}
+
+/** Watches picture times and says when another quality is better. A level that was too slow is never tried again. */
+export class QualityChooser {
+  /**
+   * @param {number} first index of the quality to start with
+   * @param {boolean} fixed whether the person has chosen and nothing may change
+   */
+  constructor(first, fixed) {
+    this.index = first;
+    this.ceiling = first;
+    this.fixed = fixed;
+    this.easyRounds = 0;
+    /** @type {number[]} */
+    this.times = [];
+  }
+
+  /** @returns {Quality} */
+  get quality() {
+    return QUALITIES[this.index];
+  }
+
+  /**
+   * Takes the time between two pictures that were drawn one after the other.
+   *
+   * @param {number} milliseconds
+   * @returns {boolean} whether the quality has changed
+   */
+  pictureTook(milliseconds) {
+    if (this.fixed) {
+      return false;
+    }
+    this.times.push(milliseconds);
+    if (this.times.length < PICTURES) {
+      return false;
+    }
+    const median = this.times.sort((a, b) => a - b)[PICTURES / 2];
+    this.times = [];
+    return this.#judge(median);
+  }
+
+  /** @param {number} median */
+  #judge(median) {
+    if (median > TOO_SLOW_MILLISECONDS && this.index > 0) {
+      this.ceiling = this.index - 1;
+      return this.#change(-1);
+    }
+    this.easyRounds = median < EASY_MILLISECONDS ? this.easyRounds + 1 : 0;
+    return this.easyRounds >= EASY_ROUNDS && this.index < this.ceiling && this.#change(1);
+  }
+
+  /** @param {number} direction */
+  #change(direction) {
+    this.index += direction;
+    this.easyRounds = 0;
+    return true;
+  }
+}

@@ -1,0 +1,122 @@
+/**
+ * Movement between two frames: frames come 25 times per second, pictures up to 60 times. The picture runs one frame
+ * interval behind and blends. Pure.
+ */
+
+/**
+ * @typedef {import('../live/state-frame.js').Frame} Frame
+ * @typedef {import('../live/state-frame.js').RobotState} RobotState
+ *
+ * @typedef {object} Picture what is drawn now
+ * @property {Float32Array} ball
+ * @property {RobotState[]} robots
+ */
+
+/** Something that moves further than this between two frames was put there and is not blended, in metres. */
+const JUMP_METRES = 0.4;
+
+const SHORTEST_MILLISECONDS = 15;
+const LONGEST_MILLISECONDS = 120;
+
+export class Smoothing {
+  constructor() {
+    /** @type {Picture | undefined} */
+    this.from = undefined;
+    /** @type {Frame | undefined} */
+    this.to = undefined;
+    this.arrived = 0;
+    this.interval = 40;
+  }
+
+  /**
+   * Takes a new frame.
+   *
+   * @param {Frame} frame
+   * @param {number} now milliseconds
+   */
+  push(frame, now) {
+    this.from = this.to?.sceneRevision === frame.sceneRevision ? this.picture(now) : undefined;
+    const waited = Math.max(SHORTEST_MILLISECONDS, Math.min(LONGEST_MILLISECONDS, now - this.arrived));
+    this.interval += 0.2 * (waited - this.interval);
+    this.to = frame;
+    this.arrived = now;
+  }
+
+  /** Forgets everything, after which the next frame is drawn as it is. */
+  clear() {
+    this.from = undefined;
+    this.to = undefined;
+  }
+
+  /**
+   * Tells whether the picture still changes without a new frame.
+   *
+   * @param {number} now milliseconds
+   */
+  isMoving(now) {
+    return this.from !== undefined && now - this.arrived < this.interval + 20;
+  }
+
+  /**
+   * Blends what is to be drawn.
+   *
+   * @param {number} now milliseconds
+   * @returns {Picture | undefined}
+   */
+  picture(now) {
+    const { from, to } = this;
+    if (!from || !to) {
+      return to;
+    }
+    const part = Math.max(0, Math.min(1, (now - this.arrived) / this.interval));
+    if (part >= 1) {
+      return to;
+    }
+    return {
+      ball: blendPose(from.ball, to.ball, part),
+      robots: to.robots.map((robot, i) => blendRobot(from.robots[i], robot, part)),
+    };
+  }
+}
+
+/**
+ * @param {RobotState} from
+ * @param {RobotState} to
+ * @param {number} part
+ */
+function blendRobot(from, to, part) {
+  if (isJump(from.torso, to.torso)) {
+    return to;
+  }
+  const degrees = to.degrees.map((angle, i) => from.degrees[i] + part * (angle - from.degrees[i]));
+  return { torso: blendPose(from.torso, to.torso, part), degrees };
+}
+
+/**
+ * Blends two poses; the rotation along the shorter way.
+ *
+ * @param {Float32Array} from
+ * @param {Float32Array} to
+ * @param {number} part 0 to 1
+ */
+export function blendPose(from, to, part) {
+  if (isJump(from, to)) {
+    return to;
+  }
+  const dot = from[3] * to[3] + from[4] * to[4] + from[5] * to[5] + from[6] * to[6];
+  const sign = dot < 0 ? -1 : 1;
+  const pose = to.map((value, i) => {
+    const start = i < 3 ? from[i] : sign * from[i];
+    return start + part * (value - start);
+  });
+  const length = Math.hypot(pose[3], pose[4], pose[5], pose[6]);
+  return pose.map((value, i) => (i < 3 ? value : value / length));
+}
+
+/**
+ * @param {Float32Array} from
+ * @param {Float32Array} to
+ */
+function isJump(from, to) {
+  return Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]) > JUMP_METRES;
+}

@@ -1,0 +1,198 @@
+/**
+ * What the studio knows, as one value that is replaced, never changed. Pure functions only: messages come in, a new state
+ * comes out; the panels draw what the functions below read from it.
+ */
+import { playModeText } from './play-mode.js';
+
+/**
+ * @typedef {import('../live/state-frame.js').Scene} Scene
+ * @typedef {import('../live/state-frame.js').Frame} Frame
+ *
+ * @typedef {object} StudioState
+ * @property {'opening' | 'live' | 'lost'} connection
+ * @property {boolean} hasToken whether the page was opened with an access token
+ * @property {Scene | undefined} scene
+ * @property {Frame | undefined} frame
+ * @property {number} movedMilliseconds when the cycle changed last, on the page's clock
+ */
+
+/** Without a new cycle for so long, a running world is waiting for somebody. */
+const STANDSTILL_MILLISECONDS = 1500;
+
+/** The speeds that can be chosen; 'fastest' does not wait between cycles. */
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 'fastest'];
+
+/**
+ * @param {boolean} hasToken
+ * @returns {StudioState}
+ */
+export function initialState(hasToken) {
+  return { connection: 'opening', hasToken, scene: undefined, frame: undefined, movedMilliseconds: 0 };
+}
+
+/**
+ * @param {StudioState} state
+ * @returns {StudioState}
+ */
+export function withConnection(state) {
+  return { ...state, connection: 'live', scene: undefined, frame: undefined };
+}
+
+/**
+ * @param {StudioState} state
+ * @returns {StudioState}
+ */
+export function withoutConnection(state) {
+  return { ...state, connection: state.connection === 'opening' ? 'opening' : 'lost' };
+}
+
+/**
+ * @param {StudioState} state
+ * @param {Scene} scene
+ * @returns {StudioState}
+ */
+export function withScene(state, scene) {
+  return { ...state, scene, frame: undefined };
+}
+
+/**
+ * @param {StudioState} state
+ * @param {Frame} frame
+ * @param {number} now milliseconds on the page's clock
+ * @returns {StudioState}
+ */
+export function withFrame(state, frame, now) {
+  const moved = frame.cycle !== state.frame?.cycle || frame.paused;
+  return { ...state, frame, movedMilliseconds: moved ? now : state.movedMilliseconds };
+}
+
+/**
+ * @typedef {object} Message
+ * @property {'waiting' | 'trouble'} tone
+ * @property {string} title
+ * @property {string} text
+ */
+
+/**
+ * Says what the person should know when there is nothing to see or nothing moves.
+ *
+ * @param {StudioState} state
+ * @param {number} now milliseconds on the page's clock
+ * @returns {Message | undefined}
+ */
+export function message(state, now) {
+  if (!state.hasToken) {
+    return trouble('This address is not complete', 'Open the address that the simulator has printed, with its token.');
+  }
+  if (state.connection === 'lost') {
+    return trouble('The simulator has ended', 'Start it again; this page comes back by itself.');
+  }
+  if (state.connection === 'opening' || !state.scene) {
+    return waiting('Looking for the simulator…', 'If this stays, start the simulator again and open the address that it prints.');
+  }
+  if (state.scene.robots.length === 0) {
+    return waiting('Waiting for a robot…', 'Run an agent, for example: ./robonewbie run Agent_BasicStructure');
+  }
+  if (state.frame && now - state.movedMilliseconds > STANDSTILL_MILLISECONDS) {
+    return waiting('The world waits for an agent', 'Is one at a breakpoint? It goes on when the agent does.');
+  }
+  return undefined;
+}
+
+/**
+ * @param {string} title
+ * @param {string} text
+ * @returns {Message}
+ */
+function trouble(title, text) {
+  return { tone: 'trouble', title, text };
+}
+
+/**
+ * @param {string} title
+ * @param {string} text
+ * @returns {Message}
+ */
+function waiting(title, text) {
+  return { tone: 'waiting', title, text };
+}
+
+/**
+ * Reads the score board.
+ *
+ * @param {StudioState} state
+ */
+export function scoreBoard(state) {
+  const { scene, frame } = state;
+  return {
+    left: scene?.teams.left || 'Left',
+    right: scene?.teams.right || 'Right',
+    hasLeft: Boolean(scene?.teams.left),
+    hasRight: Boolean(scene?.teams.right),
+    score: frame ? `${frame.scoreLeft} : ${frame.scoreRight}` : '– : –',
+    clock: frame ? clock(frame.gameTime) : '--:--',
+    half: frame ? (frame.half === 2 ? '2nd half' : '1st half') : '',
+    playMode: scene && frame ? playModeText(scene.playModes[frame.playMode], scene.teams) : '',
+  };
+}
+
+/**
+ * Reads what the time controls show.
+ *
+ * @param {StudioState} state
+ */
+export function transport(state) {
+  const { frame } = state;
+  return {
+    enabled: state.connection === 'live' && frame !== undefined,
+    paused: frame?.paused ?? false,
+    speed: frame && nearestSpeed(frame.speed),
+    seconds: frame ? `${(frame.cycle * 0.02).toFixed(2)} s` : '',
+    cycle: frame ? `cycle ${frame.cycle}` : '',
+    realTimeFactor: frame ? factorText(frame) : '',
+  };
+}
+
+/**
+ * Names the speed of the list that is nearest to the asked one.
+ *
+ * @param {number} speed
+ * @returns {number | string}
+ */
+export function nearestSpeed(speed) {
+  const numbers = /** @type {number[]} */ (SPEEDS.filter((each) => typeof each === 'number'));
+  if (speed > 10 * numbers[numbers.length - 1]) {
+    return 'fastest';
+  }
+  return numbers.reduce((best, each) => (Math.abs(each - speed) < Math.abs(best - speed) ? each : best));
+}
+
+/**
+ * Names the next faster or slower speed.
+ *
+ * @param {number} speed the asked speed now
+ * @param {1 | -1} direction
+ */
+export function neighbourSpeed(speed, direction) {
+  const index = SPEEDS.indexOf(nearestSpeed(speed)) + direction;
+  return SPEEDS[Math.max(0, Math.min(SPEEDS.length - 1, index))];
+}
+
+/** @param {Frame} frame */
+function factorText(frame) {
+  if (frame.paused) {
+    return 'paused';
+  }
+  const factor = frame.realTimeFactor;
+  return `${factor < 9.95 ? factor.toFixed(1) : factor.toFixed(0)}× real time`;
+}
+
+/**
+ * Writes a time of play.
+ *
+ * @param {number} seconds
+ */
+export function clock(seconds) {
+  const whole = Math.floor(seconds + 1e-3);
+  return `${String(Math.floor(whole / 60)).padStart(2, '0')}:${String(whole % 60).padStart(2, '0')}`;
+}

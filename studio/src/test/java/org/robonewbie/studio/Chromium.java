@@ -1,0 +1,299 @@
+package org.robonewbie.studio;
+
+import com.google.gson.JsonElement;
+import com.google.gson.JsonNull;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import com.google.gson.JsonPrimitive;
+import java.io.BufferedReader;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.WebSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Stream;
+
+/** A real browser without a window, steered by the Chrome DevTools protocol. */
+final class Chromium implements AutoCloseable, WebSocket.Listener {
+
+    private static final List<String> PROGRAMS = List.of("chromium", "chromium-browser", "google-chrome", "chrome");
+    private static final long PATIENCE_SECONDS = 60;
+
+    private final Process process;
+    private final Path profile;
+    private final WebSocket socket;
+    private final AtomicInteger lastCall = new AtomicInteger();
+    private final Map<Integer, CompletableFuture<JsonObject>> calls = new ConcurrentHashMap<>();
+    private final List<String> complaints = new CopyOnWriteArrayList<>();
+    private final StringBuilder text = new StringBuilder();
+    private String session = "";
+
+    private Chromium(Process process, Path profile, URI address) {
+        this.process = process;
+        this.profile = profile;
+        this.socket = HttpClient.newHttpClient()
+                .newWebSocketBuilder()
+                .buildAsync(address, this)
+                .join();
+    }
+
+    /** Finds the browser: the environment variable CHROMIUM, or one of the usual names on the path. */
+    static Optional<Path> program() {
+        String named = System.getenv("CHROMIUM");
+        if (named != null) {
+            return Optional.of(Path.of(named));
+        }
+        return Stream.of(System.getenv("PATH").split(File.pathSeparator))
+                .flatMap(folder -> PROGRAMS.stream().map(name -> Path.of(folder, name)))
+                .filter(Files::isExecutable)
+                .findFirst();
+    }
+
+    static Chromium open(int width, int height) throws IOException {
+        Path profile = Files.createTempDirectory("studio-chromium");
+        List<String> command = new ArrayList<>();
+        command.add(program().orElseThrow().toString());
+        command.addAll(List.of(
+                "--headless=new",
+                "--no-sandbox",
+                "--disable-dev-shm-usage",
+                "--use-angle=swiftshader",
+                "--enable-unsafe-swiftshader",
+                "--remote-debugging-port=0",
+                "--no-first-run",
+                "--disable-extensions",
+                "--disable-background-networking",
+                "--user-data-dir=" + profile,
+                "about:blank"));
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+        Chromium browser = new Chromium(process, profile, devTools(process));
+        browser.openPage(width, height);
+        return browser;
+    }
+
+    private static URI devTools(Process process) throws IOException {
+        BufferedReader output =
+                new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+        String announcement = "DevTools listening on ";
+        for (String line = output.readLine(); line != null; line = output.readLine()) {
+            if (line.startsWith(announcement)) {
+                drain(output);
+                return URI.create(line.substring(announcement.length()).strip());
+            }
+        }
+        throw new IOException("The browser did not start.");
+    }
+
+    private static void drain(BufferedReader output) {
+        Thread reader = new Thread(() -> output.lines().forEach(line -> {}), "chromium-output");
+        reader.setDaemon(true);
+        reader.start();
+    }
+
+    private void openPage(int width, int height) {
+        JsonObject target = new JsonObject();
+        target.addProperty("url", "about:blank");
+        String id = call("Target.createTarget", target).get("targetId").getAsString();
+        JsonObject attach = new JsonObject();
+        attach.addProperty("targetId", id);
+        attach.addProperty("flatten", true);
+        session = call("Target.attachToTarget", attach).get("sessionId").getAsString();
+        for (String domain : List.of("Page", "Runtime", "Log", "Network")) {
+            call(domain + ".enable", new JsonObject());
+        }
+        JsonObject metrics = new JsonObject();
+        metrics.addProperty("width", width);
+        metrics.addProperty("height", height);
+        metrics.addProperty("deviceScaleFactor", 1);
+        metrics.addProperty("mobile", false);
+        call("Emulation.setDeviceMetricsOverride", metrics);
+    }
+
+    void visit(String address) {
+        JsonObject place = new JsonObject();
+        place.addProperty("url", address);
+        call("Page.navigate", place);
+        await("document.readyState === 'complete'");
+    }
+
+    /** Computes a JavaScript expression in the page. */
+    JsonElement evaluate(String expression) {
+        JsonObject parameters = new JsonObject();
+        parameters.addProperty("expression", expression);
+        parameters.addProperty("returnByValue", true);
+        parameters.addProperty("awaitPromise", true);
+        JsonObject answer = call("Runtime.evaluate", parameters);
+        if (answer.has("exceptionDetails")) {
+            throw new AssertionError(expression + " failed: " + answer.get("exceptionDetails"));
+        }
+        JsonElement value = answer.getAsJsonObject("result").get("value");
+        return value == null ? JsonNull.INSTANCE : value;
+    }
+
+    /** Waits until a JavaScript condition holds in the page. */
+    void await(String condition) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        String guarded = "(() => { try { return Boolean(" + condition + "); } catch { return false; } })()";
+        while (!evaluate(guarded).getAsBoolean()) {
+            if (System.nanoTime() > end) {
+                throw new AssertionError("Not within " + PATIENCE_SECONDS + " s: " + condition + "; page says "
+                        + complaints + " and shows " + evaluate("document.body.innerText"));
+            }
+            LockSupport.parkNanos(30_000_000);
+        }
+    }
+
+    void click(String selector) {
+        evaluate("document.querySelector(" + quoted(selector) + ").click()");
+    }
+
+    void press(String key) {
+        for (String type : List.of("keyDown", "keyUp")) {
+            JsonObject event = new JsonObject();
+            event.addProperty("type", type);
+            event.addProperty("key", key);
+            if (key.length() == 1 && type.equals("keyDown")) {
+                event.addProperty("text", key);
+            }
+            call("Input.dispatchKeyEvent", event);
+        }
+    }
+
+    void mouse(String type, double x, double y) {
+        JsonObject event = new JsonObject();
+        event.addProperty("type", type);
+        event.addProperty("x", x);
+        event.addProperty("y", y);
+        event.addProperty("button", "left");
+        event.addProperty("buttons", type.equals("mouseReleased") ? 0 : 1);
+        event.addProperty("clickCount", 1);
+        call("Input.dispatchMouseEvent", event);
+    }
+
+    byte[] screenshot() {
+        JsonObject form = new JsonObject();
+        form.addProperty("format", "png");
+        return Base64.getDecoder()
+                .decode(call("Page.captureScreenshot", form).get("data").getAsString());
+    }
+
+    /** Lists errors and warnings of the page, and addresses outside of this computer that it asked for. */
+    List<String> complaints() {
+        return List.copyOf(complaints);
+    }
+
+    void forgetComplaints() {
+        complaints.clear();
+    }
+
+    static String quoted(String text) {
+        return new JsonPrimitive(text).toString();
+    }
+
+    private JsonObject call(String method, JsonObject parameters) {
+        int id = lastCall.incrementAndGet();
+        JsonObject message = new JsonObject();
+        message.addProperty("id", id);
+        message.addProperty("method", method);
+        message.add("params", parameters);
+        if (!session.isEmpty()) {
+            message.addProperty("sessionId", session);
+        }
+        CompletableFuture<JsonObject> answer = new CompletableFuture<>();
+        calls.put(id, answer);
+        socket.sendText(message.toString(), true).join();
+        return answer.orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS).join();
+    }
+
+    @Override
+    public CompletionStage<?> onText(WebSocket webSocket, CharSequence data, boolean last) {
+        text.append(data);
+        if (last) {
+            receive(JsonParser.parseString(text.toString()).getAsJsonObject());
+            text.setLength(0);
+        }
+        webSocket.request(1);
+        return CompletableFuture.completedFuture(null);
+    }
+
+    private void receive(JsonObject message) {
+        CompletableFuture<JsonObject> call =
+                message.has("id") ? calls.remove(message.get("id").getAsInt()) : null;
+        if (call != null && message.has("result")) {
+            call.complete(message.getAsJsonObject("result"));
+        } else if (call != null) {
+            call.completeExceptionally(new AssertionError(message.toString()));
+        } else if (message.has("method")) {
+            receiveEvent(message);
+        }
+    }
+
+    private void receiveEvent(JsonObject message) {
+        JsonObject parameters = message.getAsJsonObject("params");
+        switch (message.get("method").getAsString()) {
+            case "Runtime.exceptionThrown" ->
+                complaints.add(parameters.get("exceptionDetails").toString());
+            case "Runtime.consoleAPICalled" -> noteConsole(parameters);
+            case "Log.entryAdded" -> noteLog(parameters.getAsJsonObject("entry"));
+            case "Network.requestWillBeSent" ->
+                noteRequest(parameters.getAsJsonObject("request").get("url").getAsString());
+            default -> {}
+        }
+    }
+
+    private void noteConsole(JsonObject parameters) {
+        if (List.of("error", "warning", "assert")
+                .contains(parameters.get("type").getAsString())) {
+            complaints.add(parameters.get("args").toString());
+        }
+    }
+
+    private void noteLog(JsonObject entry) {
+        String wording = entry.get("text").getAsString();
+        boolean expected = wording.contains("GPU stall due to ReadPixels");
+        if (!entry.get("level").getAsString().equals("info") && !expected) {
+            complaints.add(wording);
+        }
+    }
+
+    private void noteRequest(String address) {
+        if (!address.matches("(http://127\\.0\\.0\\.1:|data:|blob:|about:).*")) {
+            complaints.add("asked for " + address);
+        }
+    }
+
+    @Override
+    public void close() {
+        process.descendants().forEach(ProcessHandle::destroyForcibly);
+        process.destroyForcibly();
+        try {
+            process.waitFor(10, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        try (Stream<Path> files = Files.walk(profile)) {
+            files.sorted(Comparator.reverseOrder())
+                    .forEach(file -> file.toFile().delete());
+        } catch (IOException | UncheckedIOException e) {
+            // The system's folder for temporary files is emptied by the system.
+        }
+    }
+}

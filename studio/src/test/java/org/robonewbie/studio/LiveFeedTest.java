@@ -1,0 +1,351 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.WorldSnapshot;
+
+class LiveFeedTest {
+
+    private static final int CYCLE_AT = 4;
+
+    private final SmallSimulation simulation = new SmallSimulation().withRobot();
+    private StudioServer studio = open();
+
+    private StudioServer open() {
+        try {
+            return StudioServer.start(simulation, 0, AccessToken.random());
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    @BeforeEach
+    void startSimulation() {
+        simulation.start();
+    }
+
+    @AfterEach
+    void close() {
+        studio.close();
+        simulation.close();
+    }
+
+    @Test
+    void newPageLearnsWhoPlaysBeforeTheFirstFrame() throws InterruptedException {
+        try (TestPage page = new TestPage(studio.address())) {
+            JsonObject scene = page.nextMessage();
+            if (scene.getAsJsonArray("robots").isEmpty()) {
+                page.seen();
+                scene = page.nextMessage();
+            }
+
+            assertThat(scene.get("kind").getAsString()).isEqualTo("scene");
+            assertThat(scene.getAsJsonObject("field").get("length").getAsDouble())
+                    .isEqualTo(12);
+            assertThat(scene.getAsJsonObject("teams").get("left").getAsString()).isEqualTo("Blue Newbies");
+            JsonObject robot = scene.getAsJsonArray("robots").get(0).getAsJsonObject();
+            assertThat(robot.get("side").getAsString()).isEqualTo("left");
+            assertThat(robot.get("number").getAsInt()).isEqualTo(1);
+            JsonObject model = scene.getAsJsonObject("models").getAsJsonObject("TYPE_0");
+            assertThat(model.getAsJsonArray("links")).hasSize(23);
+            assertThat(model.getAsJsonArray("hinges")).hasSize(22);
+        }
+    }
+
+    @Test
+    void framesFollowTheWorld() throws InterruptedException {
+        try (TestPage page = new TestPage(studio.address())) {
+            long first = cycleOf(page.nextFrame());
+            page.seen();
+            long second = cycleOf(page.nextFrame());
+
+            assertThat(second).isGreaterThan(first);
+        }
+    }
+
+    @Test
+    void aboutTwentyFiveFramesComePerSecond() throws InterruptedException {
+        try (TestPage page = new TestPage(studio.address())) {
+            long first = cycleOf(page.nextFrame());
+            long last = first;
+            int frames = 0;
+            while (last < first + 100) {
+                page.seen();
+                last = cycleOf(page.nextFrame());
+                frames++;
+            }
+
+            assertThat(frames).isBetween(20, 60);
+        }
+    }
+
+    @Test
+    void pageThatDoesNotAnswerGetsNoSecondFrame() throws InterruptedException {
+        try (TestPage frozen = new TestPage(studio.address())) {
+            frozen.nextFrame();
+
+            assertThat(frozen.framesWithin(1500)).isFalse();
+        }
+    }
+
+    @Test
+    void pageThatAnswersLateGetsTheNewestFrame() throws InterruptedException {
+        try (TestPage slow = new TestPage(studio.address())) {
+            slow.nextFrame();
+            long before = simulation.latest().cycle();
+            awaitCycle(before + 20);
+
+            slow.seen();
+
+            assertThat(cycleOf(slow.nextFrame())).isGreaterThanOrEqualTo(before + 20);
+        }
+    }
+
+    @Test
+    void frozenPageDisturbsNeitherTheSimulationNorOthers() throws InterruptedException {
+        try (TestPage frozen = new TestPage(studio.address());
+                TestPage lively = new TestPage(studio.address())) {
+            frozen.nextFrame();
+            simulation.setSpeed(SimulationControl.AS_FAST_AS_POSSIBLE);
+            long start = simulation.latest().cycle();
+            long reached = 0;
+            while (reached < start + 200) {
+                reached = cycleOf(lively.nextFrame());
+                lively.seen();
+            }
+
+            assertThat(frozen.framesWithin(1)).isFalse();
+            assertThat(studio.spectators()).isEqualTo(2);
+        }
+    }
+
+    @Test
+    void reportingACycleCostsTheSimulationNextToNothing() {
+        try (TestPage page = new TestPage(studio.address());
+                LiveFeed feed = new LiveFeed(simulation)) {
+            page.seen();
+            WorldSnapshot snapshot = simulation.latest();
+            for (int i = 0; i < 100_000; i++) {
+                feed.cycleEnded(snapshot);
+            }
+            long start = System.nanoTime();
+            for (int i = 0; i < 100_000; i++) {
+                feed.cycleEnded(snapshot);
+            }
+            double microseconds = (System.nanoTime() - start) / 1e3 / 100_000;
+
+            assertThat(microseconds).isLessThan(20);
+        }
+    }
+
+    @Test
+    void unchangedWorldIsRepeatedOncePerSecond() throws InterruptedException {
+        simulation.pause();
+        try (TestPage page = new TestPage(studio.address())) {
+            long paused = 0;
+            for (int i = 0; i < 3; i++) {
+                paused = cycleOf(page.nextFrame());
+                page.seen();
+            }
+            long start = System.nanoTime();
+            assertThat(cycleOf(page.nextFrame())).isEqualTo(paused);
+
+            assertThat(TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start)).isBetween(500L, 4000L);
+        }
+    }
+
+    @Test
+    void robotThatComesLaterChangesTheScene() throws InterruptedException {
+        try (TestPage page = new TestPage(studio.address())) {
+            page.nextFrame();
+            simulation.withRobot(RobotType.TYPE_4, TeamSide.RIGHT, 7, 2, 1, 180, Posture.STANDING);
+            page.seen();
+
+            JsonArray robots = robotsAtLeast(page, 2);
+
+            assertThat(robots.get(1).getAsJsonObject().get("number").getAsInt()).isEqualTo(7);
+        }
+    }
+
+    private static JsonArray robotsAtLeast(TestPage page, int count) throws InterruptedException {
+        JsonArray robots = page.nextMessage().getAsJsonArray("robots");
+        while (robots.size() < count) {
+            page.seen();
+            robots = page.nextMessage().getAsJsonArray("robots");
+        }
+        return robots;
+    }
+
+    @Test
+    void twentyTwoRobotsNeedLessThanSixtyKibibytesPerSecond() throws InterruptedException {
+        for (int i = 1; i < 22; i++) {
+            TeamSide side = i < 11 ? TeamSide.LEFT : TeamSide.RIGHT;
+            simulation.withRobot(RobotType.TYPE_0, side, i % 11 + 1, -5.5 + 0.5 * i, 2, 0, Posture.STANDING);
+        }
+        try (TestPage page = new TestPage(studio.address())) {
+            page.nextFrame();
+            page.seen();
+            robotsAtLeast(page, 22);
+            ByteBuffer frame = page.nextFrame();
+            while (frame.remaining() < 1000) {
+                page.seen();
+                frame = page.nextFrame();
+            }
+
+            assertThat(25 * frame.remaining()).isLessThan(60 * 1024);
+        }
+    }
+
+    @Test
+    void pauseStopsAndResumeContinues() {
+        try (TestPage page = new TestPage(studio.address())) {
+            page.send("{\"do\":\"pause\"}");
+            await(() -> simulation.latest().paused());
+            page.send("{\"do\":\"resume\"}");
+            await(() -> !simulation.latest().paused());
+        }
+    }
+
+    @Test
+    void stepRunsSomeCycles() {
+        simulation.pause();
+        await(() -> simulation.latest().paused());
+        long before = simulation.latest().cycle();
+        try (TestPage page = new TestPage(studio.address())) {
+            page.send("{\"do\":\"step\",\"cycles\":3}");
+
+            await(() -> simulation.latest().cycle() == before + 3);
+        }
+    }
+
+    @Test
+    void speedIsSet() {
+        try (TestPage page = new TestPage(studio.address())) {
+            page.send("{\"do\":\"speed\",\"factor\":0.25}");
+            await(() -> simulation.latest().speed() == 0.25);
+            page.send("{\"do\":\"speed\",\"factor\":\"fastest\"}");
+            await(() -> simulation.latest().speed() == SimulationControl.AS_FAST_AS_POSSIBLE);
+        }
+    }
+
+    @Test
+    void ballIsPlacedAndResetBringsItBack() {
+        try (TestPage page = new TestPage(studio.address())) {
+            page.send("{\"do\":\"placeBall\",\"x\":2,\"y\":-1.5,\"z\":0.042}");
+            await(() -> simulation.latest().ballPosition().x() > 1.9);
+            page.send("{\"do\":\"reset\"}");
+            await(() -> simulation.latest().ballPosition().length() < 0.1);
+        }
+    }
+
+    @Test
+    void robotIsPlaced() {
+        try (TestPage page = new TestPage(studio.address())) {
+            page.send("{\"do\":\"placeRobot\",\"side\":\"left\",\"number\":1,\"x\":3,\"y\":2,\"z\":0.4,"
+                    + "\"headingDegrees\":90}");
+
+            await(() -> simulation.latest().robots().get(0).linkPoses()[0] > 2.9);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(TeamSide.class)
+    void teamKicksOff(TeamSide side) {
+        refereeSays(
+                "{'do':'kickOff','side':'" + side.name().toLowerCase(Locale.ROOT) + "'}",
+                side == TeamSide.LEFT ? PlayMode.KICK_OFF_LEFT : PlayMode.KICK_OFF_RIGHT);
+    }
+
+    @Test
+    void ballIsDropped() {
+        refereeSays("{'do':'dropBall'}", PlayMode.PLAY_ON);
+    }
+
+    @Test
+    void playModeIsSetByItsName() {
+        refereeSays("{'do':'playMode','mode':'corner_kick_left'}", PlayMode.CORNER_KICK_LEFT);
+    }
+
+    private void refereeSays(String command, PlayMode mode) {
+        try (TestPage page = new TestPage(studio.address())) {
+            page.send(command.replace('\'', '"'));
+
+            await(() -> simulation.latest().playMode() == mode);
+        }
+    }
+
+    @Test
+    void nonsenseIsAnsweredAndDoesNoHarm() throws InterruptedException {
+        try (TestPage page = new TestPage(studio.address())) {
+            page.nextFrame();
+            page.nextMessage();
+            page.send("{\"do\":\"speed\",\"factor\":-1}");
+
+            JsonObject answer = page.nextMessage();
+            while (!answer.get("kind").getAsString().equals("refused")) {
+                answer = page.nextMessage();
+            }
+
+            assertThat(answer.get("text").getAsString())
+                    .isEqualTo(
+                            "The value -1 for \"factor\" of \"speed\" is not possible. Choose one from 0.1 to 100.0.");
+            page.seen();
+            page.nextFrame();
+        }
+    }
+
+    @Test
+    void closedPageIsForgotten() {
+        try (TestPage page = new TestPage(studio.address())) {
+            await(() -> studio.spectators() == 1);
+            page.seen();
+        }
+
+        await(() -> studio.spectators() == 0);
+    }
+
+    @Test
+    void pagesAreToldWhenTheSimulatorEnds() throws Exception {
+        try (TestPage page = new TestPage(studio.address())) {
+            page.nextFrame();
+
+            studio.close();
+
+            assertThat(page.closeCode()).isEqualTo(1001);
+        }
+    }
+
+    private void awaitCycle(long cycle) {
+        await(() -> simulation.latest().cycle() >= cycle);
+    }
+
+    private static void await(BooleanSupplier condition) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
+        while (!condition.getAsBoolean()) {
+            assertThat(System.nanoTime()).as("waited too long").isLessThan(end);
+            LockSupport.parkNanos(5_000_000);
+        }
+    }
+
+    private static long cycleOf(ByteBuffer frame) {
+        return Integer.toUnsignedLong(frame.getInt(frame.position() + CYCLE_AT));
+    }
+}

@@ -1,0 +1,46 @@
+package org.robonewbie.studio;
+
+import java.util.EnumMap;
+import java.util.Map;
+import org.robonewbie.nao.Joint;
+
+/** Postures in which the robots of the tests stand without falling. */
+final class Posture {
+
+    /** Knees a little bent, arms hanging. */
+    static final Map<Joint, Double> STANDING = standing();
+
+    /** Standing and greeting with the right hand. */
+    static final Map<Joint, Double> GREETING = greeting();
+
+    private Posture() {}
+
+    private static Map<Joint, Double> standing() {
+        Map<Joint, Double> degrees = new EnumMap<>(Joint.class);
+        degrees.put(Joint.LEFT_SHOULDER_PITCH, -78.0);
+        degrees.put(Joint.RIGHT_SHOULDER_PITCH, -78.0);
+        degrees.put(Joint.LEFT_SHOULDER_YAW, 12.0);
+        degrees.put(Joint.RIGHT_SHOULDER_YAW, -12.0);
+        degrees.put(Joint.LEFT_ARM_ROLL, -85.0);
+        degrees.put(Joint.RIGHT_ARM_ROLL, 85.0);
+        degrees.put(Joint.LEFT_ARM_YAW, -38.0);
+        degrees.put(Joint.RIGHT_ARM_YAW, 38.0);
+        degrees.put(Joint.LEFT_HIP_PITCH, 30.0);
+        degrees.put(Joint.RIGHT_HIP_PITCH, 30.0);
+        degrees.put(Joint.LEFT_KNEE_PITCH, -58.0);
+        degrees.put(Joint.RIGHT_KNEE_PITCH, -58.0);
+        degrees.put(Joint.LEFT_FOOT_PITCH, 28.0);
+        degrees.put(Joint.RIGHT_FOOT_PITCH, 28.0);
+        return degrees;
+    }
+
+    private static Map<Joint, Double> greeting() {
+        Map<Joint, Double> degrees = new EnumMap<>(STANDING);
+        degrees.put(Joint.RIGHT_SHOULDER_PITCH, 40.0);
+        degrees.put(Joint.RIGHT_SHOULDER_YAW, -25.0);
+        degrees.put(Joint.RIGHT_ARM_ROLL, 60.0);
+        degrees.put(Joint.RIGHT_ARM_YAW, 60.0);
+        degrees.put(Joint.NECK_YAW, -12.0);
+        return degrees;
+    }
+}

@@ -1,0 +1,92 @@
+package org.robonewbie.studio;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.WebSocket;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.Objects;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+
+/** A page without a browser: talks to the studio over a real WebSocket. */
+final class TestPage implements AutoCloseable, WebSocket.Listener {
+
+    private static final long PATIENCE_SECONDS = 20;
+
+    private final BlockingQueue<JsonObject> messages = new LinkedBlockingQueue<>();
+    private final BlockingQueue<ByteBuffer> frames = new LinkedBlockingQueue<>();
+    private final CompletableFuture<Integer> closeCode = new CompletableFuture<>();
+    private final StringBuilder text = new StringBuilder();
+    private final WebSocket socket;
+
+    TestPage(URI studio) {
+        socket = HttpClient.newHttpClient()
+                .newWebSocketBuilder()
+                .header("Origin", "http://" + studio.getAuthority())
+                .buildAsync(URI.create("ws://" + studio.getAuthority() + "/live?" + studio.getQuery()), this)
+                .join();
+    }
+
+    JsonObject nextMessage() throws InterruptedException {
+        return Objects.requireNonNull(
+                messages.poll(PATIENCE_SECONDS, TimeUnit.SECONDS), "no message came from the studio");
+    }
+
+    ByteBuffer nextFrame() throws InterruptedException {
+        ByteBuffer frame = frames.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        return Objects.requireNonNull(frame, "no frame came from the studio").order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    boolean framesWithin(long milliseconds) throws InterruptedException {
+        ByteBuffer frame = frames.poll(milliseconds, TimeUnit.MILLISECONDS);
+        return frame != null;
+    }
+
+    void seen() {
+        send("{\"do\":\"seen\"}");
+    }
+
+    void send(String command) {
+        socket.sendText(command, true).join();
+    }
+
+    int closeCode() throws Exception {
+        return closeCode.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    }
+
+    @Override
+    public CompletionStage<?> onText(WebSocket webSocket, CharSequence data, boolean last) {
+        text.append(data);
+        if (last) {
+            messages.add(JsonParser.parseString(text.toString()).getAsJsonObject());
+            text.setLength(0);
+        }
+        webSocket.request(1);
+        return CompletableFuture.completedFuture(null);
+    }
+
+    @Override
+    public CompletionStage<?> onBinary(WebSocket webSocket, ByteBuffer data, boolean last) {
+        ByteBuffer copy = ByteBuffer.allocate(data.remaining());
+        frames.add(copy.put(data).flip());
+        webSocket.request(1);
+        return CompletableFuture.completedFuture(null);
+    }
+
+    @Override
+    public CompletionStage<?> onClose(WebSocket webSocket, int statusCode, String reason) {
+        closeCode.complete(statusCode);
+        return CompletableFuture.completedFuture(null);
+    }
+
+    @Override
+    public void close() {
+        socket.abort();
+    }
+}
