@@ -8,8 +8,6 @@ import java.util.OptionalInt;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.Hinge;
-import org.robonewbie.protocol.perceptor.FootForce;
-import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.protocol.perceptor.GameState;
 import org.robonewbie.protocol.perceptor.JointAngles;
 import org.robonewbie.protocol.perceptor.JointAngles.ExtraHinge;
@@ -17,7 +15,6 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.Vision;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.SoccerParameter;
-import org.robonewbie.simulator.world.FootSensor;
 import org.robonewbie.simulator.world.Robot;
 
 /** Asks all perceptors of a robot at the end of a cycle. */
@@ -39,7 +36,7 @@ final class Percepts {
                 Optional.of(robot.gyroDegreesPerSecond()),
                 Optional.of(robot.acceleration()),
                 jointAngles(robot),
-                footForces(robot),
+                robot.footForces(),
                 Optional.<Vision>empty());
     }
 
@@ -79,17 +76,5 @@ final class Percepts {
             }
         }
         return toes;
-    }
-
-    private static FootForces footForces(Robot robot) {
-        return new FootForces(
-                footForce(robot, FootSensor.LEFT_FOOT),
-                footForce(robot, FootSensor.RIGHT_FOOT),
-                footForce(robot, FootSensor.LEFT_TOES),
-                footForce(robot, FootSensor.RIGHT_TOES));
-    }
-
-    private static Optional<FootForce> footForce(Robot robot, FootSensor sensor) {
-        return robot.footForce(sensor).map(reading -> new FootForce(reading.point(), reading.force()));
     }
 }
