@@ -1,0 +1,83 @@
+package org.robonewbie.app;
+
+import java.io.UncheckedIOException;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** Finds the program that the user names: an example, an own class or an own Java file. */
+final class AgentFinder {
+
+    private final ExampleCatalogue examples;
+    private final List<Path> classPath;
+
+    /** Creates a finder that looks for own classes in the given folders and jars. */
+    AgentFinder(ExampleCatalogue examples, List<Path> classPath) {
+        this.examples = examples;
+        this.classPath = classPath;
+    }
+
+    /**
+     * Finds a program.
+     *
+     * @throws CalledWronglyException if there is none; its message says what there is
+     */
+    AgentProgram find(String name) {
+        if (name.endsWith(".java")) {
+            return JavaSource.of(Path.of(name)).compile(classPath);
+        }
+        return examples.find(name).or(() -> findOwnClass(name)).orElseThrow(() -> unknown(name));
+    }
+
+    /** Lists the examples, one per line. */
+    String listOfExamples() {
+        return examples.classNames().keySet().stream()
+                .map(name -> "  " + name)
+                .collect(Collectors.joining(System.lineSeparator(), "The examples are:" + System.lineSeparator(), ""));
+    }
+
+    private Optional<AgentProgram> findOwnClass(String name) {
+        try {
+            Class<?> type = Class.forName(name, false, loaderOf(classPath));
+            return Optional.of(AgentProgram.of(type).orElseThrow(() -> withoutMain(type.getSimpleName())));
+        } catch (ClassNotFoundException | NoClassDefFoundError none) {
+            return Optional.empty();
+        }
+    }
+
+    /** Makes a class loader for own classes that also knows those of RoboNewbie. */
+    static URLClassLoader loaderOf(List<Path> classPath) {
+        return new URLClassLoader(
+                classPath.stream().map(AgentFinder::urlOf).toArray(URL[]::new), AgentFinder.class.getClassLoader());
+    }
+
+    private static URL urlOf(Path folderOrJar) {
+        try {
+            return folderOrJar.toUri().toURL();
+        } catch (MalformedURLException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
+    }
+
+    static CalledWronglyException withoutMain(String simpleName) {
+        return new CalledWronglyException("""
+                %1$s cannot be run, since it has no main method. Add to it:
+                  public static void main(String[] args) {
+                    new %1$s().run(args);
+                  }""".formatted(simpleName));
+    }
+
+    private CalledWronglyException unknown(String name) {
+        String question = NearestName.of(name, examples.classNames().keySet())
+                .map(nearest -> " Did you mean " + nearest + "?")
+                .orElse("");
+        return new CalledWronglyException("""
+                There is no agent "%s".%s
+                %s
+                Your own agent runs by its file, for example: robonewbie run MyAgent.java""".formatted(name, question, listOfExamples()));
+    }
+}

@@ -1,0 +1,62 @@
+package org.robonewbie.app;
+
+import java.util.Set;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine;
+import picocli.CommandLine.IExecutionExceptionHandler;
+
+/**
+ * Starts RoboNewbie from the command line. The exit code is 0 when all went well, 1 when a command ran and failed, 2 when
+ * it was called wrongly.
+ */
+public final class Main {
+
+    private static final Set<String> OWN_OPTIONS = Set.of("-h", "--help", "-V", "--version");
+
+    private Main() {}
+
+    /**
+     * Runs one command and ends the process.
+     *
+     * @param arguments the command and its options; none runs the demo
+     */
+    public static void main(String[] arguments) {
+        QuietLogging.install();
+        System.exit(run(arguments));
+    }
+
+    /** Runs one command and tells the exit code. */
+    static int run(String... arguments) {
+        return commandLine().execute(withDefaultCommand(arguments));
+    }
+
+    static CommandLine commandLine() {
+        return new CommandLine(new RoboNewbieCommand())
+                .setExecutionExceptionHandler(reportPlainly())
+                .setUsageHelpAutoWidth(true);
+    }
+
+    /** Options without a command belong to the demo: {@code robonewbie --seed 3}. */
+    private static String[] withDefaultCommand(String... arguments) {
+        boolean isDemo = arguments.length == 0 || (arguments[0].startsWith("-") && !OWN_OPTIONS.contains(arguments[0]));
+        return isDemo
+                ? Stream.concat(Stream.of(DemoCommand.NAME), Stream.of(arguments))
+                        .toArray(String[]::new)
+                : arguments;
+    }
+
+    private static IExecutionExceptionHandler reportPlainly() {
+        return (exception, commandLine, parsed) -> {
+            commandLine.getErr().println("robonewbie: " + messageOf(exception));
+            return exception instanceof CalledWronglyException
+                    ? CommandLine.ExitCode.USAGE
+                    : CommandLine.ExitCode.SOFTWARE;
+        };
+    }
+
+    private static String messageOf(Throwable exception) {
+        @Nullable String message = exception.getMessage();
+        return message == null ? exception.toString() : message;
+    }
+}

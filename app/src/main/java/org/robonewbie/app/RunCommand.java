@@ -1,0 +1,61 @@
+package org.robonewbie.app;
+
+import java.io.File;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Runs one agent: an example, a class of the user or a Java file. */
+@Command(
+        name = "run",
+        description =
+                "Run an agent. Without a running simulator it starts its own and opens the studio in the browser.",
+        customSynopsis = "robonewbie run [--class-path PATH] AGENT [OPTIONS OF THE AGENT]",
+        footerHeading = AgentOptions.HEADING,
+        footer = {
+            AgentOptions.TEXT,
+            "",
+            "Examples:",
+            "  robonewbie run Agent_BasicStructure",
+            "  robonewbie run Agent_BasicStructure --headless --fast --seed 1 --seconds 12",
+            "  robonewbie run MyAgent.java",
+            "  robonewbie run --class-path target/classes my.team.Attacker --team Red --number 9"
+        })
+final class RunCommand implements Callable<Integer> {
+
+    @Mixin
+    final HelpOption help = new HelpOption();
+
+    @Option(
+            names = {"-cp", "--class-path"},
+            paramLabel = "PATH",
+            description = "Folders and jars with your own classes (default: the current folder).")
+    private String classPath = "";
+
+    @Parameters(
+            arity = "0..*",
+            paramLabel = "AGENT",
+            description =
+                    "Name of an example, name of a class of yours, or a .java file; then the options of the agent.")
+    private List<String> agentAndOptions = List.of();
+
+    @Override
+    public Integer call() {
+        AgentFinder finder = new AgentFinder(ExampleCatalogue.load(), folders());
+        if (agentAndOptions.isEmpty()) {
+            throw new CalledWronglyException("Which agent shall run? Write for example: robonewbie run "
+                    + ExampleCatalogue.FIRST_EXAMPLE + System.lineSeparator() + finder.listOfExamples());
+        }
+        List<String> options = agentAndOptions.subList(1, agentAndOptions.size());
+        return finder.find(agentAndOptions.get(0)).run(options);
+    }
+
+    private List<Path> folders() {
+        return Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
+    }
+}
