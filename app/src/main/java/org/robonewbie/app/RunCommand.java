@@ -24,7 +24,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie run Agent_BasicStructure",
             "  robonewbie run Agent_BasicStructure --headless --fast --seed 1 --seconds 12",
             "  robonewbie run MyAgent.java",
-            "  robonewbie run --class-path target/classes my.team.Attacker --team Red --number 9"
+            "  robonewbie run --class-path target/classes my.team.Attacker --number 9"
         })
 final class RunCommand implements Callable<Integer> {
 
