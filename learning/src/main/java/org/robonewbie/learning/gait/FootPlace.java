@@ -1,0 +1,68 @@
+package org.robonewbie.learning.gait;
+
+import org.robonewbie.nao.Vector3;
+
+/**
+ * Where a foot stands on the ground: the point of its sole below the ankle.
+ *
+ * @param forward metres ahead of where the walk began
+ * @param left metres to the left of where the walk began
+ * @param yawDegrees where the toes point; positive is to the left
+ */
+public record FootPlace(double forward, double left, double yawDegrees) {
+
+    /** Half the distance between two feet that stand side by side below the hips, in metres. */
+    public static final double HALF_WIDTH = 0.055;
+
+    /** The left foot of a robot that stands still. */
+    public static final FootPlace LEFT = new FootPlace(0, HALF_WIDTH, 0);
+
+    /** The right foot of a robot that stands still. */
+    public static final FootPlace RIGHT = new FootPlace(0, -HALF_WIDTH, 0);
+
+    /**
+     * Moves the place along the axes of the walk's beginning.
+     *
+     * @param forwardMetres way forward
+     * @param leftMetres way to the left
+     * @return the new place with the same direction
+     */
+    public FootPlace moved(double forwardMetres, double leftMetres) {
+        return new FootPlace(forward + forwardMetres, left + leftMetres, yawDegrees);
+    }
+
+    /**
+     * Turns place and direction about the point from where the walk began.
+     *
+     * @param degrees angle, positive to the left
+     * @return the new place
+     */
+    public FootPlace turned(double degrees) {
+        double cosine = Math.cos(Math.toRadians(degrees));
+        double sine = Math.sin(Math.toRadians(degrees));
+        return new FootPlace(cosine * forward - sine * left, sine * forward + cosine * left, yawDegrees + degrees);
+    }
+
+    /**
+     * Finds a place between two.
+     *
+     * @param other the other end
+     * @param fraction 0 for this place, 1 for the other
+     * @return the place in between
+     */
+    FootPlace towards(FootPlace other, double fraction) {
+        return new FootPlace(
+                forward + fraction * (other.forward - forward),
+                left + fraction * (other.left - left),
+                yawDegrees + fraction * (other.yawDegrees - yawDegrees));
+    }
+
+    /** The same place as seen from another one, as if that were where the walk began. */
+    Vector3 seenFrom(FootPlace middle) {
+        double cosine = Math.cos(Math.toRadians(middle.yawDegrees));
+        double sine = Math.sin(Math.toRadians(middle.yawDegrees));
+        double ahead = forward - middle.forward;
+        double aside = left - middle.left;
+        return new Vector3(cosine * ahead + sine * aside, -sine * ahead + cosine * aside, 0);
+    }
+}

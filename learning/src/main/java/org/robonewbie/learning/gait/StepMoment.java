@@ -1,0 +1,68 @@
+package org.robonewbie.learning.gait;
+
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.kinematics.Leg;
+import org.robonewbie.nao.motion.Posture;
+
+/**
+ * One moment of a step.
+ *
+ * @param gait how the robot steps
+ * @param leg which leg swings
+ * @param time which part of the step is over, 0 to 1
+ * @param vigour 1 moves as the gait says, 0 not at all
+ */
+record StepMoment(Gait gait, Leg leg, double time, double vigour) {
+
+    private static final double EASING = 0.7;
+
+    /** Which part of its way the swinging foot has made; it starts and stops softly. */
+    double travelled() {
+        double swing = swing();
+        return swing - EASING * Math.sin(2 * Math.PI * swing) / (2 * Math.PI);
+    }
+
+    /** How high the swinging foot is, in metres. */
+    double lift() {
+        double skewed = Math.pow(swing(), Math.exp(-gait.liftSkew()));
+        return gait.lift() * vigour * Math.pow(Math.sin(Math.PI * skewed), 1.2);
+    }
+
+    /** How far the torso is to the left, in metres. */
+    double sway() {
+        return sideways() * gait.sway();
+    }
+
+    /** How much the torso leans to the right, in degrees. */
+    double rollDegrees() {
+        return -sideways() * gait.roll();
+    }
+
+    /** How far the torso is above its usual height, in metres. */
+    double bounce() {
+        return gait.bounce() * vigour * Math.cos(2 * Math.PI * (time + gait.bouncePhase()));
+    }
+
+    /** How much the toes of the swinging foot are raised, in degrees. */
+    double toeDegrees() {
+        return gait.toeDegrees() * vigour * Math.sin(2 * Math.PI * swing());
+    }
+
+    /** The posture with the swinging leg lifted to the side. */
+    Posture withLiftedHip(Posture posture) {
+        double outward = gait.swingHipDegrees() * vigour * Math.sin(Math.PI * swing());
+        Joint hip = leg == Leg.LEFT ? Joint.LEFT_HIP_ROLL : Joint.RIGHT_HIP_ROLL;
+        return posture.with(hip, posture.degrees(hip) + (leg == Leg.LEFT ? outward : -outward));
+    }
+
+    /** From 1 on the left to -1 on the right. */
+    private double sideways() {
+        double side = leg == Leg.LEFT ? -1 : 1;
+        return side * vigour * Math.sin(Math.PI * (time + gait.swayPhase()));
+    }
+
+    private double swing() {
+        double swing = (time - gait.bothFeet() / 2) / (1 - gait.bothFeet());
+        return Math.max(0, Math.min(1, swing));
+    }
+}
