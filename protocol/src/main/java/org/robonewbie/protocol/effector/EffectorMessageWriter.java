@@ -65,9 +65,11 @@ public final class EffectorMessageWriter {
      * @throws IllegalArgumentException if a word contains blanks, parentheses or quotation marks
      */
     public EffectorMessageWriter createRobot(String path, List<String> parameters) {
-        writer.text("(scene ").text(checkedWord("Scene file", path));
+        checkWord("Scene file", path);
+        parameters.forEach(parameter -> checkWord("Scene parameter", parameter));
+        writer.text("(scene ").text(path);
         for (String parameter : parameters) {
-            writer.text(" ").text(checkedWord("Scene parameter", parameter));
+            writer.text(" ").text(parameter);
         }
         writer.text(")");
         return this;
@@ -82,8 +84,9 @@ public final class EffectorMessageWriter {
      * @throws IllegalArgumentException if the name contains blanks, parentheses or quotation marks
      */
     public EffectorMessageWriter joinTeam(int number, String team) {
+        checkWord("Team name", team);
         writer.text("(init (unum ").integer(number);
-        writer.text(")(teamname ").text(checkedWord("Team name", team)).text("))");
+        writer.text(")(teamname ").text(team).text("))");
         return this;
     }
 
@@ -97,9 +100,12 @@ public final class EffectorMessageWriter {
      * @throws IllegalArgumentException if a number is not finite
      */
     public EffectorMessageWriter beam(double xMetres, double yMetres, double headingDegrees) {
-        writer.text("(beam ").decimal(checkedNumber("Beam x", xMetres), DECIMALS);
-        writer.text(" ").decimal(checkedNumber("Beam y", yMetres), DECIMALS);
-        writer.text(" ").decimal(checkedNumber("Beam heading", headingDegrees), DECIMALS);
+        checkNumber("Beam ", "x", xMetres);
+        checkNumber("Beam ", "y", yMetres);
+        checkNumber("Beam ", "heading", headingDegrees);
+        writer.text("(beam ").decimal(xMetres, DECIMALS);
+        writer.text(" ").decimal(yMetres, DECIMALS);
+        writer.text(" ").decimal(headingDegrees, DECIMALS);
         writer.text(")");
         return this;
     }
@@ -125,7 +131,7 @@ public final class EffectorMessageWriter {
      * @throws IllegalArgumentException if the speed is not finite
      */
     public EffectorMessageWriter hingeSpeed(String effectorName, double radiansPerSecond) {
-        checkedNumber(effectorName, radiansPerSecond);
+        checkNumber("Speed of ", effectorName, radiansPerSecond);
         writer.text("(").text(effectorName).text(" ");
         writer.decimal(radiansPerSecond, DECIMALS).text(")");
         return this;
@@ -139,8 +145,8 @@ public final class EffectorMessageWriter {
      * @throws IllegalArgumentException if a simulator would not transmit the text
      */
     public EffectorMessageWriter say(String text) {
-        String word = checkedWord("Text to say", new Say(text).text());
-        writer.text("(say ").text(word).text(")");
+        checkWord("Text to say", new Say(text).text());
+        writer.text("(say ").text(text).text(")");
         return this;
     }
 
@@ -164,15 +170,14 @@ public final class EffectorMessageWriter {
         return this;
     }
 
-    private static double checkedNumber(String what, double value) {
+    private static void checkNumber(String what, String name, double value) {
         if (!Double.isFinite(value)) {
-            throw new IllegalArgumentException(what + " is " + value + ", which is no number that a robot can use. Was"
-                    + " something divided by zero?");
+            throw new IllegalArgumentException(what + name + " is " + value
+                    + ", which is no number that a robot can use. Was" + " something divided by zero?");
         }
-        return value;
     }
 
-    private static String checkedWord(String what, String word) {
+    private static void checkWord(String what, String word) {
         if (word.isEmpty()) {
             throw new IllegalArgumentException(what + " is empty. Give it at least one character.");
         }
@@ -184,6 +189,5 @@ public final class EffectorMessageWriter {
                         + " semicolons and quotation marks.");
             }
         }
-        return word;
     }
 }

@@ -165,26 +165,21 @@ public final class PerceptorMessageReader {
     /** Understands {@code (hear TEAM TIME DIRECTION TEXT)} and, of old servers, the same without the team. */
     private void readHeard() {
         String[] atoms = new String[4];
+        OptionalDouble[] numbers = new OptionalDouble[4];
         int count = 0;
         while (reader.next() == Token.ATOM && count < atoms.length) {
-            atoms[count++] = reader.text();
+            atoms[count] = reader.text();
+            numbers[count] = reader.isNumber() ? OptionalDouble.of(reader.number()) : OptionalDouble.empty();
+            count++;
         }
         if (!isComplete() || count < 3 || heard.size() >= MAX_HEARD) {
             return;
         }
         Optional<String> team = count == 4 ? Optional.of(atoms[0]) : Optional.empty();
-        OptionalDouble playSeconds = parseNumber(atoms[count - 3]);
-        OptionalDouble direction = parseNumber(atoms[count - 2]);
+        OptionalDouble playSeconds = numbers[count - 3];
+        OptionalDouble direction = numbers[count - 2];
         if (playSeconds.isPresent() && (direction.isPresent() || atoms[count - 2].equals("self"))) {
             heard.add(new Heard(team, playSeconds.getAsDouble(), direction, atoms[count - 1]));
-        }
-    }
-
-    private static OptionalDouble parseNumber(String text) {
-        try {
-            return OptionalDouble.of(Double.parseDouble(text));
-        } catch (NumberFormatException noNumber) {
-            return OptionalDouble.empty();
         }
     }
 

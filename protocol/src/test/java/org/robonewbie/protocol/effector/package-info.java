@@ -1,0 +1,3 @@
+/** Tests of effector messages. */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.protocol.effector;

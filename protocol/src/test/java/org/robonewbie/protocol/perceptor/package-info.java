@@ -1,0 +1,3 @@
+/** Tests of perceptor messages. */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.protocol.perceptor;
