@@ -62,7 +62,6 @@ final class RecordedAnswer {
 
     private void beamTo(Pose torso) {
         Vector3 place = torso.position();
-        robot.moveUpright(
-                new Vector3(place.x(), place.y(), BEAM_HEIGHT), TorsoAngles.yawDegrees(torso.rotation()) - 90);
+        robot.beam(new Vector3(place.x(), place.y(), BEAM_HEIGHT), TorsoAngles.yawDegrees(torso.rotation()) - 90);
     }
 }

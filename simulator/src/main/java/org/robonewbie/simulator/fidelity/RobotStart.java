@@ -41,7 +41,7 @@ final class RobotStart {
             step(STEPS_TO_LAND_AND_SLEEP);
         }
         robot.moveUpright(beam, yaw);
-        wake();
+        robot.wake();
         if (place.z() > HIGHEST_STANDING_TORSO) {
             step(STEPS_TO_LAND_AND_SLEEP);
             fall(place);
@@ -81,10 +81,6 @@ final class RobotStart {
         step(1);
         robot.setMotorSpeed(Joint.NECK_YAW, 0);
         step(steps - 1);
-    }
-
-    private void wake() {
-        robot.setMotorSpeed(Joint.NECK_YAW, Double.MIN_NORMAL);
     }
 
     private void step(int count) {

@@ -45,7 +45,9 @@ public final class Robot {
     private final List<MotorHinge> hinges;
     private final Accelerometer accelerometer = new Accelerometer();
     private final Map<FootSensor, FootPlate> plates = new EnumMap<>(FootSensor.class);
-    private Pose torsoAtEndOfStep;
+    private Optional<Beam> beam = Optional.empty();
+
+    private record Beam(Vector3 position, double yawDegrees) {}
 
     Robot(Assembly assembly, RobotType type) {
         this.model = NaoModel.of(type);
@@ -54,7 +56,6 @@ public final class Robot {
         this.bodies = builder.addBodies(START_POSITION);
         this.hinges = builder.addHinges(bodies, START_POSITION);
         addFootPlates();
-        torsoAtEndOfStep = bodies.get(0).pose();
     }
 
     /**
@@ -193,13 +194,10 @@ public final class Robot {
     /**
      * Moves the robot as it is, without turning it or its joints, and stops all movement; it is not woken.
      *
-     * <p>As in the original the way is measured from where the torso was at the end of the last step, so two moves within
-     * one cycle add up.
-     *
      * @param position new centre of the torso in the world frame, metres
      */
     public void moveTo(Vector3 position) {
-        Vector3 way = position.minus(torsoAtEndOfStep.position());
+        Vector3 way = position.minus(torso().position());
         for (RigidBody body : bodies) {
             body.setPosition(body.position().plus(way));
             stop(body);
@@ -213,14 +211,33 @@ public final class Robot {
      * @param yawDegrees turn about the vertical: 0 looks along the world's y axis, -90 along its x axis
      */
     public void moveUpright(Vector3 position, double yawDegrees) {
+        Pose torso = torso();
         Rotation turn = Rotation.aboutZ(Math.toRadians(yawDegrees))
-                .after(bodies.get(0).rotation().inverse());
+                .after(torso.rotation().inverse());
         for (RigidBody body : bodies) {
-            Vector3 fromTorso = body.position().minus(torsoAtEndOfStep.position());
+            Vector3 fromTorso = body.position().minus(torso.position());
             body.setPosition(position.plus(turn.apply(fromTorso)));
             body.setRotation(turn.after(body.rotation()));
             stop(body);
         }
+    }
+
+    /**
+     * Beams the robot within the next step; the last call before it counts.
+     *
+     * <p>The same as {@link #moveUpright}, but later, as in the original: the accelerometer of that step still feels the
+     * movement before.
+     *
+     * @param position new centre of the torso in the world frame, metres
+     * @param yawDegrees turn about the vertical: 0 looks along the world's y axis, -90 along its x axis
+     */
+    public void beam(Vector3 position, double yawDegrees) {
+        beam = Optional.of(new Beam(position, yawDegrees));
+    }
+
+    /** Lets a sleeping robot take part again. */
+    public void wake() {
+        bodies.forEach(RigidBody::wake);
     }
 
     /**
@@ -249,9 +266,11 @@ public final class Robot {
     }
 
     void prepareStep() {
-        bodies.forEach(DRAG::applyTo);
         accelerometer.measure(bodies.get(0));
         plates.values().forEach(FootPlate::clear);
+        beam.ifPresent(target -> moveUpright(target.position(), target.yawDegrees()));
+        beam = Optional.empty();
+        bodies.forEach(DRAG::applyTo);
     }
 
     void feel(int linkIndex, Contact contact) {
@@ -263,7 +282,6 @@ public final class Robot {
     }
 
     void finishStep() {
-        torsoAtEndOfStep = bodies.get(0).pose();
         plates.values().forEach(plate -> plate.update(linkPose(plate.link())));
     }
 

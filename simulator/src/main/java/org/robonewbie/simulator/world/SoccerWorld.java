@@ -117,7 +117,7 @@ public final class SoccerWorld {
         return Collections.unmodifiableList(robots);
     }
 
-    /** Advances the world by one cycle of 20 ms: drag and accelerometers, contacts, movement, foot sensors. */
+    /** Advances the world by one cycle of 20 ms: accelerometers, beams, drag, contacts, movement, foot sensors. */
     public void step() {
         ball.applyDrag();
         robots.forEach(Robot::prepareStep);

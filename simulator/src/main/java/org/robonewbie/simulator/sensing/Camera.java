@@ -1,0 +1,149 @@
+package org.robonewbie.simulator.sensing;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.random.RandomGenerator;
+import org.robonewbie.nao.BodyPart;
+import org.robonewbie.nao.Landmark;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.perceptor.PolarPosition;
+import org.robonewbie.protocol.perceptor.Vision;
+import org.robonewbie.protocol.perceptor.Vision.SeenBodyPart;
+import org.robonewbie.protocol.perceptor.Vision.SeenLandmark;
+import org.robonewbie.protocol.perceptor.Vision.SeenLine;
+import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
+import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+/**
+ * The camera in the centre of one robot's head (SimSpark: {@code restrictedvisionperceptor.cpp}).
+ *
+ * <p>It recognises the centres of things within its cone, at any distance and through each other; also the own arms. The
+ * server asks it for a picture in every third cycle.
+ *
+ * <pre>{@code
+ * Camera camera = new Camera(robot, world.field(), CameraSettings.STANDARD, random);
+ * Vision vision = camera.look(world, players, Optional.of(TeamSide.LEFT));
+ * }</pre>
+ */
+public final class Camera {
+
+    private final Robot observer;
+    private final int headLink;
+    private final SoccerField field;
+    private final CameraSettings settings;
+    private final ViewCone cone;
+    private final List<Segment> lines;
+    private final Optional<VisionNoise> noise;
+
+    /**
+     * Puts a camera into a robot's head; its calibration error is drawn here and stays.
+     *
+     * @param observer the robot
+     * @param field the pitch with its landmarks and lines
+     * @param settings what it sees and how well
+     * @param random source of all noise; not used without noise
+     */
+    public Camera(Robot observer, SoccerField field, CameraSettings settings, RandomGenerator random) {
+        this.observer = observer;
+        this.headLink = observer.model().linkIndex(BodyPart.HEAD.simSparkName());
+        this.field = field;
+        this.settings = settings;
+        this.cone = new ViewCone(settings.horizontalConeDegrees(), settings.verticalConeDegrees());
+        this.lines = settings.lines() ? FieldLines.of(field) : List.of();
+        this.noise = settings.noise() ? Optional.of(new VisionNoise(random)) : Optional.empty();
+    }
+
+    /**
+     * Takes a picture.
+     *
+     * @param world the world with the ball
+     * @param players all robots that belong to a team, in a fixed order; the observer too if it does
+     * @param side the observer's team for the true positions, if it has one
+     * @return what is recognised; numbers are not rounded
+     */
+    public Vision look(SoccerWorld world, List<VisiblePlayer> players, Optional<TeamSide> side) {
+        Pose head = observer.linkPose(headLink);
+        Vector3 ball = world.ball().position();
+        return new Vision(
+                landmarks(head),
+                see(head, ball),
+                players(head, players),
+                lines(head),
+                settings.ownPosition() ? Optional.of(inTeamView(head.position(), side)) : Optional.empty(),
+                settings.ownOrientation() ? OptionalDouble.of(azimuth(head, side)) : OptionalDouble.empty(),
+                settings.ballPosition() ? Optional.of(inTeamView(ball, side)) : Optional.empty());
+    }
+
+    private List<SeenLandmark> landmarks(Pose head) {
+        List<SeenLandmark> seen = new ArrayList<>();
+        for (Landmark landmark : Landmark.values()) {
+            see(head, field.position(landmark)).ifPresent(position -> seen.add(new SeenLandmark(landmark, position)));
+        }
+        return seen;
+    }
+
+    private List<SeenPlayer> players(Pose head, List<VisiblePlayer> players) {
+        List<SeenPlayer> seen = new ArrayList<>();
+        for (VisiblePlayer player : players) {
+            List<SeenBodyPart> parts = parts(head, player.robot());
+            if (!parts.isEmpty()) {
+                seen.add(new SeenPlayer(player.team(), player.number(), parts, Optional.empty()));
+            }
+        }
+        return seen;
+    }
+
+    private List<SeenBodyPart> parts(Pose head, Robot robot) {
+        List<SeenBodyPart> seen = new ArrayList<>();
+        for (BodyPart part : BodyPart.values()) {
+            int link = robot.model().linkIndex(part.simSparkName());
+            see(head, robot.linkPose(link).position())
+                    .ifPresent(position -> seen.add(new SeenBodyPart(part, position)));
+        }
+        return seen;
+    }
+
+    private List<SeenLine> lines(Pose head) {
+        List<SeenLine> seen = new ArrayList<>();
+        for (Segment line : lines) {
+            cone.clip(new Segment(fromCamera(head, line.start()), fromCamera(head, line.end())))
+                    .ifPresent(visible -> seen.add(new SeenLine(measure(visible.start()), measure(visible.end()))));
+        }
+        return seen;
+    }
+
+    private Optional<PolarPosition> see(Pose head, Vector3 point) {
+        Vector3 local = fromCamera(head, point);
+        return cone.contains(local) ? Optional.of(measure(local)) : Optional.empty();
+    }
+
+    /** The calibration error comes first, so it takes part in the decision what is visible. */
+    private Vector3 fromCamera(Pose head, Vector3 point) {
+        Vector3 local = head.toLocal(point);
+        return noise.isPresent() ? local.plus(noise.get().displacement()) : local;
+    }
+
+    private PolarPosition measure(Vector3 local) {
+        PolarPosition exact = new PolarPosition(
+                local.length(),
+                Math.toDegrees(Math.atan2(-local.x(), local.y())),
+                Math.toDegrees(Math.atan2(local.z(), Math.hypot(local.x(), local.y()))));
+        return noise.isPresent() ? noise.get().disturb(exact) : exact;
+    }
+
+    private static Vector3 inTeamView(Vector3 world, Optional<TeamSide> side) {
+        boolean right = side.isPresent() && side.get() == TeamSide.RIGHT;
+        return right ? new Vector3(-world.x(), -world.y(), world.z()) : world;
+    }
+
+    private static double azimuth(Pose head, Optional<TeamSide> side) {
+        Vector3 forward = inTeamView(head.rotation().axisY(), side);
+        return Math.toDegrees(Math.atan2(forward.y(), forward.x()));
+    }
+}

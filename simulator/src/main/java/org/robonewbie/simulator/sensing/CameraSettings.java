@@ -1,0 +1,69 @@
+package org.robonewbie.simulator.sensing;
+
+/**
+ * How a camera sees (SimSpark: {@code naoneckhead.rsg}).
+ *
+ * @param horizontalConeDegrees full horizontal angle of view, below 180
+ * @param verticalConeDegrees full vertical angle of view, below 180
+ * @param noise whether distances and angles are disturbed and the camera is badly calibrated
+ * @param lines whether the field lines are reported
+ * @param ownPosition whether the true position of the own head is reported
+ * @param ownOrientation whether the true direction of the own head is reported
+ * @param ballPosition whether the true position of the ball is reported
+ */
+public record CameraSettings(
+        double horizontalConeDegrees,
+        double verticalConeDegrees,
+        boolean noise,
+        boolean lines,
+        boolean ownPosition,
+        boolean ownOrientation,
+        boolean ballPosition) {
+
+    /** The NAO's camera in rcssserver3d. */
+    public static final CameraSettings STANDARD = new CameraSettings(120, 120, true, true, false, false, false);
+
+    /** How many cycles pass from one picture to the next. */
+    public static final int CYCLES_PER_PICTURE = 3;
+
+    /**
+     * Switches the noise.
+     *
+     * @param on whether there is noise
+     * @return the same settings otherwise
+     */
+    public CameraSettings withNoise(boolean on) {
+        return new CameraSettings(
+                horizontalConeDegrees, verticalConeDegrees, on, lines, ownPosition, ownOrientation, ballPosition);
+    }
+
+    /**
+     * Switches the lines.
+     *
+     * @param on whether lines are reported
+     * @return the same settings otherwise
+     */
+    public CameraSettings withLines(boolean on) {
+        return new CameraSettings(
+                horizontalConeDegrees, verticalConeDegrees, noise, on, ownPosition, ownOrientation, ballPosition);
+    }
+
+    /**
+     * Switches what a real camera cannot know.
+     *
+     * @param ownPositionOn whether the true position of the own head is reported
+     * @param ownOrientationOn whether the true direction of the own head is reported
+     * @param ballPositionOn whether the true position of the ball is reported
+     * @return the same settings otherwise
+     */
+    public CameraSettings withTruth(boolean ownPositionOn, boolean ownOrientationOn, boolean ballPositionOn) {
+        return new CameraSettings(
+                horizontalConeDegrees,
+                verticalConeDegrees,
+                noise,
+                lines,
+                ownPositionOn,
+                ownOrientationOn,
+                ballPositionOn);
+    }
+}

@@ -1,0 +1,69 @@
+package org.robonewbie.simulator.sensing;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.Vector3;
+
+class ViewConeTest {
+
+    private final ViewCone cone = new ViewCone(120, 120);
+
+    @Test
+    void aLineWithTwoVisibleEndsStaysAsItIs() {
+        Segment line = new Segment(new Vector3(-1, 2, 0), new Vector3(1, 3, 1));
+
+        assertThat(cone.clip(line)).contains(line);
+    }
+
+    @Test
+    void theHiddenEndIsCutAtTheEdge() {
+        Vector3 seen = new Vector3(0, 2, 0);
+
+        Segment cut = cone.clip(new Segment(seen, new Vector3(10, 2, 0))).orElseThrow();
+
+        assertThat(cut.start()).isEqualTo(seen);
+        assertThat(cut.end().x()).isCloseTo(2 * Math.tan(Math.PI / 3), within(1e-12));
+        assertThat(cut.end().y()).isCloseTo(2, within(1e-12));
+    }
+
+    @Test
+    void theOrderOfTheEndsIsKeptWhenOneIsHidden() {
+        Vector3 seen = new Vector3(0, 2, 0);
+
+        Segment cut = cone.clip(new Segment(new Vector3(10, 2, 0), seen)).orElseThrow();
+
+        assertThat(cut.end()).isEqualTo(seen);
+    }
+
+    @Test
+    void aLineThatCrossesThePictureIsCutLeftAndRight() {
+        Segment cut = cone.clip(new Segment(new Vector3(10, 2, -0.5), new Vector3(-10, 2, -0.5)))
+                .orElseThrow();
+
+        assertThat(cut.start().x()).isNegative();
+        assertThat(cut.end().x()).isPositive();
+    }
+
+    @Test
+    void aLineBehindTheCameraIsNotSeen() {
+        assertThat(cone.clip(new Segment(new Vector3(10, -2, 0), new Vector3(-10, -2, 0))))
+                .isEmpty();
+    }
+
+    @Test
+    void aLineThatPassesTheCornerOfThePictureOutsideIsNotSeen() {
+        assertThat(cone.clip(new Segment(new Vector3(3, 1, -9), new Vector3(9, 1, -3))))
+                .isEmpty();
+    }
+
+    @Test
+    void aLineUnderTheCameraBeginsAtTheLowerEdge() {
+        Segment cut = cone.clip(new Segment(new Vector3(0, -5, -0.5), new Vector3(0, 5, -0.5)))
+                .orElseThrow();
+
+        assertThat(cut.start().z() / cut.start().y()).isCloseTo(-Math.tan(Math.PI / 3), within(1e-12));
+        assertThat(cut.end().y()).isEqualTo(5);
+    }
+}
