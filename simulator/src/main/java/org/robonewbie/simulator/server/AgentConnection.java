@@ -18,12 +18,14 @@ final class AgentConnection {
 
     private final int id;
     private final ServerLink link;
+    private final boolean synchronous;
     private final boolean strict;
     private final ComplaintBook complaints;
     private final EffectorMessageReader reader = new EffectorMessageReader();
     private final MessageBuffer incoming = new MessageBuffer();
     private final MessageBuffer outgoing = new MessageBuffer();
     private final List<EffectorCommand> commands = new ArrayList<>();
+    private List<EffectorCommand> executed = List.of();
     private boolean synchronised;
     private boolean answered = true;
     private boolean heardOf;
@@ -35,12 +37,14 @@ final class AgentConnection {
      *
      * @param id number of the connection
      * @param link the connection
+     * @param synchronous whether the world waits for agents
      * @param strict whether in sync mode the agent is waited for from the beginning, as agents within this process are
      * @param console where to tell the agent's mistakes
      */
-    AgentConnection(int id, ServerLink link, boolean strict, Console console) {
+    AgentConnection(int id, ServerLink link, boolean synchronous, boolean strict, Console console) {
         this.id = id;
         this.link = link;
+        this.synchronous = synchronous;
         this.strict = strict;
         this.complaints = new ComplaintBook(console, "Agent " + id + " (" + link.address() + ")");
     }
@@ -64,9 +68,22 @@ final class AgentConnection {
 
     /** Takes out the commands that have arrived, in their order. */
     List<EffectorCommand> takeCommands() {
-        List<EffectorCommand> taken = commands.isEmpty() ? Collections.emptyList() : List.copyOf(commands);
+        executed = commands.isEmpty() ? Collections.emptyList() : List.copyOf(commands);
         commands.clear();
-        return taken;
+        return executed;
+    }
+
+    /** Lists the commands that were taken out in this cycle. */
+    List<EffectorCommand> executedCommands() {
+        return executed;
+    }
+
+    /**
+     * Tells whether the agent is gone. Its end is noticed only when its next answer is due, so that in sync mode it does not
+     * depend on how quickly the end arrives.
+     */
+    boolean hasLeft() {
+        return !link.isOpen() && !(synchronous && synchronised);
     }
 
     /** Tells whether anything has ever been sent by the agent. */
@@ -76,7 +93,10 @@ final class AgentConnection {
 
     /** Tells whether in sync mode the world may go on as far as this agent is concerned. */
     boolean isSynchronised() {
-        return synchronised || !link.isOpen() || (!strict && generatedMessages < FREE_MESSAGES);
+        return synchronised
+                || !link.isOpen()
+                || (!strict && generatedMessages < FREE_MESSAGES)
+                || (!link.isLocal() && !heardOf);
     }
 
     /** Gives the buffer for the next message, to be filled and announced by {@link #messageGenerated}. */
@@ -97,10 +117,10 @@ final class AgentConnection {
         if (!answered) {
             unansweredMessages++;
         }
-        if (link.offer(outgoing)) {
+        if (link.offer(outgoing) || !link.isOpen()) {
             synchronised = false;
             answered = false;
-        } else if (link.isOpen()) {
+        } else {
             complain("slow", "does not read its messages fast enough; some are thrown away.");
         }
     }

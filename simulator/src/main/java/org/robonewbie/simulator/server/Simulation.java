@@ -1,6 +1,10 @@
 package org.robonewbie.simulator.server;
 
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.util.List;
+import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -11,6 +15,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.recording.RunReport;
 
 /**
  * Runs cycle after cycle on one thread, the only one that touches the world. Other threads leave commands, which are carried
@@ -22,24 +27,32 @@ final class Simulation implements SimulationControl, Runnable {
     private static final double SLOWEST = 0.1;
 
     private final SimulatorSettings settings;
+    private final Console console;
     private final SimulationCycle cycle;
     private final Reception reception;
     private final Pacemaker pacemaker;
     private final SilenceWatch silenceWatch;
-    private final RunRecorder recorder;
     private final double lastCycle;
     private final Queue<Runnable> commands = new ConcurrentLinkedQueue<>();
     private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
     private boolean paused;
     private int stepsLeft;
     private boolean begun;
+    private long beginning;
     private volatile boolean ending;
+    private volatile Optional<RunReport> finalReport = Optional.empty();
+    private volatile Optional<IOException> reportFailure = Optional.empty();
 
-    Simulation(SimulatorSettings settings, AgentPort port, Console console, RunRecorder recorder) {
+    /**
+     * Prepares a simulation.
+     *
+     * @throws IOException if the recording cannot be written; the message says what to do
+     */
+    Simulation(SimulatorSettings settings, AgentPort port, Console console) throws IOException {
         this.settings = settings;
-        this.recorder = recorder;
+        this.console = console;
         this.lastCycle = Math.rint(settings.seconds().orElse(Double.POSITIVE_INFINITY) / WorldSnapshot.CYCLE_SECONDS);
-        this.cycle = new SimulationCycle(settings.parameters(), settings.seed(), console, recorder);
+        this.cycle = SimulationCycle.begin(settings, console);
         this.reception = new Reception(port, cycle, settings);
         this.pacemaker = new Pacemaker(settings.speed());
         this.silenceWatch = new SilenceWatch(console, settings.silentAgentSeconds());
@@ -53,8 +66,14 @@ final class Simulation implements SimulationControl, Runnable {
         return cycle;
     }
 
-    long missedCycles() {
-        return pacemaker.missedCycles();
+    /** Gives the true results once the simulation has ended. */
+    Optional<RunReport> finalReport() {
+        return finalReport;
+    }
+
+    /** Tells why the report could not be written. */
+    Optional<IOException> reportFailure() {
+        return reportFailure;
     }
 
     /** Lets the simulation end after the present cycle, from any thread. */
@@ -65,13 +84,36 @@ final class Simulation implements SimulationControl, Runnable {
 
     @Override
     public void run() {
-        while (!ending) {
-            turn();
+        try {
+            while (!ending) {
+                turn();
+            }
+        } catch (RuntimeException e) {
+            StringWriter trace = new StringWriter();
+            e.printStackTrace(new PrintWriter(trace));
+            console.say("The simulation has failed; please report this. " + trace);
+        } finally {
+            finish();
         }
+    }
+
+    private void finish() {
         for (ConnectedAgent agent : cycle.agents()) {
             agent.connection().link().close();
         }
         reception.close();
+        double wallSeconds = begun ? (System.nanoTime() - beginning) / 1e9 : 0;
+        RunReport result = cycle.recorder().report(settings.seed(), wallSeconds, pacemaker.missedCycles());
+        finalReport = Optional.of(result);
+        cycle.recorder().close();
+        if (settings.report().isPresent()) {
+            try {
+                result.write(settings.report().get());
+            } catch (IOException e) {
+                reportFailure = Optional.of(e);
+                console.say(String.valueOf(e.getMessage()));
+            }
+        }
     }
 
     private void turn() {
@@ -95,18 +137,22 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
+    /** Tells whether everybody is there for whom the world waits. */
     private boolean isReady() {
-        if (!begun && cycle.heardAgents() < settings.awaitedAgents()) {
+        int awaited = begun && settings.synchronous() ? Math.min(1, settings.awaitedAgents()) : settings.awaitedAgents();
+        if ((!begun || settings.synchronous()) && cycle.heardAgents() < awaited) {
             return false;
         }
         return !settings.synchronous() || cycle.unsynchronisedAgent().isEmpty();
     }
 
     private void runCycle() {
-        begun = true;
+        if (!begun) {
+            begun = true;
+            beginning = System.nanoTime();
+        }
         cycle.run();
         stepsLeft = Math.max(0, stepsLeft - 1);
-        recorder.cycleEnded(cycle);
         report();
         if (cycle.cycle() >= lastCycle || cycle.match().isProgramOver()) {
             ending = true;

@@ -1,5 +1,6 @@
 package org.robonewbie.simulator.server;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -8,6 +9,8 @@ import java.util.Random;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
+import org.robonewbie.simulator.recording.Participant;
+import org.robonewbie.simulator.recording.RunRecorder;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameter;
@@ -33,33 +36,41 @@ final class SimulationCycle {
     private final Percepts percepts;
     private final Console console;
     private final List<ConnectedAgent> agents = new ArrayList<>();
-    private final StepListener listener;
+    private final RunRecorder recorder;
+    private final boolean synchronous;
     private final ComplaintBook refusals;
     private int connections;
     private long cycle;
 
-    /** Is told about each movement of the world, for statistics that the referee's interventions must not disturb. */
-    interface StepListener {
-
-        /** The world is about to move. */
-        void beforeStep();
-
-        /** The world has moved; the referee has not yet judged. */
-        void afterStep();
-    }
-
-    SimulationCycle(SoccerParameters parameters, long seed, Console console, StepListener listener) {
-        this.world = new SoccerWorld(
-                parameters.field(),
-                new BallProperties(
-                        parameters.get(SoccerParameter.BALL_RADIUS), parameters.get(SoccerParameter.BALL_MASS)));
-        Random seeds = new Random(seed);
-        this.match = new Match(world, parameters, seeds.nextLong());
+    private SimulationCycle(SimulatorSettings settings, SoccerWorld world, Console console, RunRecorder recorder) {
+        Random seeds = new Random(settings.seed());
+        this.world = world;
+        this.match = new Match(world, settings.parameters(), seeds.nextLong());
         this.effectors = new Effectors(world, match, seeds.nextLong());
         this.percepts = new Percepts(match);
         this.console = console;
         this.refusals = new ComplaintBook(console, "The simulator");
-        this.listener = listener;
+        this.synchronous = settings.synchronous();
+        this.recorder = recorder;
+    }
+
+    /**
+     * Prepares an empty pitch.
+     *
+     * @throws IOException if the recording cannot be written; the message says what to do
+     */
+    static SimulationCycle begin(SimulatorSettings settings, Console console) throws IOException {
+        SoccerParameters parameters = settings.parameters();
+        BallProperties ball = new BallProperties(
+                parameters.get(SoccerParameter.BALL_RADIUS), parameters.get(SoccerParameter.BALL_MASS));
+        SoccerWorld world = new SoccerWorld(parameters.field(), ball);
+        RunRecorder recorder =
+                RunRecorder.begin(world, settings.recording(), settings.description(), console::say);
+        return new SimulationCycle(settings, world, console, recorder);
+    }
+
+    RunRecorder recorder() {
+        return recorder;
     }
 
     SoccerWorld world() {
@@ -88,7 +99,7 @@ final class SimulationCycle {
      */
     void connect(ServerLink link, boolean strict) {
         connections++;
-        agents.add(new ConnectedAgent(new AgentConnection(connections, link, strict, console)));
+        agents.add(new ConnectedAgent(new AgentConnection(connections, link, synchronous, strict, console)));
     }
 
     /** Tells that a connection was closed at once since there are too many. */
@@ -118,7 +129,7 @@ final class SimulationCycle {
         boolean anybodyLeft = false;
         for (int i = 0; i < agents.size(); i++) {
             agents.get(i).connection().read();
-            anybodyLeft |= !agents.get(i).connection().link().isOpen();
+            anybodyLeft |= agents.get(i).connection().hasLeft();
         }
         if (anybodyLeft) {
             agents.removeIf(agent -> agent.robot().isEmpty() && hasLeft(agent));
@@ -139,7 +150,7 @@ final class SimulationCycle {
     int heardAgents() {
         return (int) agents.stream()
                 .filter(agent -> agent.connection().isHeardOf()
-                        && agent.connection().link().isOpen())
+                        && !agent.connection().hasLeft())
                 .count();
     }
 
@@ -154,12 +165,14 @@ final class SimulationCycle {
         for (ConnectedAgent agent : agents) {
             effectors.prepareStep(agent);
         }
-        listener.beforeStep();
+        recorder.beforeStep(participants());
         world.step();
-        listener.afterStep();
+        recorder.afterStep();
         cycle++;
         removeVanishedAgents();
         match.tick();
+        recorder.cycleEnded(cycle, match, participants());
+        match.clearEvents();
         generateMessages();
     }
 
@@ -169,6 +182,21 @@ final class SimulationCycle {
         world.removeRobot(player.robot());
         agent.replaceBody(match.replaceRobot(player, robot));
         effectors.putToStart(agent);
+    }
+
+    private List<Participant> participants() {
+        List<Participant> participants = new ArrayList<>(agents.size());
+        for (ConnectedAgent agent : agents) {
+            AgentConnection connection = agent.connection();
+            agent.robot()
+                    .ifPresent(robot -> participants.add(new Participant(
+                            connection.id(),
+                            agent.player(),
+                            robot,
+                            connection.executedCommands(),
+                            connection.unansweredMessages())));
+        }
+        return participants;
     }
 
     private void removeVanishedAgents() {
@@ -183,10 +211,10 @@ final class SimulationCycle {
     }
 
     private boolean hasLeft(ConnectedAgent agent) {
-        ServerLink link = agent.connection().link();
-        if (link.isOpen()) {
+        if (!agent.connection().hasLeft()) {
             return false;
         }
+        ServerLink link = agent.connection().link();
         boolean unnoticed = agent.robot().isEmpty() && !agent.connection().isHeardOf();
         if (!unnoticed || !link.closingReason().equals(ServerLink.HAS_LEFT)) {
             console.say(agent + " " + link.closingReason());

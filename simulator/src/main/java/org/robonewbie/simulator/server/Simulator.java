@@ -2,8 +2,10 @@ package org.robonewbie.simulator.server;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.Optional;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.recording.RunReport;
 
 /**
  * A running simulator with its own thread and its agent port.
@@ -36,7 +38,7 @@ public final class Simulator implements AutoCloseable {
      */
     public static Simulator start(SimulatorSettings settings, Console console) throws IOException {
         AgentPort port = AgentPort.open(settings.bindAddress(), settings.agentPort(), console);
-        Simulation simulation = new Simulation(settings, port, console, new NoRecorder());
+        Simulation simulation = simulation(settings, port, console);
         Thread thread = new Thread(simulation, "simulation");
         thread.setDaemon(true);
         thread.start();
@@ -72,6 +74,15 @@ public final class Simulator implements AutoCloseable {
     }
 
     /**
+     * Tells the true results of a simulation that has ended.
+     *
+     * @return the report, or empty while the simulation runs
+     */
+    public Optional<RunReport> report() {
+        return simulation.finalReport();
+    }
+
+    /**
      * Waits until the simulation has ended by itself or was closed.
      *
      * @throws InterruptedException if this thread is interrupted
@@ -92,6 +103,19 @@ public final class Simulator implements AutoCloseable {
             thread.join();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        }
+        if (simulation.reportFailure().isPresent()) {
+            throw new UncheckedIOException(simulation.reportFailure().get());
+        }
+    }
+
+    private static Simulation simulation(SimulatorSettings settings, AgentPort port, Console console)
+            throws IOException {
+        try {
+            return new Simulation(settings, port, console);
+        } catch (IOException e) {
+            port.close();
+            throw e;
         }
     }
 }

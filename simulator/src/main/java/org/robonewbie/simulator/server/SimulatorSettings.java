@@ -1,6 +1,8 @@
 package org.robonewbie.simulator.server;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.robonewbie.simulator.SimulationControl;
@@ -62,6 +64,20 @@ public record SimulatorSettings(
      */
     public static Builder beginner() {
         return new Builder(SoccerParameters.beginner());
+    }
+
+    /**
+     * Describes the run for its recording; all that has an influence on it is here.
+     *
+     * @return lines of the form {@code name=value}
+     */
+    List<String> description() {
+        List<String> lines = new ArrayList<>();
+        lines.add("seed=" + seed);
+        lines.add("synchronous=" + synchronous);
+        lines.add("noise=" + noise);
+        lines.addAll(parameters.assignments());
+        return lines;
     }
 
     /** Collects settings; what is not set keeps its usual value. */

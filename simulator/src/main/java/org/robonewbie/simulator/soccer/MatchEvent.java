@@ -7,11 +7,24 @@ import org.robonewbie.nao.TeamSide;
 public sealed interface MatchEvent {
 
     /**
+     * Writes the event for a recording.
+     *
+     * @return its kind in one word and what belongs to it, such as {@code goal left Stars}
+     */
+    String text();
+
+    /**
      * The referee decided something.
      *
      * @param playMode the new play mode
      */
-    record PlayModeChanged(PlayMode playMode) implements MatchEvent {}
+    record PlayModeChanged(PlayMode playMode) implements MatchEvent {
+
+        @Override
+        public String text() {
+            return "playmode " + playMode.simSparkName();
+        }
+    }
 
     /**
      * A goal that counts.
@@ -19,5 +32,11 @@ public sealed interface MatchEvent {
      * @param side the team that scored
      * @param team the name of that team
      */
-    record GoalScored(TeamSide side, String team) implements MatchEvent {}
+    record GoalScored(TeamSide side, String team) implements MatchEvent {
+
+        @Override
+        public String text() {
+            return "goal " + (side == TeamSide.LEFT ? "left " : "right ") + team;
+        }
+    }
 }

@@ -1,0 +1,59 @@
+package org.robonewbie.simulator.recording;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+
+/** Collects numbers and texts as bytes: small numbers take one byte. */
+final class ByteSink {
+
+    private byte[] bytes = new byte[256];
+    private int length;
+
+    void clear() {
+        length = 0;
+    }
+
+    byte[] bytes() {
+        return bytes;
+    }
+
+    int length() {
+        return length;
+    }
+
+    void putByte(int value) {
+        if (length == bytes.length) {
+            bytes = Arrays.copyOf(bytes, 2 * length);
+        }
+        bytes[length++] = (byte) value;
+    }
+
+    void putBytes(byte[] source, int count) {
+        while (length + count > bytes.length) {
+            bytes = Arrays.copyOf(bytes, 2 * bytes.length);
+        }
+        System.arraycopy(source, 0, bytes, length, count);
+        length += count;
+    }
+
+    /** Writes a number that is not negative, seven bits per byte, the lowest first. */
+    void putUnsigned(long value) {
+        long rest = value;
+        while (rest > 0x7F) {
+            putByte((int) (rest & 0x7F) | 0x80);
+            rest >>>= 7;
+        }
+        putByte((int) rest);
+    }
+
+    /** Writes any number; those near 0 take one byte. */
+    void putSigned(long value) {
+        putUnsigned((value << 1) ^ (value >> 63));
+    }
+
+    void putText(String text) {
+        byte[] encoded = text.getBytes(StandardCharsets.UTF_8);
+        putUnsigned(encoded.length);
+        putBytes(encoded, encoded.length);
+    }
+}

@@ -1,0 +1,248 @@
+package org.robonewbie.simulator.recording;
+
+import java.io.BufferedInputStream;
+import java.io.DataInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.ZipException;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.WorldSnapshot;
+
+/**
+ * Reads a recording cycle by cycle, also the part that a killed program has left.
+ *
+ * <pre>{@code
+ * try (RecordingReader reader = RecordingReader.open(file)) {
+ *     for (Optional<RecordedCycle> cycle = reader.next(); cycle.isPresent(); cycle = reader.next()) {
+ *         show(cycle.get().snapshot());
+ *     }
+ * }
+ * }</pre>
+ */
+public final class RecordingReader implements AutoCloseable {
+
+    private final InputStream stream;
+    private final ByteSource source;
+    private final Map<String, String> header = new HashMap<>();
+    private final DeltaTrack ballTrack = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE);
+    private final Map<Integer, DeltaTrack> robotTracks = new HashMap<>();
+    private List<RecordedRobot> robots = List.of();
+    private Game game = new Game(PlayMode.BEFORE_KICK_OFF, 1, 0, 0, "", "");
+    private long playTicks;
+
+    private record Game(PlayMode playMode, int half, int scoreLeft, int scoreRight, String left, String right) {}
+
+    private record RecordedRobot(int id, RobotType type, Optional<TeamSide> side, int number, String team) {}
+
+    private RecordingReader(InputStream stream) {
+        this.stream = stream;
+        this.source = new ByteSource(new DataInputStream(stream));
+    }
+
+    /**
+     * Opens a recording and reads its header.
+     *
+     * @param file a recording
+     * @return the reader, before the first cycle
+     * @throws IOException if the file cannot be read or is no recording; the message says so
+     */
+    public static RecordingReader open(Path file) throws IOException {
+        InputStream raw = Files.newInputStream(file);
+        try {
+            RecordingReader reader = new RecordingReader(new BufferedInputStream(new GZIPInputStream(raw)));
+            reader.readBeginning(file);
+            return reader;
+        } catch (ZipException | EOFException e) {
+            raw.close();
+            throw new IOException("\"" + file + "\" is not a recording of RoboNewbie, or it is damaged.", e);
+        } catch (IOException e) {
+            raw.close();
+            throw e;
+        }
+    }
+
+    /**
+     * Tells what the header says.
+     *
+     * @return value by name, such as {@code seed} or {@code FieldLength}
+     */
+    public Map<String, String> header() {
+        return Map.copyOf(header);
+    }
+
+    /**
+     * Reads the next cycle.
+     *
+     * @return the cycle, or empty at the end of the recording, also if it ends in the middle of a cycle
+     * @throws IOException if the file is damaged
+     */
+    public Optional<RecordedCycle> next() throws IOException {
+        List<RobotCommands> commands = new ArrayList<>();
+        List<String> events = new ArrayList<>();
+        try {
+            while (true) {
+                int kind = source.getByte();
+                long length = source.getUnsigned();
+                switch (kind) {
+                    case RecordingFormat.GAME -> game = readGame();
+                    case RecordingFormat.ROBOTS -> robots = readRobots();
+                    case RecordingFormat.COMMANDS -> commands.add(readCommands());
+                    case RecordingFormat.EVENT -> events.add(source.getText());
+                    case RecordingFormat.CYCLE -> {
+                        return Optional.of(new RecordedCycle(readCycle(), commands, events));
+                    }
+                    default -> source.getBytes(length);
+                }
+            }
+        } catch (EOFException | ZipException e) {
+            return Optional.empty();
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        stream.close();
+    }
+
+    private void readBeginning(Path file) throws IOException {
+        byte[] magic = source.getBytes(RecordingFormat.MAGIC.length());
+        if (!new String(magic, StandardCharsets.US_ASCII).equals(RecordingFormat.MAGIC)) {
+            throw new IOException("\"" + file + "\" is not a recording of RoboNewbie.");
+        }
+        long version = source.getUnsigned();
+        if (version != RecordingFormat.VERSION) {
+            throw new IOException("Recording \"" + file + "\" has version " + version + ", but this program reads version "
+                    + RecordingFormat.VERSION + ". Use the program that made it.");
+        }
+        source.getByte();
+        source.getUnsigned();
+        source.getText().lines().forEach(this::readHeaderLine);
+    }
+
+    private void readHeaderLine(String line) {
+        int equals = line.indexOf('=');
+        if (equals > 0) {
+            header.put(line.substring(0, equals), line.substring(equals + 1));
+        }
+    }
+
+    private Game readGame() throws IOException {
+        PlayMode playMode = PlayMode.ofSimSparkName(source.getText()).orElse(PlayMode.PLAY_ON);
+        int half = (int) source.getUnsigned();
+        int scoreLeft = (int) source.getUnsigned();
+        int scoreRight = (int) source.getUnsigned();
+        return new Game(playMode, half, scoreLeft, scoreRight, source.getText(), source.getText());
+    }
+
+    private List<RecordedRobot> readRobots() throws IOException {
+        List<RecordedRobot> read = new ArrayList<>();
+        long count = source.getUnsigned();
+        for (long i = 0; i < count; i++) {
+            int id = (int) source.getUnsigned();
+            RobotType type = RobotType.values()[(int) source.getUnsigned()];
+            int side = (int) source.getUnsigned();
+            Optional<TeamSide> teamSide = side == 0 ? Optional.empty() : Optional.of(TeamSide.values()[side - 1]);
+            read.add(new RecordedRobot(id, type, teamSide, (int) source.getUnsigned(), source.getText()));
+        }
+        return read;
+    }
+
+    private RobotCommands readCommands() throws IOException {
+        int id = (int) source.getUnsigned();
+        List<RobotCommands.HingeSpeed> speeds = new ArrayList<>();
+        long count = source.getUnsigned();
+        for (long i = 0; i < count; i++) {
+            int hinge = (int) source.getUnsigned();
+            speeds.add(new RobotCommands.HingeSpeed(hinge, source.getSigned() / RecordingFormat.STEPS_PER_RADIAN));
+        }
+        List<String> others = new ArrayList<>();
+        long otherCount = source.getUnsigned();
+        for (long i = 0; i < otherCount; i++) {
+            others.add(source.getText());
+        }
+        return new RobotCommands(id, speeds, others);
+    }
+
+    private WorldSnapshot readCycle() throws IOException {
+        long cycle = source.getUnsigned();
+        playTicks += source.getSigned();
+        Pose ball = readPose(ballTrack);
+        Rotation turn = ball.rotation();
+        List<RobotSnapshot> snapshots = new ArrayList<>();
+        for (RecordedRobot robot : robots) {
+            snapshots.add(readRobot(robot));
+        }
+        return new WorldSnapshot(
+                cycle,
+                playTicks * WorldSnapshot.CYCLE_SECONDS,
+                game.playMode(),
+                game.left(),
+                game.right(),
+                game.scoreLeft(),
+                game.scoreRight(),
+                game.half(),
+                ball.position(),
+                new float[] {(float) turn.w(), (float) turn.x(), (float) turn.y(), (float) turn.z()},
+                snapshots,
+                false,
+                1,
+                1);
+    }
+
+    private RobotSnapshot readRobot(RecordedRobot robot) throws IOException {
+        NaoModel model = NaoModel.of(robot.type());
+        int hinges = model.hinges().size();
+        DeltaTrack track = robotTracks.computeIfAbsent(
+                robot.id(), id -> new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE + hinges));
+        Pose torso = readPose(track);
+        float[] degrees = new float[hinges];
+        for (int i = 0; i < hinges; i++) {
+            degrees[i] = (float)
+                    track.get(RecordingFormat.NUMBERS_PER_POSE + i, RecordingFormat.STEPS_PER_DEGREE, source);
+        }
+        return new RobotSnapshot(
+                robot.id(),
+                robot.team(),
+                robot.side(),
+                robot.number(),
+                robot.type(),
+                LimbPoses.of(model, torso, degrees),
+                degrees);
+    }
+
+    private Pose readPose(DeltaTrack track) throws IOException {
+        double[] numbers = new double[RecordingFormat.NUMBERS_PER_POSE];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = track.get(
+                    i, i < 3 ? RecordingFormat.STEPS_PER_METRE : RecordingFormat.STEPS_PER_TURN, source);
+        }
+        double length = Math.sqrt(numbers[3] * numbers[3]
+                + numbers[4] * numbers[4]
+                + numbers[5] * numbers[5]
+                + numbers[6] * numbers[6]);
+        double scale = length == 0 ? 0 : 1 / length;
+        return new Pose(
+                new Vector3(numbers[0], numbers[1], numbers[2]),
+                length == 0
+                        ? Rotation.NONE
+                        : new Rotation(
+                                numbers[3] * scale, numbers[4] * scale, numbers[5] * scale, numbers[6] * scale));
+    }
+}

@@ -1,0 +1,123 @@
+package org.robonewbie.simulator.recording;
+
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.world.Robot;
+
+/**
+ * What one robot has really done: its falls and the way that it walked.
+ *
+ * <p>A robot stands while its torso leans by less than 30 degrees and its centre is more than 0.25 m above the ground. It has
+ * fallen when after standing its torso leans by more than 60 degrees; it can fall again only after standing again.
+ *
+ * <p>The walked way is that of the torso over the ground while it is upright, smoothed with a time constant of half a
+ * second and measured in pieces of 0.1 m, so that swaying on the spot is no walking. Whoever is beamed, or carried by the
+ * referee, does not walk.
+ */
+final class RobotStatistics {
+
+    private static final double FALLEN_DEGREES = 60;
+    private static final double STANDING_DEGREES = 30;
+    private static final double STANDING_HEIGHT = 0.25;
+    private static final double SMOOTHING = 0.02 / 0.5;
+    private static final double PIECE = 0.1;
+
+    private final NaoModel model;
+    private Pose start = new Pose(Vector3.ZERO, Rotation.IDENTITY);
+    private Pose torso = start;
+    private final double[] jointDegrees;
+    private double smoothX;
+    private double smoothY;
+    private double milestoneX;
+    private double milestoneY;
+    private double walkedX;
+    private double walkedY;
+    private double metresWalked;
+    private boolean hasStood;
+    private int falls;
+
+    RobotStatistics(NaoModel model) {
+        this.model = model;
+        this.jointDegrees = new double[model.hinges().size()];
+    }
+
+    void beforeStep(Robot robot) {
+        start = robot.torso();
+    }
+
+    void afterStep(Robot robot) {
+        torso = robot.torso();
+        countFalls();
+        if (leanDegrees() < FALLEN_DEGREES) {
+            walk(torso.position().minus(start.position()));
+        }
+    }
+
+    /** Looks at the robot after the referee has had his turn. */
+    void cycleEnded(Robot robot) {
+        torso = robot.torso();
+        for (int i = 0; i < jointDegrees.length; i++) {
+            jointDegrees[i] = robot.jointDegrees(i);
+        }
+    }
+
+    NaoModel model() {
+        return model;
+    }
+
+    double[] jointDegrees() {
+        return jointDegrees;
+    }
+
+    int falls() {
+        return falls;
+    }
+
+    double metresWalked() {
+        return metresWalked;
+    }
+
+    Vector3 position() {
+        return torso.position();
+    }
+
+    /** Where the robot looks, 0 along the world's x axis, counter-clockwise. */
+    double headingDegrees() {
+        Vector3 forward = torso.rotation().axisY();
+        return Math.toDegrees(Math.atan2(forward.y(), forward.x()));
+    }
+
+    boolean isUpright() {
+        return leanDegrees() < STANDING_DEGREES && torso.position().z() > STANDING_HEIGHT;
+    }
+
+    private double leanDegrees() {
+        double upward = torso.rotation().axisZ().z();
+        return Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, upward))));
+    }
+
+    private void countFalls() {
+        if (isUpright()) {
+            hasStood = true;
+        } else if (hasStood && leanDegrees() > FALLEN_DEGREES) {
+            hasStood = false;
+            falls++;
+        }
+    }
+
+    /** Adds a piece of way; positions are counted from the robot's first place without jumps. */
+    private void walk(Vector3 way) {
+        walkedX += way.x();
+        walkedY += way.y();
+        smoothX += SMOOTHING * (walkedX - smoothX);
+        smoothY += SMOOTHING * (walkedY - smoothY);
+        double length = Math.hypot(smoothX - milestoneX, smoothY - milestoneY);
+        if (length >= PIECE) {
+            metresWalked += length;
+            milestoneX = smoothX;
+            milestoneY = smoothY;
+        }
+    }
+}

@@ -1,0 +1,6 @@
+/**
+ * What remains of a run: the recording, from which it can be shown again, and the report with its true results. Read {@link
+ * org.robonewbie.simulator.recording.RunRecorder} first.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.simulator.recording;
