@@ -30,10 +30,8 @@ final class LimbPoses {
         return numbers;
     }
 
-    private static Pose attach(
-            NaoModel model, Hinge hinge, int child, int parent, Pose parentPose, double degrees) {
-        Vector3 anchorInParent =
-                hinge.anchor().minus(model.links().get(parent).position());
+    private static Pose attach(NaoModel model, Hinge hinge, int child, int parent, Pose parentPose, double degrees) {
+        Vector3 anchorInParent = hinge.anchor().minus(model.links().get(parent).position());
         Vector3 childFromAnchor = model.links().get(child).position().minus(hinge.anchor());
         Pose joint = new Pose(anchorInParent, Rotation.about(hinge.axis(), degrees));
         return parentPose.times(joint).times(new Pose(childFromAnchor, Rotation.NONE));

@@ -128,8 +128,9 @@ public final class RecordingReader implements AutoCloseable {
         }
         long version = source.getUnsigned();
         if (version != RecordingFormat.VERSION) {
-            throw new IOException("Recording \"" + file + "\" has version " + version + ", but this program reads version "
-                    + RecordingFormat.VERSION + ". Use the program that made it.");
+            throw new IOException(
+                    "Recording \"" + file + "\" has version " + version + ", but this program reads version "
+                            + RecordingFormat.VERSION + ". Use the program that made it.");
         }
         source.getByte();
         source.getUnsigned();
@@ -214,8 +215,8 @@ public final class RecordingReader implements AutoCloseable {
         Pose torso = readPose(track);
         float[] degrees = new float[hinges];
         for (int i = 0; i < hinges; i++) {
-            degrees[i] = (float)
-                    track.get(RecordingFormat.NUMBERS_PER_POSE + i, RecordingFormat.STEPS_PER_DEGREE, source);
+            degrees[i] =
+                    (float) track.get(RecordingFormat.NUMBERS_PER_POSE + i, RecordingFormat.STEPS_PER_DEGREE, source);
         }
         return new RobotSnapshot(
                 robot.id(),
@@ -230,19 +231,15 @@ public final class RecordingReader implements AutoCloseable {
     private Pose readPose(DeltaTrack track) throws IOException {
         double[] numbers = new double[RecordingFormat.NUMBERS_PER_POSE];
         for (int i = 0; i < numbers.length; i++) {
-            numbers[i] = track.get(
-                    i, i < 3 ? RecordingFormat.STEPS_PER_METRE : RecordingFormat.STEPS_PER_TURN, source);
+            numbers[i] = track.get(i, i < 3 ? RecordingFormat.STEPS_PER_METRE : RecordingFormat.STEPS_PER_TURN, source);
         }
-        double length = Math.sqrt(numbers[3] * numbers[3]
-                + numbers[4] * numbers[4]
-                + numbers[5] * numbers[5]
-                + numbers[6] * numbers[6]);
+        double length = Math.sqrt(
+                numbers[3] * numbers[3] + numbers[4] * numbers[4] + numbers[5] * numbers[5] + numbers[6] * numbers[6]);
         double scale = length == 0 ? 0 : 1 / length;
         return new Pose(
                 new Vector3(numbers[0], numbers[1], numbers[2]),
                 length == 0
                         ? Rotation.NONE
-                        : new Rotation(
-                                numbers[3] * scale, numbers[4] * scale, numbers[5] * scale, numbers[6] * scale));
+                        : new Rotation(numbers[3] * scale, numbers[4] * scale, numbers[5] * scale, numbers[6] * scale));
     }
 }

@@ -143,7 +143,8 @@ public final class RecordingWriter implements AutoCloseable {
     }
 
     private void writeRobots(List<Participant> participants) {
-        List<String> robots = participants.stream().map(RecordingWriter::describe).toList();
+        List<String> robots =
+                participants.stream().map(RecordingWriter::describe).toList();
         if (robots.equals(lastRobots)) {
             return;
         }
@@ -153,16 +154,25 @@ public final class RecordingWriter implements AutoCloseable {
         for (Participant participant : participants) {
             payload.putUnsigned(participant.id());
             payload.putUnsigned(participant.robot().model().type().ordinal());
-            payload.putUnsigned(participant.player().map(Player::side).map(TeamSide::ordinal).orElse(-1) + 1);
+            payload.putUnsigned(participant
+                            .player()
+                            .map(Player::side)
+                            .map(TeamSide::ordinal)
+                            .orElse(-1)
+                    + 1);
             payload.putUnsigned(participant.player().map(Player::number).orElse(0));
-            payload.putText(participant.player().map(player -> player.team().name()).orElse(""));
+            payload.putText(
+                    participant.player().map(player -> player.team().name()).orElse(""));
         }
         putRecord(RecordingFormat.ROBOTS);
     }
 
     private static String describe(Participant participant) {
         return participant.id() + " " + participant.robot().model().type() + " "
-                + participant.player().map(player -> player.side() + " " + player).orElse("");
+                + participant
+                        .player()
+                        .map(player -> player.side() + " " + player)
+                        .orElse("");
     }
 
     private void writeCommands(List<Participant> participants) {

@@ -41,8 +41,7 @@ public final class RunRecorder implements AutoCloseable {
      * @throws IOException if the file cannot be written; the message says what to do
      */
     public static RunRecorder begin(
-            SoccerWorld world, Optional<Path> file, List<String> header, Consumer<String> console)
-            throws IOException {
+            SoccerWorld world, Optional<Path> file, List<String> header, Consumer<String> console) throws IOException {
         return new RunRecorder(world, RecordingWriter.open(file, header, console));
     }
 

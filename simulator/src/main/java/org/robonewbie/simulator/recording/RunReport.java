@@ -120,7 +120,11 @@ public record RunReport(
         json.add("ball", json(ball));
         json.add("goals", array(goals.stream().map(RunReport::json).toList()));
         json.addProperty("recordingSha256", recordingSha256);
-        return new GsonBuilder().setPrettyPrinting().disableHtmlEscaping().create().toJson(json) + "\n";
+        return new GsonBuilder()
+                        .setPrettyPrinting()
+                        .disableHtmlEscaping()
+                        .create()
+                        .toJson(json) + "\n";
     }
 
     /**

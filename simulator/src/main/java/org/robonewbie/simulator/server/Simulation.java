@@ -39,7 +39,8 @@ final class Simulation implements SimulationControl, Runnable {
     private int stepsLeft;
     private boolean begun;
     private long beginning;
-    private volatile boolean ending;
+    private boolean over;
+    private volatile boolean closing;
     private volatile Optional<RunReport> finalReport = Optional.empty();
     private volatile Optional<IOException> reportFailure = Optional.empty();
 
@@ -78,14 +79,14 @@ final class Simulation implements SimulationControl, Runnable {
 
     /** Lets the simulation end after the present cycle, from any thread. */
     void end() {
-        ending = true;
+        closing = true;
         reception.ring();
     }
 
     @Override
     public void run() {
         try {
-            while (!ending) {
+            while (!over && !(closing && isFinished())) {
                 turn();
             }
         } catch (RuntimeException e) {
@@ -95,6 +96,11 @@ final class Simulation implements SimulationControl, Runnable {
         } finally {
             finish();
         }
+    }
+
+    /** Tells whether nothing is left to do: the last messages of agents that have ended still count. */
+    private boolean isFinished() {
+        return !settings.synchronous() || settings.awaitedAgents() == 0 || cycle.isAnybodyConnected() || !isReady();
     }
 
     private void finish() {
@@ -139,7 +145,8 @@ final class Simulation implements SimulationControl, Runnable {
 
     /** Tells whether everybody is there for whom the world waits. */
     private boolean isReady() {
-        int awaited = begun && settings.synchronous() ? Math.min(1, settings.awaitedAgents()) : settings.awaitedAgents();
+        int awaited =
+                begun && settings.synchronous() ? Math.min(1, settings.awaitedAgents()) : settings.awaitedAgents();
         if ((!begun || settings.synchronous()) && cycle.heardAgents() < awaited) {
             return false;
         }
@@ -155,7 +162,7 @@ final class Simulation implements SimulationControl, Runnable {
         stepsLeft = Math.max(0, stepsLeft - 1);
         report();
         if (cycle.cycle() >= lastCycle || cycle.match().isProgramOver()) {
-            ending = true;
+            over = true;
         } else {
             pacemaker.awaitNextCycle();
         }

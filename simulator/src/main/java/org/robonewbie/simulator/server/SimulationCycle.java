@@ -64,8 +64,7 @@ final class SimulationCycle {
         BallProperties ball = new BallProperties(
                 parameters.get(SoccerParameter.BALL_RADIUS), parameters.get(SoccerParameter.BALL_MASS));
         SoccerWorld world = new SoccerWorld(parameters.field(), ball);
-        RunRecorder recorder =
-                RunRecorder.begin(world, settings.recording(), settings.description(), console::say);
+        RunRecorder recorder = RunRecorder.begin(world, settings.recording(), settings.description(), console::say);
         return new SimulationCycle(settings, world, console, recorder);
     }
 
@@ -149,9 +148,14 @@ final class SimulationCycle {
     /** Counts the agents that are connected and have sent something. */
     int heardAgents() {
         return (int) agents.stream()
-                .filter(agent -> agent.connection().isHeardOf()
-                        && !agent.connection().hasLeft())
+                .filter(agent ->
+                        agent.connection().isHeardOf() && !agent.connection().hasLeft())
                 .count();
+    }
+
+    /** Tells whether an agent is at the other end of any connection. */
+    boolean isAnybodyConnected() {
+        return agents.stream().anyMatch(agent -> agent.connection().link().isOpen());
     }
 
     /** Does all that belongs to one cycle, with the messages that have been read. */

@@ -1,0 +1,100 @@
+package org.robonewbie.simulator.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.TcpAgentLink;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.recording.RunReport;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+
+class DeterminismTest {
+
+    @Test
+    void sameSeedGivesSameRecordingWithOneAgent() throws Exception {
+        RunReport first = run(1, false, settings(1, 7));
+        RunReport second = run(1, false, settings(1, 7));
+
+        assertThat(first.simulatedSeconds()).isEqualTo(6);
+        assertThat(first.recordingSha256()).isEqualTo(second.recordingSha256());
+    }
+
+    @Test
+    void sameSeedGivesSameRecordingWithTwoAgentsInThreads() throws Exception {
+        RunReport first = run(2, false, settings(2, 7));
+        RunReport second = run(2, false, settings(2, 7));
+
+        assertThat(first.robots()).hasSize(2);
+        assertThat(first.recordingSha256()).isEqualTo(second.recordingSha256());
+    }
+
+    @Test
+    void sameSeedGivesSameRecordingWithTwoAgentsOverTcp() throws Exception {
+        RunReport first = run(2, true, settings(2, 7));
+        RunReport second = run(2, true, settings(2, 7));
+
+        assertThat(first.recordingSha256()).isEqualTo(second.recordingSha256());
+    }
+
+    @Test
+    void tcpAndInProcessGiveSameRecording() throws Exception {
+        RunReport overTcp = run(1, true, settings(1, 7));
+        RunReport inProcess = run(1, false, settings(1, 7));
+
+        assertThat(overTcp.recordingSha256()).isEqualTo(inProcess.recordingSha256());
+    }
+
+    @Test
+    void otherSeedGivesOtherRecording() throws Exception {
+        RunReport first = run(1, false, settings(1, 7));
+        RunReport second = run(1, false, settings(1, 8));
+
+        assertThat(first.recordingSha256()).isNotEqualTo(second.recordingSha256());
+    }
+
+    @Test
+    void agentThatEndsItselfGivesSameRecording() throws Exception {
+        assertThat(runUntilAgentLeaves()).isEqualTo(runUntilAgentLeaves());
+    }
+
+    private static RunReport run(int agents, boolean overTcp, SimulatorSettings settings) throws Exception {
+        try (Simulator simulator = Simulator.start(settings, new RecordingConsole())) {
+            for (int i = 1; i <= agents; i++) {
+                AgentLink link =
+                        overTcp ? TcpAgentLink.connect("127.0.0.1", simulator.agentPort()) : simulator.connect();
+                new ScriptedAgent(link, i % 2 == 0 ? "Moons" : "Stars", i).start();
+            }
+            simulator.awaitEnd();
+            return simulator.report().orElseThrow();
+        }
+    }
+
+    private static String runUntilAgentLeaves() throws IOException {
+        Simulator simulator = Simulator.start(settings(1, 7), new RecordingConsole());
+        try (TestAgent agent = new TestAgent(simulator.connect())) {
+            agent.join("Stars", 1);
+            for (int i = 0; i < 50; i++) {
+                agent.exchange("(lae1 1)(syn)");
+            }
+            agent.send("(lae1 0)(syn)");
+        }
+        simulator.close();
+        return simulator.report().orElseThrow().recordingSha256();
+    }
+
+    /** League beams, since their noise depends on the seed. */
+    private static SimulatorSettings settings(int agents, long seed) {
+        return SimulatorSettings.beginner()
+                .parameters(SoccerParameters.beginner().with("BeamNoiseXY=0.05"))
+                .agentPort(0)
+                .synchronous(true)
+                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .seed(seed)
+                .awaitedAgents(agents)
+                .seconds(OptionalDouble.of(6))
+                .build();
+    }
+}
