@@ -12,9 +12,7 @@ import picocli.CommandLine.Unmatched;
         description =
                 "Watch a robot walk to the ball and play it, in the browser. This is what runs without a command.",
         customSynopsis = "robonewbie demo [OPTIONS]",
-        footerHeading = AgentOptions.HEADING,
         footer = {
-            AgentOptions.TEXT,
             "",
             "Examples:",
             "  robonewbie demo",

@@ -1,10 +1,14 @@
 package org.robonewbie.app;
 
+import java.util.Objects;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.agent.Options;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
+import picocli.CommandLine.Model.UsageMessageSpec;
 
 /**
  * Starts RoboNewbie from the command line. The exit code is 0 when all went well, 1 when a command ran and failed, 2 when
@@ -32,9 +36,27 @@ public final class Main {
     }
 
     static CommandLine commandLine() {
-        return new CommandLine(new RoboNewbieCommand())
+        CommandLine commandLine = new CommandLine(new RoboNewbieCommand())
                 .setExecutionExceptionHandler(reportPlainly())
                 .setUsageHelpAutoWidth(true);
+        subcommand(commandLine, RunCommand.NAME).setStopAtPositional(true);
+        appendToHelp(commandLine, DemoCommand.NAME, () -> "Options of the agent:%n" + Options.help());
+        appendToHelp(commandLine, RunCommand.NAME, () -> "Options of the agent:%n" + Options.help());
+        appendToHelp(commandLine, SimulatorCommand.NAME, SimulatorCommand::listOfParameters);
+        return commandLine;
+    }
+
+    /** Lists that other modules know stand at the end of a command's help, as they are. */
+    private static void appendToHelp(CommandLine commandLine, String command, Supplier<String> list) {
+        UsageMessageSpec usage =
+                subcommand(commandLine, command).getCommandSpec().usageMessage();
+        usage.sectionMap().put("list", help -> String.format("%n" + list.get() + "%n"));
+        usage.sectionKeys(
+                Stream.concat(usage.sectionKeys().stream(), Stream.of("list")).toList());
+    }
+
+    private static CommandLine subcommand(CommandLine commandLine, String name) {
+        return Objects.requireNonNull(commandLine.getSubcommands().get(name));
     }
 
     /** Options without a command belong to the demo: {@code robonewbie --seed 3}. */
@@ -55,7 +77,7 @@ public final class Main {
         };
     }
 
-    private static String messageOf(Throwable exception) {
+    static String messageOf(Throwable exception) {
         @Nullable String message = exception.getMessage();
         return message == null ? exception.toString() : message;
     }

@@ -11,7 +11,14 @@ import picocli.CommandLine.IVersionProvider;
         synopsisSubcommandLabel = "COMMAND",
         mixinStandardHelpOptions = true,
         versionProvider = RoboNewbieCommand.Version.class,
-        subcommands = {DemoCommand.class, RunCommand.class},
+        subcommands = {
+            DemoCommand.class,
+            RunCommand.class,
+            SimulatorCommand.class,
+            StudioCommand.class,
+            FidelityCommand.class,
+            DoctorCommand.class
+        },
         footer = {
             "",
             "Examples:",

@@ -12,13 +12,11 @@ import picocli.CommandLine.Parameters;
 
 /** Runs one agent: an example, a class of the user or a Java file. */
 @Command(
-        name = "run",
+        name = RunCommand.NAME,
         description =
                 "Run an agent. Without a running simulator it starts its own and opens the studio in the browser.",
         customSynopsis = "robonewbie run [--class-path PATH] AGENT [OPTIONS OF THE AGENT]",
-        footerHeading = AgentOptions.HEADING,
         footer = {
-            AgentOptions.TEXT,
             "",
             "Examples:",
             "  robonewbie run Agent_BasicStructure",
@@ -27,6 +25,8 @@ import picocli.CommandLine.Parameters;
             "  robonewbie run --class-path target/classes my.team.Attacker --number 9"
         })
 final class RunCommand implements Callable<Integer> {
+
+    static final String NAME = "run";
 
     @Mixin
     final HelpOption help = new HelpOption();

@@ -1,0 +1,148 @@
+package org.robonewbie.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.Random;
+import java.util.concurrent.Callable;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** Runs the simulator alone, in the place of rcssserver3d. */
+@Command(
+        name = SimulatorCommand.NAME,
+        description = "Run only the simulator, in the place of rcssserver3d: agents connect by TCP.",
+        sortOptions = false,
+        footer = {
+            "",
+            "Examples:",
+            "  robonewbie simulator",
+            "  robonewbie simulator --sync --seed 7 --set RuleHalfTime=60",
+            "  robonewbie simulator --beginner --agent-port 3500",
+            "  robonewbie simulator --bind 0.0.0.0      agents on other computers may join"
+        })
+final class SimulatorCommand implements Callable<Integer> {
+
+    static final String NAME = "simulator";
+
+    @Mixin
+    final HelpOption help = new HelpOption();
+
+    @Option(names = "--agent-port", paramLabel = "N", description = "Port for agents, 0 for any free one (3100).")
+    private Optional<Integer> agentPort = Optional.empty();
+
+    @Option(
+            names = {"--bind", "--host"},
+            paramLabel = "ADDRESS",
+            description = "Address of this computer at which to listen (127.0.0.1: this computer only).")
+    private String bindAddress = "127.0.0.1";
+
+    @Option(names = "--sync", description = "Wait for all agents in each cycle instead of running on the clock.")
+    private boolean synchronous;
+
+    @Option(names = "--fast", description = "As fast as possible; includes --sync.")
+    private boolean fast;
+
+    @Option(names = "--no-noise", description = "Robots see without noise.")
+    private boolean withoutNoise;
+
+    @Option(names = "--seed", paramLabel = "S", description = "Start of all random numbers: same seed, same run.")
+    private OptionalLong seed = OptionalLong.empty();
+
+    @Option(names = "--seconds", paramLabel = "T", description = "End after T simulated seconds.")
+    private OptionalDouble seconds = OptionalDouble.empty();
+
+    @Option(names = "--wait-for", paramLabel = "N", description = "Begin when N agents are connected.")
+    private int awaitedAgents;
+
+    @Option(names = "--record", paramLabel = "FILE", description = "Write a recording of the run.")
+    private Optional<Path> recording = Optional.empty();
+
+    @Option(names = "--report", paramLabel = "FILE", description = "Write the true results as JSON at the end.")
+    private Optional<Path> report = Optional.empty();
+
+    @Option(names = "--league", description = "Pitch and rules of the league. This is the usual profile.")
+    private boolean league;
+
+    @Option(names = "--beginner", description = "Small pitch and simple rules, as in the demo.")
+    private boolean beginner;
+
+    @Option(
+            names = "--set",
+            paramLabel = "NAME=VALUE",
+            description = "Change one of the parameters that are listed below; can be repeated.")
+    private List<String> assignments = new ArrayList<>();
+
+    @Option(
+            names = "--script-path",
+            paramLabel = "FILE",
+            description = "Take parameters and ports from a start script of rcssserver3d; of its Ruby only plain"
+                    + " assignments are read.")
+    private Optional<Path> script = Optional.empty();
+
+    @Mixin
+    final WithoutStudioOption withoutStudio = new WithoutStudioOption();
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        Console console = Console.standard();
+        Simulator simulator = Simulator.start(settings(console), console);
+        Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));
+        console.say("Agents can join at port " + simulator.agentPort() + " of " + bindAddress + ". Control-C ends it.");
+        simulator.awaitEnd();
+        return ExitCode.OK;
+    }
+
+    /** Translates the options; what is given on the command line is stronger than the script. */
+    SimulatorSettings settings(Console console) {
+        if (league && beginner) {
+            throw new CalledWronglyException("--league and --beginner exclude each other. Leave one of them out.");
+        }
+        StartScript start = script.map(file -> StartScript.read(file, console)).orElse(StartScript.EMPTY);
+        boolean isFast = fast || start.isFast();
+        return (beginner ? SimulatorSettings.beginner() : SimulatorSettings.league())
+                .parameters(parameters(start))
+                .bindAddress(bindAddress)
+                .agentPort(agentPort.or(start::agentPort).orElse(SimulatorSettings.DEFAULT_AGENT_PORT))
+                .synchronous(synchronous || isFast || start.isSynchronous())
+                .speed(isFast ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
+                .noise(!withoutNoise)
+                .seed(seed.orElseGet(() -> new Random().nextInt(Integer.MAX_VALUE)))
+                .awaitedAgents(awaitedAgents)
+                .seconds(seconds)
+                .recording(recording)
+                .report(report)
+                .build();
+    }
+
+    private SoccerParameters parameters(StartScript start) {
+        SoccerParameters parameters = beginner ? SoccerParameters.beginner() : SoccerParameters.league();
+        List<String> all = new ArrayList<>(start.parameters());
+        all.addAll(assignments);
+        try {
+            for (String assignment : all) {
+                parameters = parameters.with(assignment);
+            }
+        } catch (IllegalArgumentException wrong) {
+            throw new CalledWronglyException(Main.messageOf(wrong));
+        }
+        return parameters;
+    }
+
+    /** Lists all parameters with their values, for the help. */
+    static String listOfParameters() {
+        return String.format("%-30s %8s %8s%n", "Parameter for --set", "league", "beginner")
+                + String.join(System.lineSeparator(), SoccerParameters.describe());
+    }
+}

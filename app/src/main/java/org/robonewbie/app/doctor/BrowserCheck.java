@@ -1,0 +1,37 @@
+package org.robonewbie.app.doctor;
+
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/** Looks whether there is a command that opens web pages. */
+final class BrowserCheck {
+
+    private BrowserCheck() {}
+
+    static Finding command() {
+        return command(
+                System.getProperty("os.name", ""),
+                Optional.ofNullable(System.getenv("PATH")).orElse(""));
+    }
+
+    /** Windows and macOS always have such a command. */
+    static Finding command(String operatingSystem, String path) {
+        String system = operatingSystem.toLowerCase(Locale.ROOT);
+        if (system.contains("win") || system.contains("mac")) {
+            return Finding.well("Browser", "opened by " + operatingSystem);
+        }
+        return Arrays.stream(path.split(File.pathSeparator))
+                .map(folder -> Path.of(folder, "xdg-open"))
+                .filter(Files::isExecutable)
+                .findFirst()
+                .map(opener -> Finding.well("Browser", "opened by " + opener))
+                .orElse(Finding.notable(
+                        "Browser",
+                        "xdg-open was not found",
+                        "Open the printed address of the studio yourself, in Firefox, Chrome, Edge or Safari."));
+    }
+}

@@ -1,0 +1,46 @@
+package org.robonewbie.app.doctor;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+
+/** All checks of the installation, from Java to a robot that stands. */
+public final class Checkup {
+
+    private final List<Supplier<Finding>> checks = new ArrayList<>();
+
+    private Checkup() {}
+
+    /**
+     * Lists the checks.
+     *
+     * @param headless whether studio and browser do not matter
+     * @return the checks, not yet made
+     */
+    public static Checkup of(boolean headless) {
+        Checkup checkup = new Checkup();
+        checkup.checks.add(JavaCheck::version);
+        checkup.checks.add(JavaCheck::compiler);
+        checkup.checks.add(JavaCheck::memory);
+        checkup.checks.add(() -> FolderCheck.of("This folder", Path.of("").toAbsolutePath()));
+        checkup.checks.add(() -> FolderCheck.of("Home folder", Path.of(System.getProperty("user.home", "."))));
+        checkup.checks.add(() -> PortCheck.of("Agent port", 3100));
+        checkup.checks.add(() -> PortCheck.of("Monitor port", 3200));
+        checkup.checks.add(SimulatorCheck::oneSecond);
+        if (!headless) {
+            checkup.checks.add(StudioCheck::page);
+            checkup.checks.add(BrowserCheck::command);
+        }
+        return checkup;
+    }
+
+    /**
+     * Makes the checks one after the other.
+     *
+     * @return what each has found, in their order, made when asked for
+     */
+    public Iterable<Finding> findings() {
+        return () -> checks.stream().map(Supplier::get).iterator();
+    }
+}

@@ -1,0 +1,74 @@
+package org.robonewbie.app.doctor;
+
+import java.io.IOException;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+
+/** Lets a robot stand for one second in a simulator and looks whether it still does. */
+final class SimulatorCheck {
+
+    private static final int CYCLES = 50;
+    private static final double LEAST_TORSO_HEIGHT = 0.3;
+    private static final String SUBJECT = "Simulator";
+
+    private SimulatorCheck() {}
+
+    static Finding oneSecond() {
+        long start = System.nanoTime();
+        try {
+            double height = torsoHeightAfterOneSecond();
+            double seconds = (System.nanoTime() - start) / 1e9;
+            String found = String.format(
+                    Locale.ROOT, "a robot stood for 1 s, torso %.2f m high, computed in %.1f s", height, seconds);
+            return height < LEAST_TORSO_HEIGHT
+                    ? Finding.broken(
+                            SUBJECT, found, "It has fallen. Please report this with the output of this command.")
+                    : Finding.well(SUBJECT, found);
+        } catch (IOException | RuntimeException failed) {
+            return Finding.broken(SUBJECT, failed.toString(), "Please report this with the output of this command.");
+        }
+    }
+
+    private static double torsoHeightAfterOneSecond() throws IOException {
+        AtomicReference<WorldSnapshot> latest = new AtomicReference<>();
+        SimulatorSettings settings = SimulatorSettings.beginner()
+                .agentPort(0)
+                .synchronous(true)
+                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .awaitedAgents(1)
+                .build();
+        try (Simulator simulator = Simulator.start(settings, Console.silent());
+                AgentLink link = simulator.connect()) {
+            simulator.control().addObserver(latest::set);
+            stand(link);
+            return Optional.ofNullable(latest.get())
+                    .orElseThrow()
+                    .robots()
+                    .get(0)
+                    .linkPoses()[2];
+        }
+    }
+
+    private static void stand(AgentLink link) throws IOException {
+        say(link, "(scene rsg/agent/nao/nao.rsg)(syn)");
+        say(link, "(init (unum 1)(teamname Doctor))(syn)");
+        for (int cycle = 0; cycle < CYCLES; cycle++) {
+            say(link, "(syn)");
+        }
+    }
+
+    private static void say(AgentLink link, String words) throws IOException {
+        MessageBuffer message = new MessageBuffer();
+        message.append(words);
+        link.send(message);
+        link.receive(message);
+    }
+}

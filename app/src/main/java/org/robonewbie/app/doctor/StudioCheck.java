@@ -1,0 +1,58 @@
+package org.robonewbie.app.doctor;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.time.Duration;
+import java.util.ServiceLoader;
+import org.robonewbie.simulator.Viewer;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+
+/** Starts the studio and fetches its page, as a browser would. */
+final class StudioCheck {
+
+    private static final String SUBJECT = "Studio";
+    private static final Duration PATIENCE = Duration.ofSeconds(5);
+    private static final int OK = 200;
+
+    private StudioCheck() {}
+
+    static Finding page() {
+        SimulatorSettings settings =
+                SimulatorSettings.beginner().agentPort(0).awaitedAgents(1).build();
+        try (Simulator simulator = Simulator.start(settings, Console.silent());
+                Viewer.View view = ServiceLoader.load(Viewer.class)
+                        .findFirst()
+                        .orElseThrow()
+                        .open(simulator.control(), 0)) {
+            return fetch(view.address());
+        } catch (IOException | RuntimeException failed) {
+            return Finding.broken(
+                    SUBJECT,
+                    failed.toString(),
+                    "Does a firewall forbid servers on 127.0.0.1? Use --headless without it.");
+        }
+    }
+
+    private static Finding fetch(URI address) throws IOException {
+        HttpClient client = HttpClient.newBuilder()
+                .proxy(HttpClient.Builder.NO_PROXY)
+                .connectTimeout(PATIENCE)
+                .build();
+        HttpRequest request = HttpRequest.newBuilder(address).timeout(PATIENCE).build();
+        try {
+            int status =
+                    client.send(request, HttpResponse.BodyHandlers.discarding()).statusCode();
+            return status == OK
+                    ? Finding.well(SUBJECT, "its page is served on this computer")
+                    : Finding.broken(SUBJECT, "its page answers " + status, "Please report this.");
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+            return Finding.notable(SUBJECT, "not checked", "The check was interrupted.");
+        }
+    }
+}

@@ -1,0 +1,26 @@
+package org.robonewbie.app.doctor;
+
+/** How a check of the installation has ended. */
+public enum Verdict {
+    /** All is well. */
+    WELL("ok"),
+    /** It works, but there is something to know. */
+    NOTABLE("look"),
+    /** It must be mended. */
+    BROKEN("FAIL");
+
+    private final String mark;
+
+    Verdict(String mark) {
+        this.mark = mark;
+    }
+
+    /**
+     * Gives the word that stands before the line.
+     *
+     * @return a short word
+     */
+    public String mark() {
+        return mark;
+    }
+}
