@@ -10,7 +10,6 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import java.util.UUID;
 import org.robonewbie.nao.motion.MotionLine.Frame;
 import org.robonewbie.nao.motion.MotionLine.Note;
 import org.robonewbie.nao.motion.MotionLine.Unreadable;
@@ -252,10 +251,10 @@ public final class MotionFile {
     /**
      * Gives the text of the file.
      *
-     * @return all lines with their ends as they were loaded, also a byte order mark if there was one
+     * @return all lines with their ends as they were loaded
      */
     public String text() {
-        StringBuilder all = new StringBuilder(text.byteOrderMark());
+        StringBuilder all = new StringBuilder();
         lines.forEach(line -> all.append(line.text()).append(line.lineEnd()));
         return all.toString();
     }
@@ -268,7 +267,7 @@ public final class MotionFile {
      */
     public void save(Path path) throws IOException {
         Path target = path.toAbsolutePath();
-        Path temporary = target.resolveSibling(target.getFileName() + "." + UUID.randomUUID() + ".tmp");
+        Path temporary = Files.createTempFile(target.getParent(), target.getFileName() + ".", ".tmp");
         try {
             Files.write(temporary, text.encode(text()));
             Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);

@@ -18,6 +18,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.robonewbie.protocol.monitor.TrainerCommand;
 
 /**
  * The TCP port at which monitors such as RoboViz watch the world and trainers change it.
@@ -40,7 +41,7 @@ public final class MonitorPort implements AutoCloseable {
 
     private final MonitorSettings settings;
     private final Consumer<String> console;
-    private final Trainer trainer;
+    private final Consumer<TrainerCommand> trainer;
     private final ServerSocketChannel channel;
     private final Selector selector;
     private final MonitorBroadcast broadcast;
@@ -48,7 +49,7 @@ public final class MonitorPort implements AutoCloseable {
     private final List<MonitorConnection> connections = new ArrayList<>();
     private final Set<String> complaints = new HashSet<>();
     private final Thread thread = new Thread(this::run, "monitor-port");
-    private volatile boolean watched;
+    private volatile int monitors;
     private volatile boolean closed;
     private boolean fullWanted;
 
@@ -57,7 +58,7 @@ public final class MonitorPort implements AutoCloseable {
     private MonitorPort(
             MonitorSettings settings,
             Consumer<String> console,
-            Trainer trainer,
+            Consumer<TrainerCommand> trainer,
             ServerSocketChannel channel,
             Selector selector) {
         this.settings = settings;
@@ -73,11 +74,11 @@ public final class MonitorPort implements AutoCloseable {
      *
      * @param settings where to listen and what to tell
      * @param console takes sentences for people
-     * @param trainer takes the commands of monitors
+     * @param trainer takes the commands of monitors, on the port's thread; must not wait
      * @return the open port
      * @throws IOException if the port cannot be opened; the message says what to do
      */
-    public static MonitorPort open(MonitorSettings settings, Consumer<String> console, Trainer trainer)
+    public static MonitorPort open(MonitorSettings settings, Consumer<String> console, Consumer<TrainerCommand> trainer)
             throws IOException {
         ServerSocketChannel channel = ServerSocketChannel.open();
         try {
@@ -105,6 +106,15 @@ public final class MonitorPort implements AutoCloseable {
     }
 
     /**
+     * Counts the monitors that are connected.
+     *
+     * @return their number
+     */
+    public int monitors() {
+        return monitors;
+    }
+
+    /**
      * Tells monitors of a cycle if it is time for it and somebody watches; returns at once. To be called on the simulation's
      * thread only.
      *
@@ -112,7 +122,7 @@ public final class MonitorPort implements AutoCloseable {
      * @param snapshot makes the snapshot, if needed
      */
     public void cycleEnded(long cycle, Supplier<MonitorSnapshot> snapshot) {
-        if (watched && cycle % settings.cyclesPerMessage() == 0) {
+        if (monitors > 0 && cycle % settings.cyclesPerMessage() == 0) {
             show(snapshot.get());
         }
     }
@@ -123,7 +133,7 @@ public final class MonitorPort implements AutoCloseable {
      * @param snapshot the state
      */
     public void show(MonitorSnapshot snapshot) {
-        if (watched && waiting.offer(new Shown(snapshot, fullWanted))) {
+        if (monitors > 0 && waiting.offer(new Shown(snapshot, fullWanted))) {
             fullWanted = false;
             selector.wakeup();
         }
@@ -152,7 +162,7 @@ public final class MonitorPort implements AutoCloseable {
                 selector.select(this::serve);
                 showWaiting();
                 connections.removeIf(connection -> !connection.isOpen());
-                watched = !connections.isEmpty();
+                monitors = connections.size();
             }
         } catch (IOException | RuntimeException e) {
             console.accept("The monitor port has stopped working (" + e + "); the simulation goes on.");
@@ -177,7 +187,7 @@ public final class MonitorPort implements AutoCloseable {
             connection.flush();
         }
         if (key.isValid() && key.isReadable()) {
-            connection.receive().forEach(trainer::order);
+            connection.receive().forEach(trainer);
         }
     }
 
@@ -212,8 +222,7 @@ public final class MonitorPort implements AutoCloseable {
         MonitorConnection connection = new MonitorConnection(client, key, this::complain);
         key.attach(connection);
         connections.add(connection);
-        watched = true;
-        trainer.monitorArrived();
+        monitors = connections.size();
     }
 
     /** Tells each thing once, however often it happens. */
@@ -230,7 +239,7 @@ public final class MonitorPort implements AutoCloseable {
     }
 
     private void closeAll() {
-        watched = false;
+        monitors = 0;
         connections.forEach(MonitorConnection::close);
         try {
             channel.close();

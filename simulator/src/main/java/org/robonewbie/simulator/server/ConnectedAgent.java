@@ -59,6 +59,13 @@ final class ConnectedAgent {
         robot = Optional.of(newPlayer.robot());
     }
 
+    /** Leaves the agent without robot; it may ask for another one. */
+    void loseRobot() {
+        robot = Optional.empty();
+        player = Optional.empty();
+        connection.emptyMessage();
+    }
+
     void want(CreateRobot command) {
         wantedRobot = Optional.of(command);
     }

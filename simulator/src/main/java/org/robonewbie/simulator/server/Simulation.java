@@ -32,6 +32,7 @@ final class Simulation implements SimulationControl, Runnable {
     private final Reception reception;
     private final Pacemaker pacemaker;
     private final SilenceWatch silenceWatch;
+    private final MonitorDesk monitors;
     private final double lastCycle;
     private final Queue<Runnable> commands = new ConcurrentLinkedQueue<>();
     private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
@@ -57,6 +58,7 @@ final class Simulation implements SimulationControl, Runnable {
         this.reception = new Reception(port, cycle, settings);
         this.pacemaker = new Pacemaker(settings.speed());
         this.silenceWatch = new SilenceWatch(console, settings.silentAgentSeconds());
+        this.monitors = new MonitorDesk(cycle, this::command, this::end);
     }
 
     Reception reception() {
@@ -65,6 +67,25 @@ final class Simulation implements SimulationControl, Runnable {
 
     SimulationCycle cycle() {
         return cycle;
+    }
+
+    /**
+     * Opens what monitors need; to be called before the simulation runs.
+     *
+     * @throws IOException if port or log cannot be opened; the message says what to do
+     */
+    void openMonitors() throws IOException {
+        try {
+            monitors.open(settings, console);
+        } catch (IOException e) {
+            monitors.close();
+            cycle.recorder().close();
+            throw e;
+        }
+    }
+
+    MonitorDesk monitors() {
+        return monitors;
     }
 
     /** Gives the true results once the simulation has ended. */
@@ -108,6 +129,7 @@ final class Simulation implements SimulationControl, Runnable {
             agent.connection().link().close();
         }
         reception.close();
+        monitors.close();
         double wallSeconds = begun ? (System.nanoTime() - beginning) / 1e9 : 0;
         RunReport result = cycle.recorder().report(settings.seed(), wallSeconds, pacemaker.missedCycles());
         finalReport = Optional.of(result);
@@ -160,6 +182,7 @@ final class Simulation implements SimulationControl, Runnable {
         }
         cycle.run();
         stepsLeft = Math.max(0, stepsLeft - 1);
+        monitors.cycleEnded();
         report();
         if (cycle.cycle() >= lastCycle || cycle.match().isProgramOver()) {
             over = true;
@@ -172,6 +195,7 @@ final class Simulation implements SimulationControl, Runnable {
         pacemaker.excuse();
         if (!reception.await(IDLE_MILLISECONDS)) {
             report();
+            monitors.standsStill();
         }
     }
 

@@ -123,6 +123,17 @@ final class SimulationCycle {
         world.ball().setVelocity(velocity);
     }
 
+    /** Takes a player's robot off the pitch for good; its agent stays connected. */
+    void removeRobot(Player player) {
+        for (ConnectedAgent agent : agents) {
+            if (agent.player().filter(player::equals).isPresent()) {
+                match.teams().leave(player);
+                world.removeRobot(player.robot());
+                agent.loseRobot();
+            }
+        }
+    }
+
     /** Reads what the agents have sent, and forgets those that left before they had a robot. */
     void readMessages() {
         boolean anybodyLeft = false;

@@ -3,6 +3,7 @@ package org.robonewbie.simulator.server;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.recording.RunReport;
@@ -52,6 +53,15 @@ public final class Simulator implements AutoCloseable {
      */
     public int agentPort() {
         return port.number();
+    }
+
+    /**
+     * Tells where monitors can connect.
+     *
+     * @return the TCP port, or empty if none was wanted
+     */
+    public OptionalInt monitorPort() {
+        return simulation.monitors().portNumber();
     }
 
     /**
@@ -112,7 +122,9 @@ public final class Simulator implements AutoCloseable {
     private static Simulation simulation(SimulatorSettings settings, AgentPort port, Console console)
             throws IOException {
         try {
-            return new Simulation(settings, port, console);
+            Simulation simulation = new Simulation(settings, port, console);
+            simulation.openMonitors();
+            return simulation;
         } catch (IOException e) {
             port.close();
             throw e;

@@ -5,7 +5,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.monitor.MonitorSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
@@ -28,6 +30,9 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  * @param seconds simulated seconds after which the simulation ends; empty runs until it is closed
  * @param recording file for the recording
  * @param report file for the report
+ * @param monitorPort TCP port for monitors and trainers, 0 for any free one; empty opens none
+ * @param monitorStepSeconds simulated seconds between two messages to monitors
+ * @param monitorLog file for a log that RoboViz can replay
  */
 public record SimulatorSettings(
         SoccerParameters parameters,
@@ -41,10 +46,16 @@ public record SimulatorSettings(
         double silentAgentSeconds,
         OptionalDouble seconds,
         Optional<Path> recording,
-        Optional<Path> report) {
+        Optional<Path> report,
+        OptionalInt monitorPort,
+        double monitorStepSeconds,
+        Optional<Path> monitorLog) {
 
     /** The port of the league. */
     public static final int DEFAULT_AGENT_PORT = 3100;
+
+    /** The port at which monitors look for a server. */
+    public static final int DEFAULT_MONITOR_PORT = 3200;
 
     private static final double DEFAULT_SILENT_AGENT_SECONDS = 60;
 
@@ -95,6 +106,9 @@ public record SimulatorSettings(
         private OptionalDouble seconds = OptionalDouble.empty();
         private Optional<Path> recording = Optional.empty();
         private Optional<Path> report = Optional.empty();
+        private OptionalInt monitorPort = OptionalInt.empty();
+        private double monitorStepSeconds = MonitorSettings.STANDARD_STEP_SECONDS;
+        private Optional<Path> monitorLog = Optional.empty();
 
         private Builder(SoccerParameters parameters) {
             this.parameters = parameters;
@@ -233,6 +247,39 @@ public record SimulatorSettings(
         }
 
         /**
+         * Sets where monitors and trainers can connect.
+         *
+         * @param value TCP port, 0 for any free one, or empty for none
+         * @return this builder
+         */
+        public Builder monitorPort(OptionalInt value) {
+            monitorPort = value;
+            return this;
+        }
+
+        /**
+         * Sets how often monitors are told.
+         *
+         * @param value simulated seconds between two messages, at least 0.02
+         * @return this builder
+         */
+        public Builder monitorStepSeconds(double value) {
+            monitorStepSeconds = value;
+            return this;
+        }
+
+        /**
+         * Sets where the log for RoboViz is written.
+         *
+         * @param value the file, or empty for none
+         * @return this builder
+         */
+        public Builder monitorLog(Optional<Path> value) {
+            monitorLog = value;
+            return this;
+        }
+
+        /**
          * Finishes the settings.
          *
          * @return the settings
@@ -250,7 +297,10 @@ public record SimulatorSettings(
                     silentAgentSeconds,
                     seconds,
                     recording,
-                    report);
+                    report,
+                    monitorPort,
+                    monitorStepSeconds,
+                    monitorLog);
         }
     }
 }

@@ -78,6 +78,10 @@ public final class GameState {
         modeTicks = 0;
     }
 
+    void setPlaySeconds(double seconds) {
+        playTicks = Math.round(seconds / TICK_SECONDS);
+    }
+
     void beginSecondHalf() {
         half = 2;
     }

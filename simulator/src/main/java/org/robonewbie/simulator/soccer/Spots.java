@@ -7,6 +7,10 @@ import org.robonewbie.nao.Vector3;
 /** Where the ball is put for a kick; all places are centres of a lying ball in the world frame, metres. */
 final class Spots {
 
+    private static final double PLACE_BESIDE_PITCH = 0.6;
+    private static final int NUMBER_AT_HALFWAY_LINE = 7;
+    private static final double DISTANCE_BESIDE_PITCH = 0.5;
+
     private Spots() {}
 
     static Vector3 kickIn(Match match) {
@@ -39,6 +43,14 @@ final class Spots {
         Vector3 spot = outOfPenaltyAreas(match, place);
         double limit = sideLine(match);
         return at(match, spot.x(), Math.max(-limit, Math.min(limit, spot.y())));
+    }
+
+    /** Where a player waits beside the pitch, on the ground: each number has its place, on the side away from the ball. */
+    static Vector3 besidePitch(Match match, Player player) {
+        double x = PLACE_BESIDE_PITCH * (NUMBER_AT_HALFWAY_LINE - player.number());
+        double y = match.field().width() / 2 + DISTANCE_BESIDE_PITCH;
+        return new Vector3(
+                player.side() == TeamSide.LEFT ? -x : x, match.ball().position().y() < 0 ? y : -y, 0);
     }
 
     /** Moves a place inside a penalty area to the area's front corner on the same side. */

@@ -158,7 +158,7 @@ class MonitorPortTest {
         }
         try (Socket frozen =
                 new Socket(InetAddress.getLoopbackAddress(), watched.port().number())) {
-            watched.awaitArrival();
+            watched.awaitMonitors(1);
             try (MonitorLink healthy = watched.connect()) {
                 for (int i = 0; i < 400; i++) {
                     watched.jump();
@@ -187,7 +187,7 @@ class MonitorPortTest {
         }
         try (Socket mute =
                 new Socket(InetAddress.getLoopbackAddress(), watched.port().number())) {
-            watched.awaitArrival();
+            watched.awaitMonitors(1);
             for (int i = 0; i < 300; i++) {
                 watched.jump();
                 send(mute, "(ball (pos " + i + " 0 0) (vel 0 0 0))");
@@ -216,7 +216,7 @@ class MonitorPortTest {
     void commandThatComesInPiecesIsUnderstood() throws Exception {
         try (Socket socket =
                 new Socket(InetAddress.getLoopbackAddress(), watched.port().number())) {
-            watched.awaitArrival();
+            watched.awaitMonitors(1);
             byte[] frame = frame("(dropBall)");
             for (byte part : frame) {
                 socket.getOutputStream().write(part);
@@ -234,11 +234,12 @@ class MonitorPortTest {
             for (int i = 0; i < 20; i++) {
                 try (Socket socket = new Socket(
                         InetAddress.getLoopbackAddress(), watched.port().number())) {
-                    watched.awaitArrival();
                     byte[] garbage = new byte[1 + random.nextInt(3000)];
                     random.nextBytes(garbage);
                     garbage[0] = (byte) (i % 2 == 0 ? 0xFF : 0);
                     socket.getOutputStream().write(garbage);
+                    socket.shutdownOutput();
+                    assertThat(socket.getInputStream().read()).isEqualTo(-1);
                 }
             }
             healthy.send(new TrainerCommand.DropBall());
@@ -253,7 +254,7 @@ class MonitorPortTest {
     void announcedMessageOfFourGibibytesEndsTheConnectionWithAWord() throws Exception {
         try (Socket socket =
                 new Socket(InetAddress.getLoopbackAddress(), watched.port().number())) {
-            watched.awaitArrival();
+            watched.awaitMonitors(1);
             socket.getOutputStream().write(new byte[] {-1, -1, -1, -1, '('});
 
             assertThat(socket.getInputStream().read()).isEqualTo(-1);
@@ -272,7 +273,7 @@ class MonitorPortTest {
             for (int i = 0; i < 500; i++) {
                 sockets.add(new Socket(
                         InetAddress.getLoopbackAddress(), watched.port().number()));
-                watched.awaitArrival();
+                watched.awaitMonitors(i + 1);
             }
             Socket refused =
                     new Socket(InetAddress.getLoopbackAddress(), watched.port().number());
@@ -291,13 +292,7 @@ class MonitorPortTest {
     void portInUseIsToldWithWhatToDo() {
         int taken = watched.port().number();
 
-        assertThatThrownBy(() -> MonitorPort.open(WatchedWorld.settings(taken), text -> {}, new Trainer() {
-                    @Override
-                    public void order(TrainerCommand command) {}
-
-                    @Override
-                    public void monitorArrived() {}
-                }))
+        assertThatThrownBy(() -> MonitorPort.open(WatchedWorld.settings(taken), text -> {}, command -> {}))
                 .isInstanceOf(IOException.class)
                 .hasMessageContaining("Monitor port " + taken + " on 127.0.0.1 cannot be opened")
                 .hasMessageContaining("choose another port with --monitor-port");

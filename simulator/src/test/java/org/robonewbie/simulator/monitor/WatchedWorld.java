@@ -31,23 +31,12 @@ final class WatchedWorld implements AutoCloseable {
     private final List<Robot> robots = new ArrayList<>();
     private final List<String> console = new CopyOnWriteArrayList<>();
     private final BlockingQueue<TrainerCommand> orders = new LinkedBlockingQueue<>();
-    private final BlockingQueue<Boolean> arrivals = new LinkedBlockingQueue<>();
     private final MonitorPort port;
     private float shift;
     private long cycle;
 
     WatchedWorld() throws IOException {
-        port = MonitorPort.open(settings(0), console::add, new Trainer() {
-            @Override
-            public void order(TrainerCommand command) {
-                orders.add(command);
-            }
-
-            @Override
-            public void monitorArrived() {
-                arrivals.add(true);
-            }
-        });
+        port = MonitorPort.open(settings(0), console::add, orders::add);
     }
 
     static MonitorSettings settings(int port) {
@@ -68,15 +57,17 @@ final class WatchedWorld implements AutoCloseable {
     }
 
     /** Connects a monitor and waits until the port knows it. */
-    MonitorLink connect() throws IOException, InterruptedException {
+    MonitorLink connect() throws IOException {
+        int before = port.monitors();
         MonitorLink link = MonitorLink.connect("127.0.0.1", port.number());
-        awaitArrival();
+        awaitMonitors(before + 1);
         return link;
     }
 
-    void awaitArrival() throws InterruptedException {
-        if (arrivals.poll(10, TimeUnit.SECONDS) == null) {
-            throw new AssertionError("The port has not noticed the monitor");
+    /** Waits until the port knows as many monitors; the test's time limit ends the waiting. */
+    void awaitMonitors(int count) {
+        while (port.monitors() != count) {
+            Thread.onSpinWait();
         }
     }
 

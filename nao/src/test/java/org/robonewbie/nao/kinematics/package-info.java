@@ -1,3 +1,0 @@
-/** Tests of kinematics. */
-@org.jspecify.annotations.NullMarked
-package org.robonewbie.nao.kinematics;

@@ -1,0 +1,63 @@
+package org.robonewbie.simulator.monitor;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.protocol.monitor.Environment;
+import org.robonewbie.protocol.monitor.Environment.Measure;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+
+/** What monitors are told of pitch and rules, in the order of rcssserver3d 0.7.3. */
+public final class MatchEnvironment {
+
+    private static final List<SoccerParameter> TOLD = List.of(
+            SoccerParameter.FIELD_LENGTH,
+            SoccerParameter.FIELD_WIDTH,
+            SoccerParameter.FIELD_HEIGHT,
+            SoccerParameter.GOAL_WIDTH,
+            SoccerParameter.GOAL_DEPTH,
+            SoccerParameter.GOAL_HEIGHT,
+            SoccerParameter.BORDER_SIZE,
+            SoccerParameter.FREE_KICK_DISTANCE,
+            SoccerParameter.WAIT_BEFORE_KICK_OFF,
+            SoccerParameter.AGENT_RADIUS,
+            SoccerParameter.BALL_RADIUS,
+            SoccerParameter.BALL_MASS,
+            SoccerParameter.RULE_GOAL_PAUSE_TIME,
+            SoccerParameter.RULE_KICK_IN_PAUSE_TIME,
+            SoccerParameter.RULE_HALF_TIME,
+            SoccerParameter.PASS_MODE_MIN_OPPONENT_BALL_DISTANCE,
+            SoccerParameter.PASS_MODE_DURATION);
+
+    private MatchEnvironment() {}
+
+    /**
+     * Describes a match.
+     *
+     * @param parameters its parameters
+     * @return what monitors are told
+     */
+    public static Environment of(SoccerParameters parameters) {
+        List<Measure> measures = new ArrayList<>();
+        for (SoccerParameter parameter : TOLD) {
+            measures.add(new Measure(parameter.simSparkName(), parameters.get(parameter)));
+        }
+        addPenaltyArea(parameters.field(), measures);
+        return new Environment(
+                measures,
+                Arrays.stream(PlayMode.values()).map(PlayMode::simSparkName).toList());
+    }
+
+    /** Monitors paint the league's penalty area unless they are told another one. */
+    private static void addPenaltyArea(SoccerField field, List<Measure> measures) {
+        double width = field.penaltyWidth() + field.goalWidth();
+        double leagueWidth = SoccerField.LEAGUE.penaltyWidth() + SoccerField.LEAGUE.goalWidth();
+        if (field.penaltyLength() != SoccerField.LEAGUE.penaltyLength() || width != leagueWidth) {
+            measures.add(new Measure("GoalieAreaLength", field.penaltyLength()));
+            measures.add(new Measure("GoalieAreaWidth", width));
+        }
+    }
+}

@@ -1,0 +1,137 @@
+package org.robonewbie.simulator.server;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.protocol.monitor.MonitoredGame;
+import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.simulator.monitor.MatchEnvironment;
+import org.robonewbie.simulator.monitor.MonitorLog;
+import org.robonewbie.simulator.monitor.MonitorPort;
+import org.robonewbie.simulator.monitor.MonitorSettings;
+import org.robonewbie.simulator.monitor.MonitorSnapshot;
+import org.robonewbie.simulator.monitor.MonitoredRobotState;
+import org.robonewbie.simulator.soccer.GameState;
+import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.Player;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+
+/** Shows the world to monitors and writes the log for them, and takes in what trainers order. */
+final class MonitorDesk {
+
+    private static final int WAITING_ORDERS = 10_000;
+
+    private final SimulationCycle cycle;
+    private final Consumer<Runnable> betweenCycles;
+    private final TrainerOrders orders;
+    private final AtomicInteger waitingOrders = new AtomicInteger();
+    private Optional<MonitorPort> port = Optional.empty();
+    private Optional<MonitorLog> log = Optional.empty();
+
+    /**
+     * Prepares a desk at which nobody is served yet.
+     *
+     * @param cycle what is shown
+     * @param betweenCycles runs something on the simulation's thread
+     * @param end ends the simulation
+     */
+    MonitorDesk(SimulationCycle cycle, Consumer<Runnable> betweenCycles, Runnable end) {
+        this.cycle = cycle;
+        this.betweenCycles = betweenCycles;
+        this.orders = new TrainerOrders(cycle, () -> port.ifPresent(MonitorPort::requestFullState), end);
+    }
+
+    /** Opens port and log as far as they are wanted; to be called before the simulation runs. */
+    void open(SimulatorSettings settings, Console console) throws IOException {
+        MonitorSettings wanted = monitorSettings(settings);
+        if (settings.monitorLog().isPresent()) {
+            log = Optional.of(MonitorLog.open(settings.monitorLog().get(), wanted, console::say));
+        }
+        if (settings.monitorPort().isPresent()) {
+            port = Optional.of(MonitorPort.open(wanted, console::say, this::order));
+        }
+    }
+
+    OptionalInt portNumber() {
+        return port.map(MonitorPort::number).map(OptionalInt::of).orElse(OptionalInt.empty());
+    }
+
+    void cycleEnded() {
+        port.ifPresent(monitors -> monitors.cycleEnded(cycle.cycle(), this::snapshot));
+        log.ifPresent(lines -> lines.cycleEnded(cycle.cycle(), this::snapshot));
+    }
+
+    /** Shows new monitors the world, and all of them what trainers have changed, while the clock stands still. */
+    void standsStill() {
+        port.filter(monitors -> monitors.monitors() > 0).ifPresent(monitors -> monitors.show(snapshot()));
+    }
+
+    void close() {
+        port.ifPresent(MonitorPort::close);
+        log.ifPresent(MonitorLog::close);
+    }
+
+    /** Takes an order from any thread; a trainer that floods the simulation loses orders. */
+    private void order(TrainerCommand command) {
+        if (waitingOrders.incrementAndGet() > WAITING_ORDERS) {
+            waitingOrders.decrementAndGet();
+            return;
+        }
+        betweenCycles.accept(() -> {
+            waitingOrders.decrementAndGet();
+            orders.carryOut(command);
+        });
+    }
+
+    private MonitorSnapshot snapshot() {
+        Optional<Player> selected = orders.selected();
+        List<MonitoredRobotState> robots = new ArrayList<>();
+        for (ConnectedAgent agent : cycle.agents()) {
+            boolean isSelected = agent.player().isPresent() && agent.player().equals(selected);
+            agent.robot()
+                    .ifPresent(robot -> robots.add(MonitoredRobotState.of(
+                            agent.connection().id(), robot, agent.player().map(MonitorDesk::number), isSelected)));
+        }
+        return MonitorSnapshot.of(game(cycle.match()), List.of(), cycle.world().ball(), robots);
+    }
+
+    private static PlayerNumber number(Player player) {
+        return new PlayerNumber(player.side(), player.number());
+    }
+
+    private static MonitoredGame game(Match match) {
+        GameState state = match.state();
+        return new MonitoredGame(
+                state.playSeconds(),
+                name(match, TeamSide.LEFT),
+                name(match, TeamSide.RIGHT),
+                state.half(),
+                state.score(TeamSide.LEFT),
+                state.score(TeamSide.RIGHT),
+                Optional.of(state.playMode()),
+                0,
+                0);
+    }
+
+    private static Optional<String> name(Match match, TeamSide side) {
+        return Optional.of(match.teams().name(side)).filter(name -> !name.isEmpty());
+    }
+
+    private static MonitorSettings monitorSettings(SimulatorSettings settings) {
+        SoccerParameters parameters = settings.parameters();
+        return new MonitorSettings(
+                settings.bindAddress(),
+                settings.monitorPort().orElse(0),
+                settings.monitorStepSeconds(),
+                MatchEnvironment.of(parameters),
+                parameters.field(),
+                parameters.get(SoccerParameter.BALL_RADIUS));
+    }
+}

@@ -1,0 +1,252 @@
+package org.robonewbie.simulator.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.monitor.MonitorLink;
+import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.simulator.SimulationControl;
+
+/** What RoboViz, magmaChallenge and league teams expect from a monitor port, each thing as they were seen to need it. */
+@Timeout(60)
+class MonitorExpectationsTest {
+
+    /** The modes in the order that magmaChallenge knows by number. */
+    private static final String PLAY_MODES = "(play_modes BeforeKickOff KickOff_Left KickOff_Right PlayOn KickIn_Left"
+            + " KickIn_Right corner_kick_left corner_kick_right goal_kick_left goal_kick_right offside_left"
+            + " offside_right GameOver Goal_Left Goal_Right free_kick_left free_kick_right direct_free_kick_left"
+            + " direct_free_kick_right pass_left pass_right)";
+
+    private static final String ENVIRONMENT = "((FieldLength 30)(FieldWidth 20)(FieldHeight 40)(GoalWidth 2.1)"
+            + "(GoalDepth 0.6)(GoalHeight 0.8)(BorderSize 0)(FreeKickDistance 2)(WaitBeforeKickOff 30)(AgentRadius 0.4)"
+            + "(BallRadius 0.042)(BallMass 0.026)(RuleGoalPauseTime 3)(RuleKickInPauseTime 1)(RuleHalfTime 300)"
+            + "(PassModeMinOppBallDist 1)(PassModeDuration 4)" + PLAY_MODES;
+
+    @TempDir
+    @SuppressWarnings("NullAway.Init")
+    private Path folder;
+
+    @Test
+    void fullStateComesUnaskedWithTheEnvironmentOfTheOriginal() throws IOException {
+        try (MonitoredSimulator match = new MonitoredSimulator()) {
+            assertThat(match.monitor().receive()).isTrue();
+
+            assertThat(match.monitor().lastMessage().toString())
+                    .startsWith(ENVIRONMENT + "(time 0)(half 1)(score_left 0)(score_right 0)(play_mode 0))(RSG 0 1)(");
+        }
+    }
+
+    @Test
+    void emptySceneHasThirtySixNodesAndTheBallLast() throws IOException {
+        try (MonitoredSimulator match = new MonitoredSimulator()) {
+            match.awaitFullMessage();
+
+            assertThat(match.world().scene()).hasSize(36);
+            assertThat(match.world().ball().orElseThrow())
+                    .isSameAs(match.world().scene().get(35));
+            assertThat(match.world().ball().orElseThrow().position().z()).isCloseTo(0.042, within(0.001));
+        }
+    }
+
+    @Test
+    void noFrameHasAnEmptyFirstListOrNodesThatRoboVizDoesNotKnow() throws IOException {
+        Pattern kinds = Pattern.compile("\\(nd ([A-Za-z]+)");
+        try (MonitoredSimulator match = new MonitoredSimulator()) {
+            match.join("us", 1);
+            for (int i = 0; i < 100; i++) {
+                assertThat(match.monitor().receive()).isTrue();
+                String text = match.monitor().lastMessage().toString();
+                assertThat(text).matches("(?s)\\(\\((time|FieldLength) .*");
+                for (Matcher kind = kinds.matcher(text); kind.find(); ) {
+                    assertThat(kind.group(1)).isIn("TRF", "Light", "StaticMesh", "SMN");
+                }
+            }
+        }
+    }
+
+    @Test
+    void placeIsTheFirstChildOfEachTransform() throws IOException {
+        try (MonitoredSimulator match = new MonitoredSimulator()) {
+            match.join("us", 1);
+            match.order(new TrainerCommand.RequestFullState());
+
+            String full = match.awaitFullMessage();
+
+            assertThat(full.split("\\(nd TRF", -1)).hasSizeGreaterThan(60);
+            assertThat(full.replace("(nd TRF (SLT ", "")).doesNotContain("TRF").doesNotContain("SLT");
+        }
+    }
+
+    @Test
+    void changesHaveExactlyTheNodesOfTheFullState() throws IOException {
+        try (MonitoredSimulator match = new MonitoredSimulator()) {
+            match.join("us", 1);
+            match.order(new TrainerCommand.RequestFullState());
+            int nodes = count(match.awaitFullMessage());
+
+            for (int i = 0; i < 50; i++) {
+                assertThat(match.monitor().receive()).isTrue();
+                assertThat(count(match.monitor().lastMessage().toString())).isEqualTo(nodes);
+            }
+        }
+    }
+
+    @Test
+    void robotsAreFoundByNumberAndTeamOnOneMeshBelowOneNodeEach() throws IOException {
+        try (MonitoredSimulator match = new MonitoredSimulator()) {
+            match.join("us", 1);
+            match.join("them", 10);
+            match.order(new TrainerCommand.RequestFullState());
+
+            assertThat(match.awaitFullMessage())
+                    .contains("(load models/naobody0.obj) (sSc 0.1 0.1 0.1)"
+                            + "(resetMaterials matNum1 matLeft matType0 naowhite)")
+                    .contains("(resetMaterials matNum10 matRight matType0 naowhite)")
+                    .contains("(team_left us)(team_right them)");
+            assertThat(match.world().scene()).hasSize(38);
+            assertThat(match.world().robots()).hasSize(2);
+        }
+    }
+
+    @Test
+    void robotThatVanishesIsRemovedWithANewFullState() throws IOException {
+        try (MonitoredSimulator match = new MonitoredSimulator()) {
+            TestAgent agent = match.join("us", 1);
+
+            agent.close();
+
+            match.await(seen -> seen.robots().isEmpty());
+            assertThat(match.monitor().lastMessage().toString()).contains("(RSG 0 1)");
+            assertThat(match.world().scene()).hasSize(36);
+        }
+    }
+
+    @Test
+    void severalExpressionsInOneMessageAreCarriedOutAsLeagueTeamsSendThem() throws IOException {
+        try (MonitoredSimulator match = new MonitoredSimulator()) {
+            match.join("us", 1);
+            match.order(
+                    new TrainerCommand.ChangePlayMode(PlayMode.PLAY_ON),
+                    new TrainerCommand.MoveBall(Optional.of(new Vector3(0, -9, 0)), Optional.of(Vector3.ZERO)));
+
+            match.await(seen -> seen.ball().orElseThrow().position().y() < -8.9);
+            assertThat(match.world().gameState().playMode()).contains(PlayMode.PLAY_ON);
+        }
+    }
+
+    @Test
+    void monitorThatComesWhileTheWorldStandsStillSeesItAndCanChangeIt() throws IOException {
+        try (MonitoredSimulator match = new MonitoredSimulator()) {
+            match.join("us", 1);
+            match.simulator().control().pause();
+            try (MonitorLink late = match.connect()) {
+                assertThat(late.receive()).isTrue();
+                assertThat(late.world().robots()).hasSize(1);
+
+                late.send(new TrainerCommand.MoveBall(Optional.of(new Vector3(5, 5, 1)), Optional.empty()));
+                while (late.world().ball().orElseThrow().position().x() < 4.9) {
+                    assertThat(late.receive()).isTrue();
+                }
+            }
+        }
+    }
+
+    @Test
+    void waitingForASilentAgentDoesNotKeepMonitorsWaiting() throws IOException {
+        try (Simulator simulator = Simulator.start(
+                        SimulatorSettings.league()
+                                .agentPort(0)
+                                .monitorPort(OptionalInt.of(0))
+                                .synchronous(true)
+                                .build(),
+                        Console.silent());
+                TestAgent agent = new TestAgent(simulator.connect())) {
+            agent.join("us", 3);
+            try (MonitorLink monitor =
+                    MonitorLink.connect("127.0.0.1", simulator.monitorPort().orElseThrow())) {
+                assertThat(monitor.receive()).isTrue();
+                assertThat(monitor.world().robots()).hasSize(1);
+            }
+        }
+    }
+
+    @Test
+    void sameRunGivesTheSameLogForRoboViz() throws Exception {
+        byte[] first = logOfARun("first.log");
+        byte[] second = logOfARun("second.log");
+
+        assertThat(second).isEqualTo(first);
+        assertThat(new String(first, StandardCharsets.US_ASCII).lines())
+                .hasSize(20)
+                .first()
+                .asString()
+                .startsWith(ENVIRONMENT);
+    }
+
+    @Test
+    void monitorPortInUseLeavesNoAgentPortBehind() throws IOException {
+        try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            int agentPort;
+            try (ServerSocket free = new ServerSocket(0)) {
+                agentPort = free.getLocalPort();
+            }
+            SimulatorSettings settings = SimulatorSettings.league()
+                    .agentPort(agentPort)
+                    .monitorPort(OptionalInt.of(taken.getLocalPort()))
+                    .build();
+
+            assertThatThrownBy(() -> Simulator.start(settings, Console.silent()))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContaining("Monitor port " + taken.getLocalPort());
+            try (ServerSocket again = new ServerSocket(agentPort)) {
+                assertThat(again.isBound()).isTrue();
+            }
+        }
+    }
+
+    private byte[] logOfARun(String name) throws Exception {
+        Path file = folder.resolve(name);
+        SimulatorSettings settings = SimulatorSettings.league()
+                .agentPort(0)
+                .synchronous(true)
+                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .seed(3)
+                .awaitedAgents(1)
+                .seconds(OptionalDouble.of(4))
+                .monitorLog(Optional.of(file))
+                .build();
+        try (Simulator simulator = Simulator.start(settings, Console.silent());
+                TestAgent agent = new TestAgent(simulator.connect())) {
+            agent.join("us", 1);
+            try {
+                while (true) {
+                    agent.exchange("(he1 0.5)(lle3 -0.3)(syn)");
+                }
+            } catch (IOException ended) {
+                simulator.awaitEnd();
+            }
+        }
+        return Files.readAllBytes(file);
+    }
+
+    private static int count(String message) {
+        return message.split("\\(nd", -1).length - 1;
+    }
+}

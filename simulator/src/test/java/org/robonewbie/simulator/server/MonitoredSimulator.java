@@ -1,0 +1,107 @@
+package org.robonewbie.simulator.server;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.function.Predicate;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.protocol.monitor.MonitorLink;
+import org.robonewbie.protocol.monitor.MonitoredRobot;
+import org.robonewbie.protocol.monitor.MonitoredWorld;
+import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.protocol.monitor.TransformNode;
+
+/** A running simulator of which a test sees only what a monitor sees. */
+final class MonitoredSimulator implements AutoCloseable {
+
+    static final PlayerNumber LEFT_1 = new PlayerNumber(TeamSide.LEFT, 1);
+    static final PlayerNumber LEFT_2 = new PlayerNumber(TeamSide.LEFT, 2);
+
+    private static final int PATIENCE_MESSAGES = 1000;
+
+    private final RecordingConsole console = new RecordingConsole();
+    private final Simulator simulator;
+    private final MonitorLink monitor;
+    private final List<TestAgent> agents = new ArrayList<>();
+
+    MonitoredSimulator() throws IOException {
+        simulator = Simulator.start(
+                SimulatorSettings.league()
+                        .agentPort(0)
+                        .monitorPort(OptionalInt.of(0))
+                        .speed(10)
+                        .noise(false)
+                        .build(),
+                console);
+        monitor = connect();
+    }
+
+    Simulator simulator() {
+        return simulator;
+    }
+
+    MonitorLink monitor() {
+        return monitor;
+    }
+
+    MonitoredWorld world() {
+        return monitor.world();
+    }
+
+    MonitorLink connect() throws IOException {
+        return MonitorLink.connect("127.0.0.1", simulator.monitorPort().orElseThrow());
+    }
+
+    /** Brings a robot onto the pitch and waits until the monitor sees it. */
+    TestAgent join(String team, int number) throws IOException {
+        int before = world().robots().size();
+        TestAgent agent = new TestAgent(simulator.connect());
+        agents.add(agent);
+        agent.join(team, number);
+        await(seen -> seen.robots().size() > before);
+        return agent;
+    }
+
+    void order(TrainerCommand... commands) throws IOException {
+        monitor.send(commands);
+    }
+
+    /** Reads messages until the world is as wanted. */
+    void await(Predicate<MonitoredWorld> wanted) throws IOException {
+        for (int i = 0; i < PATIENCE_MESSAGES; i++) {
+            if (!monitor.receive()) {
+                throw new AssertionError("The simulator has ended");
+            }
+            if (wanted.test(world())) {
+                return;
+            }
+        }
+        throw new AssertionError("The monitor has not seen what was expected: " + world().gameState() + ", ball "
+                + world().ball().map(TransformNode::position));
+    }
+
+    /** Reads messages until a full one has come, and returns it. */
+    String awaitFullMessage() throws IOException {
+        await(seen -> monitor.lastMessage().toString().contains("(RSG 0 1)"));
+        return monitor.lastMessage().toString();
+    }
+
+    TransformNode torso(PlayerNumber player) {
+        return torso(world().robot(player).orElseThrow());
+    }
+
+    static TransformNode torso(MonitoredRobot robot) {
+        return robot.link("body").orElseThrow();
+    }
+
+    @Override
+    public void close() throws IOException {
+        monitor.close();
+        for (TestAgent agent : agents) {
+            agent.close();
+        }
+        simulator.close();
+    }
+}
