@@ -6,7 +6,6 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import com.google.gson.JsonPrimitive;
 import java.io.BufferedReader;
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
@@ -21,7 +20,6 @@ import java.util.Base64;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
@@ -34,7 +32,6 @@ import java.util.stream.Stream;
 /** A real browser without a window, steered by the Chrome DevTools protocol. */
 final class Chromium implements AutoCloseable, WebSocket.Listener {
 
-    private static final List<String> PROGRAMS = List.of("chromium", "chromium-browser", "google-chrome", "chrome");
     private static final long PATIENCE_SECONDS = 60;
 
     private final Process process;
@@ -55,22 +52,10 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
                 .join();
     }
 
-    /** Finds the browser: the environment variable CHROMIUM, or one of the usual names on the path. */
-    static Optional<Path> program() {
-        String named = System.getenv("CHROMIUM");
-        if (named != null) {
-            return Optional.of(Path.of(named));
-        }
-        return Stream.of(System.getenv("PATH").split(File.pathSeparator))
-                .flatMap(folder -> PROGRAMS.stream().map(name -> Path.of(folder, name)))
-                .filter(Files::isExecutable)
-                .findFirst();
-    }
-
     static Chromium open(int width, int height) throws IOException {
         Path profile = Files.createTempDirectory("studio-chromium");
         List<String> command = new ArrayList<>();
-        command.add(program().orElseThrow().toString());
+        command.add(Tool.BROWSER.find().orElseThrow().toString());
         command.addAll(List.of(
                 "--headless=new",
                 "--no-sandbox",
@@ -119,6 +104,10 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
         for (String domain : List.of("Page", "Runtime", "Log", "Network")) {
             call(domain + ".enable", new JsonObject());
         }
+        resize(width, height);
+    }
+
+    void resize(int width, int height) {
         JsonObject metrics = new JsonObject();
         metrics.addProperty("width", width);
         metrics.addProperty("height", height);

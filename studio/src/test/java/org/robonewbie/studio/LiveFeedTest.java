@@ -139,9 +139,7 @@ class LiveFeedTest {
 
     @Test
     void reportingACycleCostsTheSimulationNextToNothing() {
-        try (TestPage page = new TestPage(studio.address());
-                LiveFeed feed = new LiveFeed(simulation)) {
-            page.seen();
+        try (LiveFeed feed = new LiveFeed(simulation)) {
             WorldSnapshot snapshot = simulation.latest();
             for (int i = 0; i < 100_000; i++) {
                 feed.cycleEnded(snapshot);

@@ -81,6 +81,17 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
         return withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, -0.8, 0.3, 0, Posture.STANDING);
     }
 
+    /** Runs some cycles at once, without the clock's thread. */
+    WorldSnapshot afterCycles(int cycles) {
+        for (Runnable order = orders.poll(); order != null; order = orders.poll()) {
+            order.run();
+        }
+        for (int i = 0; i < cycles; i++) {
+            advance();
+        }
+        return snapshot();
+    }
+
     SmallSimulation start() {
         clock.start();
         return this;
@@ -88,14 +99,6 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
 
     WorldSnapshot latest() {
         return latest;
-    }
-
-    void order(Runnable order) {
-        orders.add(order);
-    }
-
-    SoccerWorld world() {
-        return world;
     }
 
     private void run() {

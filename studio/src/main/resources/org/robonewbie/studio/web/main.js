@@ -122,7 +122,7 @@ new ResizeObserver(() => {
 function turn(now) {
   requestAnimationFrame(turn);
   const seconds = Math.min(0.2, (now - lastPicture) / 1000);
-  if (stale || smoothing.isMoving(now)) {
+  if (stale || (chooser.quality.smooth && smoothing.isMoving(now))) {
     drawPicture(now, seconds);
   } else {
     picturesInARow = 0;
@@ -140,7 +140,7 @@ function turn(now) {
  */
 function drawPicture(now, seconds) {
   stale = false;
-  const picture = smoothing.picture(now);
+  const picture = chooser.quality.smooth ? smoothing.picture(now) : state.frame;
   if (picture && state.scene) {
     view.update(picture);
   }

@@ -15,18 +15,11 @@ export function ball() {
   const colours = new Float32Array(3 * places.count);
   const light = new THREE.Color(0xf8f9fa);
   const dark = new THREE.Color(0x1d2229);
-  const centre = new THREE.Vector3();
-  const corner = new THREE.Vector3();
+  const [a, b, c] = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()];
   for (let i = 0; i < places.count; i += 3) {
-    centre.set(0, 0, 0);
-    for (let j = 0; j < 3; j++) {
-      centre.add(corner.fromBufferAttribute(places, i + j));
-    }
-    centre.normalize();
-    const colour = corners.some((direction) => direction.dot(centre) > 0.9365) ? dark : light;
-    for (let j = 0; j < 3; j++) {
-      colour.toArray(colours, 3 * (i + j));
-    }
+    [a, b, c].forEach((corner, j) => corner.fromBufferAttribute(places, i + j));
+    const colour = isInPentagon(a.add(b).add(c).normalize(), corners) ? dark : light;
+    [0, 1, 2].forEach((j) => colour.toArray(colours, 3 * (i + j)));
   }
   geometry.setAttribute('color', new THREE.BufferAttribute(colours, 3));
   geometry.setAttribute('normal', new THREE.BufferAttribute(new Float32Array(places.array), 3));
@@ -37,7 +30,33 @@ export function ball() {
   return mesh;
 }
 
+/** The corners of the icosahedron, each in the middle of a dark pentagon. */
 function pentagonCentres() {
   const places = new THREE.IcosahedronGeometry(1, 0).getAttribute('position');
-  return Array.from({ length: places.count }, (_, i) => new THREE.Vector3().fromBufferAttribute(places, i).normalize());
+  /** @type {Map<string, THREE.Vector3>} */
+  const corners = new Map();
+  for (let i = 0; i < places.count; i++) {
+    const corner = new THREE.Vector3().fromBufferAttribute(places, i);
+    corners.set(corner.toArray().map((value) => value.toFixed(3)).join(), corner);
+  }
+  return [...corners.values()];
+}
+
+/**
+ * A football is an icosahedron with its corners cut off at a third of each edge: what weighs two thirds towards one corner
+ * of its triangle lies in a pentagon.
+ *
+ * @param {THREE.Vector3} direction
+ * @param {THREE.Vector3[]} corners
+ */
+function isInPentagon(direction, corners) {
+  const nearest = [...corners].sort((a, b) => b.dot(direction) - a.dot(direction)).slice(0, 3);
+  const triangle = new THREE.Matrix3();
+  triangle.set(
+    nearest[0].x, nearest[1].x, nearest[2].x,
+    nearest[0].y, nearest[1].y, nearest[2].y,
+    nearest[0].z, nearest[1].z, nearest[2].z,
+  );
+  const weights = direction.clone().applyMatrix3(triangle.invert());
+  return weights.x / (weights.x + weights.y + weights.z) > 2 / 3;
 }

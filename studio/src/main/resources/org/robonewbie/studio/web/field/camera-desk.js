@@ -34,6 +34,8 @@ export class CameraDesk {
     this.view = { target: [0, 0, 0], azimuthDegrees: -90, elevationDegrees: 36, distance: 14 };
     /** @type {ViewPoint} */
     this.shown = this.view;
+    /** Whether the camera has arrived where it glides to. */
+    this.isStill = false;
     /** @type {Scene | undefined} */
     this.scene = undefined;
   }
@@ -60,6 +62,7 @@ export class CameraDesk {
   /** @param {CameraMode} mode */
   setMode(mode) {
     this.userHasChosen = true;
+    this.isStill = false;
     this.mode = mode;
     const field = this.scene?.field ?? { length: 12, width: 8 };
     if (mode === 'follow') {
@@ -169,7 +172,8 @@ export class CameraDesk {
     this.camera.up.set(0, 0, 1);
     this.camera.position.set(...threeNumbers(eye(next)));
     this.camera.lookAt(...threeNumbers(next.target));
-    return step > 0.0005;
+    this.isStill = step <= 0.0005;
+    return !this.isStill;
   }
 }
 

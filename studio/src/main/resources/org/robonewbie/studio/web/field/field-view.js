@@ -64,6 +64,7 @@ export class FieldView {
 
   #newRenderer() {
     const renderer = new THREE.WebGLRenderer({ antialias: this.quality.antialias, powerPreference: 'high-performance' });
+    renderer.info.autoReset = false;
     renderer.shadowMap.type = THREE.PCFSoftShadowMap;
     this.stage.append(renderer.domElement);
     return renderer;
@@ -75,6 +76,10 @@ export class FieldView {
     this.renderer.shadowMap.enabled = real;
     this.light.sun.castShadow = real;
     this.softShadows.group.visible = !real;
+    const sheet = this.scene.getObjectByName('shadow-sheet');
+    if (sheet) {
+      sheet.visible = real;
+    }
     this.crowd.setShadows(real);
     this.scene.traverse((thing) => {
       const material = /** @type {THREE.Mesh} */ (thing).material;
@@ -111,6 +116,7 @@ export class FieldView {
     }
     this.pitch = pitch(content.field, this.palette);
     this.scene.add(this.pitch);
+    this.setShadows(this.realShadows);
   }
 
   /** Fits the picture to the page. */
@@ -129,7 +135,7 @@ export class FieldView {
    * @param {Picture} picture
    */
   update(picture) {
-    this.crowd.update(picture.robots);
+    this.crowd.update(picture.robots, this.camera.position);
     this.softShadows.update(this.crowd.poses, picture.ball);
     const [x, y, z, rw, rx, ry, rz] = picture.ball;
     this.ball.position.set(x, y, z);
@@ -138,10 +144,11 @@ export class FieldView {
   }
 
   draw() {
+    this.renderer.info.reset();
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** Counts what the last picture needed. */
+  /** Counts the draw calls of the last picture, shadows included. */
   get drawCalls() {
     return this.renderer.info.render.calls;
   }

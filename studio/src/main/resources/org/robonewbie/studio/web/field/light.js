@@ -7,14 +7,15 @@ import * as THREE from 'three';
  * @property {number} surround
  * @property {number} grass
  * @property {number} grassStripe
+ * @property {number} line
  * @property {number} skyLight how bright the sky shines
  * @property {number} sunLight
  */
 
 /** @type {{light: Palette, dark: Palette}} */
 export const PALETTES = {
-  light: { sky: 0xdfe8ef, surround: 0xb9c7cf, grass: 0x4e9a58, grassStripe: 0x57a561, skyLight: 1.55, sunLight: 2.1 },
-  dark: { sky: 0x141a21, surround: 0x1d252d, grass: 0x2f6b3b, grassStripe: 0x357542, skyLight: 1.15, sunLight: 2.0 },
+  light: { sky: 0xdfe8ef, surround: 0xb9c7cf, grass: 0x55a362, grassStripe: 0x5cab69, line: 0xffffff, skyLight: 1.55, sunLight: 2.1 },
+  dark: { sky: 0x141a21, surround: 0x1d252d, grass: 0x2d6a3c, grassStripe: 0x327243, line: 0xe6ece8, skyLight: 1.15, sunLight: 2.0 },
 };
 
 const SHADOW_REACH = 2.2;

@@ -149,24 +149,17 @@ function oriented(geometry, axis) {
  *
  * @param {number} radius
  * @param {number} length
- * @param {LoftOptions} [options]
+ * @param {LoftOptions} [options] with less than nine rings the edges are cut instead of rounded
  */
 export function barrel(radius, length, options = {}) {
   const half = length / 2;
   const round = Math.min(0.3 * radius, 0.3 * length);
-  const ribs = [
-    [-half, 0],
-    [-half, 0.6 * (radius - round)],
-    [-half, radius - round],
-    [-half + 0.3 * round, radius - 0.3 * round],
-    [-half + round, radius],
-    [half - round, radius],
-    [half - 0.3 * round, radius - 0.3 * round],
-    [half, radius - round],
-    [half, 0.6 * (radius - round)],
-    [half, 0],
-  ].map(([at, r]) => ({ at, wide: r, deep: r }));
-  return loft(ribs, { square: 2, rings: ribs.length - 1, ...options });
+  const edge =
+    (options.rings ?? 9) < 9
+      ? [[half, 0], [half, radius - round], [half - round, radius]]
+      : [[half, 0], [half, 0.6 * (radius - round)], [half, radius - round], [half - 0.3 * round, radius - 0.3 * round], [half - round, radius]];
+  const ribs = [...edge.map(([at, r]) => [-at, r]), ...edge.reverse()].map(([at, r]) => ({ at, wide: r, deep: r }));
+  return loft(ribs, { square: 2, ...options, rings: ribs.length - 1 });
 }
 
 /**
@@ -178,13 +171,13 @@ export function barrel(radius, length, options = {}) {
  * @param {LoftOptions} [options]
  */
 export function egg(x, y, z, options = {}) {
-  const ribs = [];
-  for (let i = 0; i <= 8; i++) {
-    const angle = (i / 8 - 0.5) * Math.PI;
+  const rings = options.rings ?? 8;
+  const ribs = Array.from({ length: rings + 1 }, (_, i) => {
+    const angle = (i / rings - 0.5) * Math.PI;
     const r = Math.max(0, Math.cos(angle));
-    ribs.push({ at: z * Math.sin(angle), wide: x * r, deep: y * r });
-  }
-  return loft(ribs, { square: 2, rings: 10, ...options });
+    return { at: z * Math.sin(angle), wide: x * r, deep: y * r };
+  });
+  return loft(ribs, { square: 2, ...options, rings });
 }
 
 /**
@@ -192,7 +185,8 @@ export function egg(x, y, z, options = {}) {
  *
  * @param {number} inner radius of the hole, 0 for a disc
  * @param {number} outer
+ * @param {number} segments facets around
  */
-export function disc(inner, outer) {
-  return new THREE.RingGeometry(inner, outer, 20, 1).rotateX(-Math.PI / 2);
+export function disc(inner, outer, segments) {
+  return new THREE.RingGeometry(inner, outer, segments, 1).rotateX(-Math.PI / 2);
 }

@@ -106,32 +106,51 @@ const SOLE = [
 ];
 
 /**
+ * How many facets bodies and small parts have.
+ *
+ * @typedef {object} Facets
+ * @property {LoftOptions} body
+ * @property {LoftOptions} small
+ * @property {number} disc
+ * @property {boolean} trinkets whether parts are drawn that cannot be seen from afar
+ */
+
+/** How finely a robot is drawn: seen near, at middle distance, from afar. @type {Record<'fine' | 'coarse' | 'tiny', Facets>} */
+const FACETS = {
+  fine: { body: { segments: 24, rings: 14 }, small: { segments: 18, rings: 9 }, disc: 24, trinkets: true },
+  coarse: { body: { segments: 10, rings: 7 }, small: { segments: 8, rings: 4 }, disc: 10, trinkets: true },
+  tiny: { body: { segments: 6, rings: 4 }, small: { segments: 5, rings: 2 }, disc: 6, trinkets: false },
+};
+
+/** @typedef {keyof typeof FACETS} Detail */
+
+/**
  * Builds the bodies of all links.
  *
- * @param {boolean} fine whether rounded bodies have many facets
+ * @param {Detail} detail
  * @returns {Map<string, BufferGeometry>} by the link's name
  */
-export function naoBodies(fine) {
-  const grid = fine ? { segments: 24, rings: 14 } : { segments: 12, rings: 7 };
-  const small = fine ? { segments: 18, rings: 10 } : { segments: 10, rings: 6 };
+export function naoBodies(detail) {
+  const facets = FACETS[detail];
+  const { small } = facets;
   const bodies = new Map([
-    ['body', joined(torso(grid, small))],
-    ['neck', joined([piece('joint', barrel(0.024, 0.08, { segments: small.segments }), [0, 0, 0.01])])],
-    ['head', joined(head(grid, small))],
+    ['body', joined(torso(facets))],
+    ['neck', joined([piece('joint', barrel(0.024, 0.08, small), [0, 0, 0.01])])],
+    ['head', joined(head(facets))],
   ]);
   /** @type {Array<[string, () => Piece[]]>} */
   const limbs = [
-    ['shoulder', () => shoulder(small)],
-    ['upperarm', () => upperArm(small)],
-    ['elbow', () => [piece('joint', egg(0.022, 0.022, 0.022, small))]],
-    ['lowerarm', () => lowerArm(small)],
-    ['hip1', () => [piece('joint', egg(0.03, 0.03, 0.03, small))]],
-    ['hip2', () => [piece('joint', barrel(0.024, 0.062, { ...small, rings: 9, axis: 'y' }))]],
-    ['thigh', () => thigh(grid, small)],
-    ['shank', () => shank(grid)],
-    ['ankle', () => ankle(small)],
-    ['foot', () => foot(grid)],
-    ['toe', () => [piece('trim', loft(boxRibs(0.043, 0.018, 0.005), { ...small, square: 5 }))]],
+    ['shoulder', () => shoulder(facets)],
+    ['upperarm', () => upperArm(facets)],
+    ['elbow', () => [piece('joint', egg(0.022, 0.022, 0.022, { ...small, rings: Math.max(3, small.rings ?? 0) }))]],
+    ['lowerarm', () => lowerArm(facets)],
+    ['hip1', () => [piece('joint', egg(0.03, 0.03, 0.03, { ...small, rings: Math.max(3, small.rings ?? 0) }))]],
+    ['hip2', () => (facets.trinkets ? [piece('joint', barrel(0.024, 0.062, { ...small, axis: 'y' }))] : [])],
+    ['thigh', () => thigh(facets)],
+    ['shank', () => shank(facets)],
+    ['ankle', () => ankle(facets)],
+    ['foot', () => foot(facets)],
+    ['toe', () => [piece('trim', loft(boxRibs(0.043, 0.018, 0.005), { ...small, rings: 5, square: 5 }))]],
   ];
   for (const [name, pieces] of limbs) {
     bodies.set(`r${name}`, joined(pieces()));
@@ -147,53 +166,51 @@ export function naoBodies(fine) {
  */
 export function numberPlates() {
   /** @type {LoftOptions} */
-  const patch = { segments: 8, rings: 6, inflate: 0.0012 };
+  const patch = { segments: 6, rings: 3, inflate: 0.0016 };
   return [
     loft(TORSO, { ...patch, around: [-31, 31], along: [0.49, 0.69] }),
     loft(TORSO, { ...patch, around: [142, 218], along: [0.44, 0.72] }),
   ];
 }
 
-/**
- * @param {LoftOptions} grid
- * @param {LoftOptions} small
- */
-function torso(grid, small) {
+/** @param {Facets} facets */
+function torso({ body, small, disc: round, trinkets }) {
+  const band = { ...small, inflate: 0.0016, rings: trinkets ? 3 : 1 };
   return [
-    piece('shell', loft(TORSO, grid)),
-    piece('team', loft(TORSO, { ...small, inflate: 0.0016, around: [-62, 62], along: [0.735, 0.8], rings: 3 })),
-    piece('team', loft(TORSO, { ...small, inflate: 0.0016, around: [118, 242], along: [0.75, 0.8], rings: 3 })),
-    piece('trim', disc(0.0075, 0.0125), [0, 0.0588, -0.004]),
-    piece('eye', disc(0, 0.0075), [0, 0.0588, -0.004]),
-    piece('joint', barrel(0.03, 0.16, { ...small, rings: 9, axis: 'x' }), [0, 0, 0.075]),
-    piece('joint', loft(boxRibs(0.05, 0.036, 0.022), { ...small, square: 3 }), [0, -0.004, -0.11]),
+    piece('shell', loft(TORSO, body)),
+    piece('team', loft(TORSO, { ...band, around: [-62, 62], along: [0.735, 0.8] })),
+    piece('team', loft(TORSO, { ...band, around: [118, 242], along: [0.75, 0.8] })),
+    piece('trim', disc(0.0075, 0.0125, round), [0, 0.0588, -0.004]),
+    piece('eye', disc(0, 0.0075, round), [0, 0.0588, -0.004]),
+    piece('joint', loft(boxRibs(0.05, 0.036, 0.022), { ...small, rings: 5, square: 3 }), [0, -0.004, -0.11]),
+    ...(trinkets ? [piece('joint', barrel(0.03, 0.16, { ...small, axis: 'x' }), [0, 0, 0.075])] : []),
   ];
 }
 
-/**
- * @param {LoftOptions} grid
- * @param {LoftOptions} small
- */
-function head(grid, small) {
-  const ear = { ...small, rings: 9, axis: /** @type {'x'} */ ('x') };
+/** @param {Facets} facets */
+function head({ body, small, disc: round }) {
+  const ear = { ...small, axis: /** @type {'x'} */ ('x') };
   return [
-    piece('shell', loft(HEAD, { ...grid, square: 2.3 })),
-    ...eye(1),
-    ...eye(-1),
-    piece('black', disc(0, 0.006).rotateX(0.55), [0, 0.0575, 0.038]),
-    piece('black', disc(0, 0.0055).rotateX(-0.35), [0, 0.0622, -0.02]),
+    piece('shell', loft(HEAD, { ...body, square: 2.3 })),
+    ...eye(1, round),
+    ...eye(-1, round),
+    piece('black', disc(0, 0.006, round).rotateX(0.55), [0, 0.0575, 0.038]),
+    piece('black', disc(0, 0.0055, round).rotateX(-0.35), [0, 0.0622, -0.02]),
     piece('team', barrel(0.031, 0.016, ear), [0.062, -0.006, 0.008]),
     piece('team', barrel(0.031, 0.016, ear), [-0.062, -0.006, 0.008]),
-    piece('trim', barrel(0.021, 0.012, ear), [0.0665, -0.006, 0.008]),
-    piece('trim', barrel(0.021, 0.012, ear), [-0.0665, -0.006, 0.008]),
+    piece('trim', disc(0, 0.02, round).rotateZ(-Math.PI / 2), [0.0705, -0.006, 0.008]),
+    piece('trim', disc(0, 0.02, round).rotateZ(Math.PI / 2), [-0.0705, -0.006, 0.008]),
   ];
 }
 
-/** @param {1 | -1} side */
-function eye(side) {
+/**
+ * @param {1 | -1} side
+ * @param {number} round facets
+ */
+function eye(side, round) {
   /** @param {number} inner @param {number} outer @param {number} off */
   const ring = (inner, outer, off) =>
-    disc(inner, outer)
+    disc(inner, outer, round)
       .rotateX(0.06)
       .rotateZ(-side * 0.4)
       .translate(side * (0.0285 + 0.4 * off), 0.0585 + off, 0.009);
@@ -204,73 +221,76 @@ function eye(side) {
   ];
 }
 
-/** @param {LoftOptions} small */
-function shoulder(small) {
-  const along = { ...small, rings: 9, axis: /** @type {'x'} */ ('x') };
+/** @param {Facets} facets */
+function shoulder({ small }) {
+  const along = { ...small, axis: /** @type {'x'} */ ('x') };
   return [
     piece('shell', barrel(0.037, 0.05, along), [0.004, 0, 0]),
     piece('team', barrel(0.03, 0.012, along), [0.027, 0, 0]),
   ];
 }
 
-/** @param {LoftOptions} small */
-function upperArm(small) {
+/** Rings of an arm's shells for the rings of small parts. @type {Record<number, number>} */
+const RIBS_OF_ARM = { 9: 10, 4: 5, 2: 4 };
+
+/** @param {Facets} facets */
+function upperArm({ small }) {
   const along = { ...small, axis: /** @type {'y'} */ ('y') };
   return [
-    piece('shell', loft(UPPER_ARM, along)),
-    piece('team', loft(UPPER_ARM, { ...along, inflate: 0.0015, around: [35, 145], along: [0.42, 0.8], rings: 5 })),
+    piece('shell', loft(UPPER_ARM, { ...along, rings: RIBS_OF_ARM[small.rings ?? 9] })),
+    piece('team', loft(UPPER_ARM, { ...along, inflate: 0.0015, around: [35, 145], along: [0.42, 0.8] })),
   ];
 }
 
-/** @param {LoftOptions} small */
-function lowerArm(small) {
+/** @param {Facets} facets */
+function lowerArm({ small, trinkets }) {
   const along = { ...small, axis: /** @type {'y'} */ ('y') };
-  const finger = () => barrel(0.0055, 0.03, { segments: 8, axis: 'y' });
-  return [
-    piece('shell', loft(FOREARM, along)),
-    piece('team', loft(FOREARM, { ...along, inflate: 0.0015, along: [0.56, 0.76], rings: 4 })),
-    piece('trim', loft(HAND, along)),
+  const finger = () => barrel(0.0055, 0.03, { segments: 6, rings: 5, axis: 'y' });
+  const fingers = () => [
     piece('joint', finger(), [0, 0.072, 0.012]),
     piece('joint', finger(), [0, 0.074, -0.001]),
     piece('joint', finger(), [0, 0.072, -0.014]),
     piece('joint', finger().rotateZ(0.5), [-0.014, 0.057, 0.008]),
   ];
+  return [
+    piece('shell', loft(FOREARM, { ...along, rings: RIBS_OF_ARM[small.rings ?? 9] })),
+    piece('team', loft(FOREARM, { ...along, inflate: 0.0015, along: [0.56, 0.76], rings: 3 })),
+    piece('trim', loft(HAND, { ...along, rings: Math.max(3, small.rings ?? 0) })),
+    ...(trinkets ? fingers() : []),
+  ];
 }
 
-/**
- * @param {LoftOptions} grid
- * @param {LoftOptions} small
- */
-function thigh(grid, small) {
+/** @param {Facets} facets */
+function thigh({ body, small }) {
   return [
-    piece('shell', loft(THIGH, grid)),
+    piece('shell', loft(THIGH, body)),
     piece('team', loft(THIGH, { ...small, inflate: 0.0016, around: [42, 138], along: [0.3, 0.66] })),
-    piece('joint', barrel(0.026, 0.064, { ...small, rings: 9, axis: 'x' }), [0, -0.005, -0.08]),
+    piece('joint', barrel(0.026, 0.064, { ...small, axis: 'x' }), [0, -0.005, -0.08]),
   ];
 }
 
-/** @param {LoftOptions} grid */
-function shank(grid) {
+/** @param {Facets} facets */
+function shank({ body, small }) {
   return [
-    piece('shell', loft(SHANK, grid)),
-    piece('team', loft(SHANK, { ...grid, inflate: 0.0016, around: [-52, 52], along: [0.36, 0.76] })),
+    piece('shell', loft(SHANK, body)),
+    piece('team', loft(SHANK, { ...small, inflate: 0.0016, around: [-52, 52], along: [0.36, 0.76] })),
   ];
 }
 
-/** @param {LoftOptions} small */
-function ankle(small) {
+/** @param {Facets} facets */
+function ankle({ small, trinkets }) {
   return [
-    piece('joint', barrel(0.022, 0.056, { ...small, rings: 9, axis: 'x' })),
-    piece('joint', barrel(0.02, 0.058, { ...small, rings: 9, axis: 'y' }), [0, 0, -0.004]),
+    piece('joint', barrel(0.022, 0.056, { ...small, axis: 'x' })),
+    ...(trinkets ? [piece('joint', barrel(0.02, 0.058, { ...small, axis: 'y' }), [0, 0, -0.004])] : []),
   ];
 }
 
-/** @param {LoftOptions} grid */
-function foot(grid) {
+/** @param {Facets} facets */
+function foot({ body, small }) {
   return [
-    piece('shell', loft(FOOT, { ...grid, square: 2.8 })),
-    piece('joint', loft(SOLE, { ...grid, square: 2.9, rings: 4 })),
-    piece('team', loft(FOOT, { ...grid, square: 2.8, inflate: 0.0014, around: [-58, 58], along: [0.1, 0.5] })),
+    piece('shell', loft(FOOT, { ...body, square: 2.8 })),
+    piece('joint', loft(SOLE, { ...body, square: 2.9, rings: 2 })),
+    piece('team', loft(FOOT, { ...small, square: 2.8, inflate: 0.0014, around: [-58, 58], along: [0.1, 0.5] })),
   ];
 }
 

@@ -1,4 +1,7 @@
-/** The pitch: grass in stripes, white lines, goals with nets; all sizes from the simulator. */
+/**
+ * The pitch: grass in stripes, white lines, goals with nets; all sizes from the simulator. The ground is flat and evenly
+ * lit, so it has fixed colours, which are cheap; real shadows fall on a sheet of glass over it.
+ */
 import * as THREE from 'three';
 
 /** @typedef {import('../live/state-frame.js').Field} Field */
@@ -14,18 +17,18 @@ const OVER_GRASS = 0.002;
  * Builds the pitch.
  *
  * @param {Field} field
- * @param {{grass: number, grassStripe: number, surround: number}} colours
+ * @param {{grass: number, grassStripe: number, surround: number, line: number}} colours
  * @returns {THREE.Group}
  */
 export function pitch(field, colours) {
   const group = new THREE.Group();
-  group.add(surround(colours.surround), grass(field, colours), lines(field), ...goals(field));
+  group.add(surround(colours.surround), grass(field, colours), lines(field, colours.line), shadowSheet(), ...goals(field));
   return group;
 }
 
 /** @param {number} colour */
 function surround(colour) {
-  const floor = new THREE.Mesh(new THREE.PlaneGeometry(200, 200), new THREE.MeshLambertMaterial({ color: colour }));
+  const floor = new THREE.Mesh(new THREE.PlaneGeometry(200, 200), new THREE.MeshBasicMaterial({ color: colour }));
   floor.position.z = -0.012;
   return floor;
 }
@@ -49,22 +52,30 @@ function grass(field, colours) {
   }
   const geometry = flat(places);
   geometry.setAttribute('color', new THREE.Float32BufferAttribute(tints, 3));
-  const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ vertexColors: true }));
-  mesh.receiveShadow = true;
+  const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ vertexColors: true }));
   mesh.name = 'grass';
   return mesh;
 }
 
-/** @param {Field} field */
-function lines(field) {
-  const places = linePlaces(field);
+/**
+ * @param {Field} field
+ * @param {number} colour
+ */
+function lines(field, colour) {
   const mesh = new THREE.Mesh(
-    flat(places),
-    new THREE.MeshLambertMaterial({ color: 0xffffff, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 }),
+    flat(linePlaces(field)),
+    new THREE.MeshBasicMaterial({ color: colour, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 }),
   );
   mesh.position.z = OVER_GRASS;
-  mesh.receiveShadow = true;
   return mesh;
+}
+
+function shadowSheet() {
+  const sheet = new THREE.Mesh(new THREE.PlaneGeometry(60, 60), new THREE.ShadowMaterial({ opacity: 0.42 }));
+  sheet.position.z = 2 * OVER_GRASS;
+  sheet.receiveShadow = true;
+  sheet.name = 'shadow-sheet';
+  return sheet;
 }
 
 /**

@@ -1,20 +1,49 @@
 /**
  * Chooses how fine the picture is by the time that pictures take, so that weak computers stay smooth. Pure.
  *
+ * @typedef {'fine' | 'coarse' | 'tiny'} Detail
+ *
  * @typedef {object} Quality
  * @property {string} name
  * @property {number} pixelRatio pixels of the picture per pixel of the page, at most
  * @property {boolean} antialias
  * @property {boolean} glossy whether surfaces shine
- * @property {boolean} fine whether rounded bodies have many facets
+ * @property {boolean} smooth whether pictures are drawn also between two frames of the simulation
+ * @property {Detail} nearDetail how finely robots are drawn that are near
+ * @property {Detail} farDetail how finely the others are drawn
+ * @property {number} nearMetres up to where a robot is near
+ * @property {number} mostNear how many robots at most are drawn as near ones
  */
+
+/** @type {Quality} */
+const LOW = {
+  name: 'low',
+  pixelRatio: 0.75,
+  antialias: false,
+  glossy: false,
+  smooth: false,
+  nearDetail: 'coarse',
+  farDetail: 'tiny',
+  nearMetres: 4,
+  mostNear: 2,
+};
 
 /** From cheap to fine. @type {Quality[]} */
 export const QUALITIES = [
-  { name: 'lowest', pixelRatio: 0.5, antialias: false, glossy: false, fine: false },
-  { name: 'low', pixelRatio: 0.75, antialias: false, glossy: false, fine: false },
-  { name: 'medium', pixelRatio: 1, antialias: false, glossy: false, fine: true },
-  { name: 'high', pixelRatio: 2, antialias: true, glossy: true, fine: true },
+  { ...LOW, name: 'lowest', pixelRatio: 0.5, mostNear: 1 },
+  LOW,
+  { ...LOW, name: 'medium', pixelRatio: 1, smooth: true, nearDetail: 'fine', farDetail: 'coarse', nearMetres: 5, mostNear: 4 },
+  {
+    name: 'high',
+    pixelRatio: 2,
+    antialias: true,
+    glossy: true,
+    smooth: true,
+    nearDetail: 'fine',
+    farDetail: 'coarse',
+    nearMetres: 7,
+    mostNear: 22,
+  },
 ];
 
 const PICTURES = 24;

@@ -1,0 +1,341 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.SimulationControl;
+
+/** The studio as people have it: in a real browser, drawn by software. */
+class StudioPageTest {
+
+    private static final AccessToken TOKEN = AccessToken.random();
+    private static final String CHEAP = "&quality=lowest";
+
+    private static Chromium browser;
+
+    private SmallSimulation simulation = new SmallSimulation();
+    private StudioServer studio = serve(0);
+
+    @BeforeAll
+    static void openBrowser() throws IOException {
+        Tool.BROWSER.orSkip();
+        browser = Chromium.open(640, 360);
+    }
+
+    @AfterAll
+    static void closeBrowser() {
+        if (browser != null) {
+            browser.close();
+        }
+    }
+
+    @AfterEach
+    void close() {
+        browser.visit("about:blank");
+        browser.forgetComplaints();
+        studio.close();
+        simulation.close();
+    }
+
+    private StudioServer serve(int port) {
+        try {
+            return StudioServer.start(simulation, port, TOKEN);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private void openStudio() {
+        simulation.start();
+        browser.visit(studio.address() + CHEAP);
+        browser.await("studio.state.frame && studio.view.drawCalls > 0");
+    }
+
+    private void openStudioWithRobot() {
+        simulation.withRobot();
+        openStudio();
+        browser.await("studio.state.scene.robots.length === 1 && studio.state.frame");
+    }
+
+    @Test
+    void robotAppearsAndNothingIsComplained() {
+        openStudioWithRobot();
+        browser.await("studio.view.crowd.limbs.some(limb => limb.mesh.visible)");
+
+        browser.await("document.querySelector('#banner').hidden");
+        assertThat(browser.evaluate("document.querySelector('.team.left').textContent")
+                        .getAsString())
+                .isEqualTo("Blue Newbies");
+        assertThat(browser.evaluate("studio.desk.mode").getAsString()).isEqualTo("follow");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void emptyFieldWaitsForARobot() {
+        openStudio();
+
+        browser.await("document.querySelector('#banner strong').textContent.startsWith('Waiting for a robot')");
+        assertThat(browser.evaluate("document.querySelector('#banner').hidden").getAsBoolean())
+                .isFalse();
+    }
+
+    @Test
+    void addressWithoutTokenSaysWhatToOpen() {
+        browser.visit("http://127.0.0.1:" + studio.address().getPort() + "/");
+
+        browser.await("document.querySelector('#banner').innerText.includes('Open the address that the simulator')");
+    }
+
+    @Test
+    void buttonsPauseStepAndPlay() {
+        openStudioWithRobot();
+
+        browser.click("#toggle");
+        await(() -> simulation.latest().paused());
+        browser.await("document.querySelector('#toggle').textContent.includes('Play')");
+        long cycle = simulation.latest().cycle();
+        browser.click("#step");
+        await(() -> simulation.latest().cycle() == cycle + 1);
+        browser.click("#toggle");
+        await(() -> simulation.latest().cycle() > cycle + 5);
+
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void keysPauseStepAndChangeSpeed() {
+        openStudioWithRobot();
+
+        browser.press(" ");
+        await(() -> simulation.latest().paused());
+        long cycle = simulation.latest().cycle();
+        browser.press(",");
+        await(() -> simulation.latest().cycle() == cycle + 10);
+        browser.await("studio.state.frame.speed === 1");
+        browser.press("+");
+        await(() -> simulation.latest().speed() == 2);
+        browser.await("studio.state.frame.speed === 2");
+        browser.press("-");
+        await(() -> simulation.latest().speed() == 1);
+    }
+
+    @Test
+    void speedIsChosenFromTheList() {
+        openStudioWithRobot();
+
+        browser.evaluate("(() => { const list = document.querySelector('#speed'); list.value = 'fastest';"
+                + "list.dispatchEvent(new Event('change')); })()");
+
+        await(() -> simulation.latest().speed() == SimulationControl.AS_FAST_AS_POSSIBLE);
+    }
+
+    @Test
+    void resetBringsTheBallBack() {
+        openStudioWithRobot();
+        simulation.placeBall(new Vector3(2, 1, 0.042), Vector3.ZERO);
+        await(() -> simulation.latest().ballPosition().x() > 1.9);
+
+        browser.click("#reset");
+
+        await(() -> simulation.latest().ballPosition().length() < 0.1);
+    }
+
+    @Test
+    void refereeIsToldByButtonAndList() {
+        openStudioWithRobot();
+
+        browser.click("#drop-ball");
+        await(() -> simulation.latest().playMode() == PlayMode.PLAY_ON);
+        browser.await("document.querySelector('.mode').textContent === 'Play on'");
+        browser.evaluate("(() => { const list = document.querySelector('#play-mode'); list.value = 'goal_kick_left';"
+                + "list.dispatchEvent(new Event('change')); })()");
+
+        await(() -> simulation.latest().playMode() == PlayMode.GOAL_KICK_LEFT);
+    }
+
+    @Test
+    void ballIsDraggedWithTheMouse() {
+        openStudioWithRobot();
+        browser.press("3");
+        browser.await("studio.desk.mode === 'top' && studio.desk.isStill");
+
+        drag(onScreen("studio.view.ball.position"), 0, 60);
+
+        await(() -> simulation.latest().ballPosition().y() < -0.8);
+        assertThat(simulation.latest().ballPosition().x()).isCloseTo(0, within(0.3));
+    }
+
+    @Test
+    void robotIsDraggedWithTheMouseAndStaysUpright() {
+        openStudioWithRobot();
+        browser.press("3");
+        browser.await("studio.desk.mode === 'top' && studio.desk.isStill");
+
+        drag(onScreen("new studio.view.camera.position.constructor(...studio.view.crowd.poses[0])"), 60, 0);
+
+        await(() -> simulation.latest().robots().get(0).linkPoses()[0] > 0.3);
+        assertThat(simulation.latest().robots().get(0).linkPoses()[2]).isBetween(0.3f, 0.45f);
+    }
+
+    private double[] onScreen(String vector) {
+        browser.evaluate("window.spot = " + vector + ".clone().project(studio.view.camera)");
+        browser.evaluate("window.box = studio.view.stage.getBoundingClientRect()");
+        return new double[] {
+            browser.evaluate("box.left + (spot.x + 1) / 2 * box.width").getAsDouble(),
+            browser.evaluate("box.top + (1 - spot.y) / 2 * box.height").getAsDouble()
+        };
+    }
+
+    private static void drag(double[] from, double right, double down) {
+        browser.mouse("mousePressed", from[0], from[1]);
+        for (int i = 1; i <= 4; i++) {
+            browser.mouse("mouseMoved", from[0] + right * i / 4, from[1] + down * i / 4);
+        }
+        browser.mouse("mouseReleased", from[0] + right, from[1] + down);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, orbit", "2, follow", "3, top", "4, eye"})
+    void keysChooseTheCamera(String key, String mode) {
+        openStudioWithRobot();
+
+        browser.press(key);
+
+        browser.await("studio.desk.mode === '" + mode + "'");
+        browser.await("document.querySelector('[data-camera=" + mode + "]').ariaPressed === 'true'");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void arrowKeysTurnTheView() {
+        openStudioWithRobot();
+        double before = browser.evaluate("studio.desk.view.azimuthDegrees").getAsDouble();
+
+        browser.press("ArrowRight");
+
+        browser.await("studio.desk.view.azimuthDegrees > " + (before + 3));
+    }
+
+    @Test
+    void realShadowsCanBeSwitchedOn() {
+        openStudioWithRobot();
+
+        browser.click("#shadows");
+
+        browser.await("studio.view.renderer.shadowMap.enabled && !studio.view.softShadows.group.visible");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void themeIsSwitched() {
+        openStudioWithRobot();
+        String before =
+                browser.evaluate("document.documentElement.dataset.theme").getAsString();
+
+        browser.click("#theme-button");
+
+        browser.await("document.documentElement.dataset.theme !== " + Chromium.quoted(before));
+        browser.click("#theme-button");
+    }
+
+    @Test
+    void pageComesBackWhenTheSimulatorIsStartedAgain() {
+        openStudioWithRobot();
+        int port = studio.address().getPort();
+
+        studio.close();
+        browser.await("document.querySelector('#banner').innerText.includes('The simulator has ended')");
+        simulation.close();
+        simulation = new SmallSimulation()
+                .withRobot(RobotType.TYPE_1, TeamSide.RIGHT, 9, 1, 1, 180, Posture.STANDING)
+                .start();
+        studio = serve(port);
+
+        browser.await("studio.state.scene.robots[0].number === 9 && studio.state.frame");
+        browser.await("document.querySelector('#banner').hidden");
+    }
+
+    @Test
+    void twentyTwoRobotsOfAllTypesNeedAtMostAHundredDrawCalls() {
+        for (int i = 0; i < 22; i++) {
+            simulation.withRobot(
+                    RobotType.values()[i % 5],
+                    i < 11 ? TeamSide.LEFT : TeamSide.RIGHT,
+                    i % 11 + 1,
+                    -5 + 0.9 * (i % 11),
+                    i < 11 ? -1.5 : 1.5,
+                    90,
+                    Posture.STANDING);
+        }
+        openStudio();
+        browser.await("studio.state.scene.robots.length === 22 && studio.view.crowd.poses[21]?.[2] > 0");
+        int calls = browser.evaluate("studio.view.drawCalls").getAsInt();
+        browser.click("#shadows");
+        browser.await("studio.view.renderer.shadowMap.enabled && studio.view.drawCalls > " + calls);
+
+        assertThat(calls).isBetween(20, 60);
+        assertThat(browser.evaluate("studio.view.drawCalls").getAsInt()).isLessThanOrEqualTo(100);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1366x768", "1024x768", "1920x1080"})
+    void everythingHasItsPlaceOnUsualScreens(String size) {
+        openStudioWithRobot();
+        String[] sides = size.split("x", 2);
+        browser.resize(Integer.parseInt(sides[0]), Integer.parseInt(sides[1]));
+        try {
+            browser.await("innerWidth === " + sides[0]);
+
+            assertThat(browser.evaluate(PANELS_THAT_DO_NOT_FIT).getAsString()).isEmpty();
+            assertThat(browser.evaluate(SMALLEST_TEXT).getAsDouble()).isGreaterThanOrEqualTo(12);
+        } finally {
+            browser.resize(640, 360);
+        }
+    }
+
+    private static final String PANELS_THAT_DO_NOT_FIT = """
+            (() => {
+              const panels = [...document.querySelectorAll('.panel, .bar')].filter((panel) => panel.offsetParent);
+              const boxes = panels.map((panel) => [panel.id, panel.getBoundingClientRect()]);
+              const bad = [];
+              for (const [id, box] of boxes) {
+                if (box.left < 0 || box.top < 0 || box.right > innerWidth || box.bottom > innerHeight) bad.push(id);
+                for (const [other, rest] of boxes) {
+                  const apart = box.right <= rest.left || rest.right <= box.left || box.bottom <= rest.top
+                    || rest.bottom <= box.top;
+                  if (id < other && !apart) bad.push(id + ' over ' + other);
+                }
+              }
+              return bad.join(', ');
+            })()""";
+
+    private static final String SMALLEST_TEXT = """
+            Math.min(...[...document.querySelectorAll('body *')]
+              .filter((one) => one.textContent.trim()).map((one) => parseFloat(getComputedStyle(one).fontSize)))""";
+
+    private static void await(BooleanSupplier condition) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
+        while (!condition.getAsBoolean()) {
+            assertThat(System.nanoTime())
+                    .as("waited too long; page says %s", browser.complaints())
+                    .isLessThan(end);
+            LockSupport.parkNanos(5_000_000);
+        }
+    }
+}

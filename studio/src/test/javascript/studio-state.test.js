@@ -1,0 +1,122 @@
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import {
+  clock,
+  initialState,
+  message,
+  nearestSpeed,
+  neighbourSpeed,
+  scoreBoard,
+  transport,
+  withConnection,
+  withFrame,
+  withoutConnection,
+  withScene,
+} from '../../main/resources/org/robonewbie/studio/web/state/studio-state.js';
+import { sampleFrame, sampleScene } from './sample-world.js';
+
+const live = () => withScene(withConnection(initialState(true)), sampleScene());
+
+test('a page without token says what to open', () => {
+  assert.equal(message(initialState(false), 0)?.tone, 'trouble');
+  assert.match(message(initialState(false), 0)?.text ?? '', /Open the address that the simulator has printed/);
+});
+
+test('a page that opens looks for the simulator', () => {
+  assert.match(message(initialState(true), 0)?.title ?? '', /Looking for the simulator/);
+});
+
+test('losing the connection says that the page comes back by itself', () => {
+  const lost = withoutConnection(live());
+
+  assert.match(message(lost, 0)?.title ?? '', /has ended/);
+  assert.match(message(lost, 0)?.text ?? '', /comes back by itself/);
+});
+
+test('a page that never was connected goes on looking', () => {
+  assert.match(message(withoutConnection(initialState(true)), 0)?.title ?? '', /Looking/);
+});
+
+test('an empty field waits for a robot', () => {
+  const empty = withScene(live(), { ...sampleScene(), robots: [] });
+
+  assert.match(message(empty, 0)?.title ?? '', /Waiting for a robot/);
+});
+
+test('a moving world needs no message', () => {
+  assert.equal(message(withFrame(live(), sampleFrame(), 1000), 1500), undefined);
+});
+
+test('a world that stands still without pause waits for an agent', () => {
+  const first = withFrame(live(), sampleFrame(), 1000);
+  const same = withFrame(first, sampleFrame(), 3000);
+
+  assert.match(message(same, 3100)?.title ?? '', /waits for an agent/);
+});
+
+test('a paused world needs no message', () => {
+  const first = withFrame(live(), sampleFrame({ paused: true }), 1000);
+  const same = withFrame(first, sampleFrame({ paused: true }), 3000);
+
+  assert.equal(message(same, 3100), undefined);
+});
+
+test('states are replaced and never changed', () => {
+  const before = live();
+  const copy = structuredClone(before);
+
+  withFrame(before, sampleFrame(), 1);
+  withoutConnection(before);
+
+  assert.deepEqual(before, copy);
+});
+
+test('the score board shows teams, score, time and play mode', () => {
+  const board = scoreBoard(withFrame(live(), sampleFrame({ gameTime: 75, half: 2, playMode: 1 }), 0));
+
+  assert.equal(board.left, 'Blue');
+  assert.equal(board.right, 'Right');
+  assert.equal(board.hasRight, false);
+  assert.equal(board.score, '1 : 0');
+  assert.equal(board.clock, '01:15');
+  assert.equal(board.half, '2nd half');
+  assert.equal(board.playMode, 'Kick-off · Blue');
+});
+
+test('the score board is readable before anything is known', () => {
+  assert.equal(scoreBoard(initialState(true)).score, '– : –');
+});
+
+test('time controls work only while a world is there', () => {
+  assert.equal(transport(live()).enabled, false);
+  assert.equal(transport(withFrame(live(), sampleFrame(), 0)).enabled, true);
+});
+
+test('time controls show seconds, cycle and real-time factor', () => {
+  const shown = transport(withFrame(live(), sampleFrame({ cycle: 151, realTimeFactor: 12.3 }), 0));
+
+  assert.equal(shown.seconds, '3.02 s');
+  assert.equal(shown.cycle, 'cycle 151');
+  assert.equal(shown.realTimeFactor, '12× real time');
+});
+
+test('a clock has minutes and seconds', () => {
+  assert.equal(clock(0), '00:00');
+  assert.equal(clock(59.99), '00:59');
+  assert.equal(clock(600), '10:00');
+});
+
+test('asked speeds are shown as the nearest of the list', () => {
+  assert.equal(nearestSpeed(0.3), 0.25);
+  assert.equal(nearestSpeed(1), 1);
+  assert.equal(nearestSpeed(12), 10);
+  assert.equal(nearestSpeed(Infinity), 'fastest');
+});
+
+test('faster and slower walk through the list and stop at its ends', () => {
+  assert.equal(neighbourSpeed(1, 1), 2);
+  assert.equal(neighbourSpeed(1, -1), 0.5);
+  assert.equal(neighbourSpeed(10, 1), 'fastest');
+  assert.equal(neighbourSpeed(Infinity, 1), 'fastest');
+  assert.equal(neighbourSpeed(0.1, -1), 0.1);
+});
