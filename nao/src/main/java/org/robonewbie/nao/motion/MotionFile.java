@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.UUID;
 import org.robonewbie.nao.motion.MotionLine.Frame;
 import org.robonewbie.nao.motion.MotionLine.Note;
 import org.robonewbie.nao.motion.MotionLine.Unreadable;
@@ -251,10 +252,10 @@ public final class MotionFile {
     /**
      * Gives the text of the file.
      *
-     * @return all lines with their ends as they were loaded
+     * @return all lines with their ends as they were loaded, also a byte order mark if there was one
      */
     public String text() {
-        StringBuilder all = new StringBuilder();
+        StringBuilder all = new StringBuilder(text.byteOrderMark());
         lines.forEach(line -> all.append(line.text()).append(line.lineEnd()));
         return all.toString();
     }
@@ -267,7 +268,7 @@ public final class MotionFile {
      */
     public void save(Path path) throws IOException {
         Path target = path.toAbsolutePath();
-        Path temporary = Files.createTempFile(target.getParent(), target.getFileName() + ".", ".tmp");
+        Path temporary = target.resolveSibling(target.getFileName() + "." + UUID.randomUUID() + ".tmp");
         try {
             Files.write(temporary, text.encode(text()));
             Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);

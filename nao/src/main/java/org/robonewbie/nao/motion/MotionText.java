@@ -33,7 +33,7 @@ record MotionText(Charset charset, String byteOrderMark, String content) {
 
     byte[] encode(String text) {
         Charset sufficient = charset.newEncoder().canEncode(text) ? charset : StandardCharsets.UTF_8;
-        return (byteOrderMark + text).getBytes(sufficient);
+        return text.getBytes(sufficient);
     }
 
     List<MotionLine> parse() {

@@ -114,15 +114,21 @@ public record Rotation(
      * @return w, x, y, z with w at least 0
      */
     public double[] toQuaternion() {
-        double[] q = {1 + xx + yy + zz, 1 + xx - yy - zz, 1 - xx + yy - zz, 1 - xx - yy + zz};
-        double[] signs = {1, zy - yz, xz - zx, yx - xy};
-        if (q[0] > 1) {
-            double w = Math.sqrt(q[0]) / 2;
-            return new double[] {w, signs[1] / (4 * w), signs[2] / (4 * w), signs[3] / (4 * w)};
+        double w = 1 + xx + yy + zz;
+        double x = 1 + xx - yy - zz;
+        double y = 1 - xx + yy - zz;
+        double z = 1 - xx - yy + zz;
+        if (w >= 1) {
+            return normalised(w, zy - yz, xz - zx, yx - xy);
         }
-        for (int i = 0; i < 4; i++) {
-            q[i] = Math.sqrt(Math.max(0, q[i])) / 2 * (signs[i] < 0 ? -1 : 1);
+        if (x >= y && x >= z) {
+            return normalised(zy - yz, x, xy + yx, xz + zx);
         }
-        return q;
+        return y >= z ? normalised(xz - zx, xy + yx, y, yz + zy) : normalised(yx - xy, xz + zx, yz + zy, z);
+    }
+
+    private static double[] normalised(double w, double x, double y, double z) {
+        double factor = (w < 0 ? -1 : 1) / Math.sqrt(w * w + x * x + y * y + z * z);
+        return new double[] {w * factor, x * factor, y * factor, z * factor};
     }
 }

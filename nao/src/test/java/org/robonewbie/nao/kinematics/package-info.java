@@ -1,0 +1,3 @@
+/** Tests of kinematics. */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.nao.kinematics;
