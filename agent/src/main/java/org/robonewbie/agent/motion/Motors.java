@@ -28,6 +28,7 @@ public final class Motors {
     private final double[] targetDegrees = new double[Joint.COUNT];
     private final double[] targetDegreesPerSecond = new double[Joint.COUNT];
     private final boolean[] commanded = new boolean[Joint.COUNT];
+    private final boolean[] commandedNow = new boolean[Joint.COUNT];
     private final boolean[] stopped = new boolean[Joint.COUNT];
 
     /** Creates motors that stand still. */
@@ -74,7 +75,7 @@ public final class Motors {
      * @param speed in degrees per second, finite
      */
     public void setSpeed(Joint joint, double speed) {
-        commanded[joint.ordinal()] = true;
+        takeCommand(joint);
         targetDegrees[joint.ordinal()] = NO_TARGET;
         degreesPerSecond[joint.ordinal()] = speed;
     }
@@ -87,15 +88,17 @@ public final class Motors {
      * @param speed how fast it may move, in degrees per second above 0
      */
     public void setTarget(Joint joint, double target, double speed) {
-        commanded[joint.ordinal()] = true;
+        takeCommand(joint);
         targetDegrees[joint.ordinal()] = inside(joint, target);
         targetDegreesPerSecond[joint.ordinal()] = speed;
     }
 
-    /** Gives all joints to a motion that starts; targets and speeds from before do not count any more. */
+    /** Gives all joints to a motion that starts, but for those that are commanded in this very cycle. */
     void release() {
-        Arrays.fill(commanded, false);
-        Arrays.fill(targetDegrees, NO_TARGET);
+        for (int i = 0; i < Joint.COUNT; i++) {
+            commanded[i] = commandedNow[i];
+            targetDegrees[i] = commandedNow[i] ? targetDegrees[i] : NO_TARGET;
+        }
     }
 
     /** Turns a joint by a motion, unless the joint was commanded otherwise since the motion started. */
@@ -115,8 +118,9 @@ public final class Motors {
             }
             double possible = limit(degreesPerSecond[i], joint.maxDegreesPerSecond());
             sentDegreesPerSecond[i] = keepInside(joint, possible);
-            stopped[i] = sentDegreesPerSecond[i] != possible;
+            stopped[i] = commanded[i] && Double.isNaN(targetDegrees[i]) && sentDegreesPerSecond[i] != possible;
         }
+        Arrays.fill(commandedNow, false);
     }
 
     /**
@@ -133,15 +137,31 @@ public final class Motors {
      * Tells whether a joint had to be slowed down in the last {@link #endCycle}.
      *
      * @param joint the joint
-     * @return whether it has reached the end of its range
+     * @return whether the speed that was set for it would have led it out of its range
      */
     public boolean isStopped(Joint joint) {
         return stopped[joint.ordinal()];
     }
 
+    /**
+     * Tells whether a joint cannot turn with a speed, since it is at the end of its range.
+     *
+     * @param joint the joint
+     * @param speed in degrees per second
+     * @return whether the joint will be stopped
+     */
+    public boolean leavesRange(Joint joint, double speed) {
+        return keepInside(joint, speed) != speed;
+    }
+
     /** The nearest angle at which a joint still obeys. */
     static double inside(Joint joint, double degrees) {
         return Math.max(joint.minDegrees() + MARGIN_DEGREES, Math.min(joint.maxDegrees() - MARGIN_DEGREES, degrees));
+    }
+
+    private void takeCommand(Joint joint) {
+        commanded[joint.ordinal()] = true;
+        commandedNow[joint.ordinal()] = true;
     }
 
     private double keepInside(Joint joint, double speed) {

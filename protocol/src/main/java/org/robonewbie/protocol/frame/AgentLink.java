@@ -25,6 +25,16 @@ public interface AgentLink extends AutoCloseable {
      */
     boolean receive(MessageBuffer message) throws IOException;
 
+    /**
+     * Tells whether the simulator has gone on without waiting for this agent.
+     *
+     * @return whether a message can be received at once; always false for a simulator that waits for its agents
+     * @throws IOException if the connection is broken
+     */
+    default boolean isMessageWaiting() throws IOException {
+        return false;
+    }
+
     /** Ends the connection; the robot leaves the pitch. Closing twice does nothing. */
     @Override
     void close();

@@ -79,6 +79,11 @@ public final class TcpAgentLink implements AgentLink {
     }
 
     @Override
+    public boolean isMessageWaiting() throws IOException {
+        return socket.getInputStream().available() > 0;
+    }
+
+    @Override
     public void close() {
         try {
             socket.close();

@@ -1,0 +1,151 @@
+package org.robonewbie.agent;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.robonewbie.agent.motion.Motions;
+import org.robonewbie.agent.perception.LocalFieldView;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+
+/** The life of one robot in a game: receives each message and answers it exactly once. */
+final class Session implements AutoCloseable {
+
+    private static final double CYCLE_MILLISECONDS = 20;
+    private static final double WARM_UP_SECONDS = 1;
+
+    private final NaoBody body;
+    private final Motions motions;
+    private final LocalFieldView fieldView;
+    private final MessagePort port;
+    private final OptionalDouble lifeSeconds;
+    private final double bornSeconds;
+    private final MessageBuffer commands = new MessageBuffer();
+    private final PrintStream out;
+    private boolean answered = true;
+    private boolean broken;
+    private long cycles;
+    private long receivedNanos;
+
+    Session(
+            NaoBody body,
+            Motions motions,
+            LocalFieldView fieldView,
+            MessagePort port,
+            OptionalDouble lifeSeconds,
+            PrintStream out) {
+        this.body = body;
+        this.motions = motions;
+        this.fieldView = fieldView;
+        this.port = port;
+        this.lifeSeconds = lifeSeconds;
+        this.bornSeconds = body.getTime();
+        this.out = out;
+        fieldView.setIdentity(body.getTeam(), body.getNumber(), body.getTeamSide());
+    }
+
+    /** Waits for the next message; false if the game is over for this robot. */
+    boolean sense() {
+        if (!answered) {
+            act();
+        }
+        if (broken || isOver()) {
+            return false;
+        }
+        try {
+            Optional<PerceptorMessage> message = port.receive();
+            message.ifPresent(this::perceive);
+            return message.isPresent();
+        } catch (IOException failure) {
+            report(failure);
+            return false;
+        }
+    }
+
+    /** Sends the answer to the last message, once. */
+    void act() {
+        if (answered) {
+            return;
+        }
+        answered = true;
+        if (body.commands().isBeaming() && body.isBeamAllowed()) {
+            fieldView.forget();
+            body.senses().falls().reset();
+        }
+        motions.update();
+        commands.clear();
+        body.commands().write(commands);
+        try {
+            checkPunctuality();
+            port.send(commands);
+        } catch (IOException failure) {
+            report(failure);
+        }
+    }
+
+    /** Whether the last message still waits for its answer. */
+    boolean isAnswerDue() {
+        return !answered;
+    }
+
+    /** Whether the connection broke in the middle of the game. */
+    boolean isBroken() {
+        return broken;
+    }
+
+    /** Counts the messages so far. */
+    long cycles() {
+        return cycles;
+    }
+
+    @Override
+    public void close() {
+        port.close();
+    }
+
+    private void perceive(PerceptorMessage message) {
+        receivedNanos = System.nanoTime();
+        cycles++;
+        answered = false;
+        body.accept(message);
+        fieldView.setTime(body.getTime());
+        if (message.vision().isPresent()) {
+            double yaw = body.getJointAngle(Joint.NECK_YAW);
+            double pitch = body.getJointAngle(Joint.NECK_PITCH);
+            fieldView.see(message.vision().get(), yaw, pitch);
+        }
+    }
+
+    private boolean isOver() {
+        return lifeSeconds.isPresent() && body.getTime() - bornSeconds >= lifeSeconds.getAsDouble() - 1e-6;
+    }
+
+    private void checkPunctuality() throws IOException {
+        double milliseconds = (System.nanoTime() - receivedNanos) / 1e6;
+        if (milliseconds > CYCLE_MILLISECONDS && port.isLate()) {
+            body.log().warning("cycle %d came late: it took %.0f ms", cycles, milliseconds);
+            if (body.getTime() - bornSeconds > WARM_UP_SECONDS) {
+                body.mistakes()
+                        .reportAt(
+                                "",
+                                "late",
+                                () -> String.format(
+                                        Locale.ROOT,
+                                        "Cycle %d took %.0f ms, but the simulator waits only 20 ms and has gone on;"
+                                                + " compute less in a cycle, and log instead of printing.",
+                                        cycles,
+                                        milliseconds));
+            }
+        }
+    }
+
+    private void report(IOException failure) {
+        if (!broken) {
+            broken = true;
+            out.println("The connection to the simulator is lost: " + failure.getMessage());
+        }
+    }
+}

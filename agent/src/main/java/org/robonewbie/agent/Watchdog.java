@@ -1,0 +1,81 @@
+package org.robonewbie.agent;
+
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.StudentCode;
+
+/**
+ * Notices that {@code think()} does not return and says in which line it is. It counts its own ticks instead of looking at a
+ * clock: while a debugger holds the whole program, no time passes.
+ */
+final class Watchdog implements AutoCloseable {
+
+    private static final int TICK_MILLISECONDS = 100;
+    private static final int TICKS_TO_REPORT = 10;
+    private static final int TICKS_TO_GIVE_UP = 50;
+
+    private final Thread watched;
+    private final Mistakes mistakes;
+    private final Optional<Runnable> giveUp;
+    private final Thread thread = new Thread(this::watch, "watchdog");
+    private final AtomicLong thought = new AtomicLong();
+    private volatile boolean thinking;
+    private volatile boolean closed;
+
+    /**
+     * Creates a watchdog for the current thread.
+     *
+     * @param mistakes where it barks
+     * @param giveUp what to do after five seconds of thinking; empty waits for ever
+     */
+    Watchdog(Mistakes mistakes, Optional<Runnable> giveUp) {
+        this.watched = Thread.currentThread();
+        this.mistakes = mistakes;
+        this.giveUp = giveUp;
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    void thinkBegins() {
+        thought.incrementAndGet();
+        thinking = true;
+    }
+
+    void thinkEnds() {
+        thinking = false;
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        thread.interrupt();
+    }
+
+    private void watch() {
+        long same = -1;
+        int ticks = 0;
+        while (!closed) {
+            try {
+                Thread.sleep(TICK_MILLISECONDS);
+            } catch (InterruptedException end) {
+                return;
+            }
+            ticks = thinking && thought.get() == same ? ticks + 1 : 0;
+            same = thought.get();
+            if (ticks == TICKS_TO_REPORT) {
+                report("think() has not returned for 1 s; the robot waits for it. Is this an endless loop?");
+            }
+            if (ticks == TICKS_TO_GIVE_UP && giveUp.isPresent()) {
+                report("think() has not returned for 5 s; the run ends here. Is this an endless loop?");
+                giveUp.get().run();
+                return;
+            }
+        }
+    }
+
+    private void report(String text) {
+        String place = StudentCode.place(watched.getStackTrace()).orElse("");
+        mistakes.reportAt(place, text, () -> text);
+    }
+}

@@ -1,0 +1,45 @@
+package org.robonewbie.agent.motion;
+
+import org.robonewbie.nao.Joint;
+
+/**
+ * Lets the head circle smoothly from side to side, down on the way out and up on the way back, so that the camera sees from
+ * its own feet to the goals and nearly 240° around. It needs only the neck, so the body can play any motion meanwhile.
+ *
+ * <pre>{@code
+ * private final LookAround lookAround = new LookAround(motors);
+ * // in each cycle:
+ * lookAround.look();
+ * }</pre>
+ */
+public final class LookAround {
+
+    /** How long one round of the head takes, in seconds: what was not seen for longer is not where it was. */
+    public static final double ROUND_SECONDS = 2.4;
+
+    private static final double YAW_DEGREES = 60;
+    private static final double LEVEL_DEGREES = -17;
+    private static final double PITCH_DEGREES = 20;
+    private static final double MAX_DEGREES_PER_SECOND = 180;
+
+    private final Motors motors;
+    private int cycle;
+
+    /**
+     * Creates the movement.
+     *
+     * @param motors the robot's motors
+     */
+    public LookAround(Motors motors) {
+        this.motors = motors;
+    }
+
+    /** Moves the head on by one cycle; call it in each cycle, and not at all to leave the head alone. */
+    public void look() {
+        double phase = 2 * Math.PI * cycle * Motors.CYCLE_SECONDS / ROUND_SECONDS;
+        cycle++;
+        motors.setTarget(Joint.NECK_YAW, YAW_DEGREES * Math.sin(phase), MAX_DEGREES_PER_SECOND);
+        double pitch = LEVEL_DEGREES - PITCH_DEGREES * Math.cos(phase);
+        motors.setTarget(Joint.NECK_PITCH, pitch, MAX_DEGREES_PER_SECOND);
+    }
+}

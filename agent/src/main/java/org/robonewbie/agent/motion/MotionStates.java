@@ -1,0 +1,60 @@
+package org.robonewbie.agent.motion;
+
+import java.util.List;
+import org.robonewbie.nao.motion.MotionFile;
+
+/**
+ * Knows in which state the last motion has left the robot, so that a motion never begins in the middle of a step. Motion files
+ * say in comments in which states they can start and in which they end: {@code // start: stance, walking} and
+ * {@code // end: stance}. A state is a word of the author's choice; {@code the end of NAME} stands for the end of that very
+ * motion.
+ */
+final class MotionStates {
+
+    private static final String STANDING = "standing";
+    private static final String STANCE = "stance";
+    /** Motions that lead back to the stance, the most careful one first. */
+    private static final List<String> WAYS_BACK = List.of("stop-walking", "stand");
+
+    private String state = STANDING;
+    private String lastMotion = "";
+
+    /** Nobody knows in which posture the robot is, but no motion is going on. */
+    void reset() {
+        state = STANDING;
+        lastMotion = "";
+    }
+
+    /** A motion goes on to its end. */
+    void ended(MotionFile file) {
+        state = file.property("end").map(MotionStates::firstWord).orElse(STANDING);
+        lastMotion = nameOf(file);
+    }
+
+    /** Lists the names of the motions of which one might lead to the start of a motion; empty if it can start at once. */
+    List<String> waysTo(MotionFile file) {
+        return canStart(file) ? List.of() : WAYS_BACK;
+    }
+
+    /** Tells whether a motion can start now. Without a word about it, it starts whenever the robot stands still. */
+    boolean canStart(MotionFile file) {
+        String starts = file.property("start").orElse(STANDING + ", " + STANCE);
+        for (String start : starts.split(",| or ", -1)) {
+            String wanted = start.trim();
+            if (wanted.equals(state)
+                    || wanted.equals("the end of " + lastMotion)
+                    || (wanted.equals(STANDING) && state.equals(STANCE))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static String firstWord(String end) {
+        return end.split(",", 2)[0].trim();
+    }
+
+    private static String nameOf(MotionFile file) {
+        return file.name().replaceFirst("\\.txt$", "");
+    }
+}

@@ -1,0 +1,37 @@
+package org.robonewbie.agent.perception;
+
+import org.robonewbie.nao.Vector3;
+
+/**
+ * Where something is, as the robot would see it if it looked straight ahead.
+ *
+ * @param distance from the centre of the head, in metres
+ * @param bearing angle in degrees against the direction in which the torso faces; positive is left
+ * @param elevation angle in degrees above the plane of the torso's forward and left axes; positive is up
+ */
+public record Direction(double distance, double bearing, double elevation) {
+
+    /**
+     * Turns a point into a direction.
+     *
+     * @param point x forward, y left, z up, seen from the centre of the head, in metres
+     * @return where it is
+     */
+    public static Direction of(Vector3 point) {
+        return new Direction(
+                point.length(),
+                Math.toDegrees(Math.atan2(point.y(), point.x())),
+                Math.toDegrees(Math.atan2(point.z(), Math.hypot(point.x(), point.y()))));
+    }
+
+    /**
+     * Turns the direction into a point.
+     *
+     * @return x forward, y left, z up, seen from the centre of the head, in metres
+     */
+    public Vector3 toPoint() {
+        double b = Math.toRadians(bearing);
+        double e = Math.toRadians(elevation);
+        return new Vector3(Math.cos(b) * Math.cos(e), Math.sin(b) * Math.cos(e), Math.sin(e)).times(distance);
+    }
+}

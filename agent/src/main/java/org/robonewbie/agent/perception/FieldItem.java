@@ -1,0 +1,146 @@
+package org.robonewbie.agent.perception;
+
+import java.util.Locale;
+import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.nao.Vector3;
+
+/**
+ * Something on the field as the robot remembers it: seen now, some time ago, or never. The object stays the same and changes
+ * by itself with each picture of the camera, so it can be kept.
+ *
+ * <p>All directions are those of a robot that looks straight ahead; they are as old as the last sighting and do not follow the
+ * robot's own movement since then.
+ *
+ * <pre>{@code
+ * FieldItem ball = fieldView.ball();
+ * if (ball.ageSeconds() < 2 && Math.abs(ball.bearing()) < 6) { ... }
+ * }</pre>
+ */
+public class FieldItem {
+
+    private final String name;
+    private final Vision vision;
+    private final Mistakes mistakes;
+    private double seenSeconds = Double.NEGATIVE_INFINITY;
+    private Direction direction = new Direction(Double.POSITIVE_INFINITY, 0, 0);
+
+    /** When the camera took its last picture and what time it is. */
+    static final class Vision {
+        double nowSeconds;
+        double pictureSeconds = Double.NEGATIVE_INFINITY;
+    }
+
+    FieldItem(String name, Vision vision, Mistakes mistakes) {
+        this.name = name;
+        this.vision = vision;
+        this.mistakes = mistakes;
+    }
+
+    void see(Direction newDirection) {
+        seenSeconds = vision.pictureSeconds;
+        direction = newDirection;
+    }
+
+    void forget() {
+        seenSeconds = Double.NEGATIVE_INFINITY;
+        direction = new Direction(Double.POSITIVE_INFINITY, 0, 0);
+    }
+
+    /**
+     * Tells whether there is something to remember.
+     *
+     * @return whether this was seen at least once since the start or the last beam
+     */
+    public final boolean isKnown() {
+        return seenSeconds > Double.NEGATIVE_INFINITY;
+    }
+
+    /**
+     * Tells whether the camera sees this now.
+     *
+     * @return whether it was in the last picture; the camera takes one in each third cycle
+     */
+    public final boolean isVisible() {
+        return isKnown() && seenSeconds == vision.pictureSeconds && ageSeconds() < 0.1;
+    }
+
+    /**
+     * Tells how old the memory is.
+     *
+     * @return seconds since this was last seen; infinite if it never was
+     */
+    public final double ageSeconds() {
+        return vision.nowSeconds - seenSeconds;
+    }
+
+    /**
+     * Tells when this was last seen.
+     *
+     * @return simulated time in seconds, as {@code nao.getTime()}; minus infinity if it was never seen
+     */
+    public final double lastSeenSeconds() {
+        return seenSeconds;
+    }
+
+    /**
+     * Tells how far away this is.
+     *
+     * @return metres from the centre of the head; infinite if it was never seen
+     */
+    public final double distance() {
+        return direction.distance();
+    }
+
+    /**
+     * Tells how far the robot has to turn to face this.
+     *
+     * @return degrees, positive is left; 0 and a report if it was never seen
+     */
+    public final double bearing() {
+        checkKnown("bearing");
+        return direction.bearing();
+    }
+
+    /**
+     * Tells how high this is seen.
+     *
+     * @return degrees above the level of the head, negative is below; 0 and a report if it was never seen
+     */
+    public final double elevation() {
+        checkKnown("elevation");
+        return direction.elevation();
+    }
+
+    /**
+     * Tells where this is.
+     *
+     * @return metres from the centre of the head: x forward, y left, z up; the origin and a report if it was never seen
+     */
+    public final Vector3 position() {
+        checkKnown("position");
+        return isKnown() ? direction.toPoint() : Vector3.ZERO;
+    }
+
+    private void checkKnown(String question) {
+        if (!isKnown()) {
+            mistakes.report(
+                    question + " of " + name,
+                    () -> "The " + question + " of the " + name + " is not known, since it has never been seen; ask"
+                            + " isKnown() first.");
+        }
+    }
+
+    @Override
+    public String toString() {
+        return isKnown()
+                ? String.format(
+                        Locale.ROOT,
+                        "%s %.2f m, %.1f° left, %.1f° up, %.2f s ago",
+                        name,
+                        direction.distance(),
+                        direction.bearing(),
+                        direction.elevation(),
+                        ageSeconds())
+                : name + " never seen";
+    }
+}

@@ -1,0 +1,285 @@
+package org.robonewbie.agent.perception;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.nao.Landmark;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.perceptor.PolarPosition;
+import org.robonewbie.protocol.perceptor.Vision;
+import org.robonewbie.protocol.perceptor.Vision.SeenBodyPart;
+import org.robonewbie.protocol.perceptor.Vision.SeenLandmark;
+import org.robonewbie.protocol.perceptor.Vision.SeenLine;
+import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
+
+/**
+ * What the robot remembers of the field around it. The camera sees 120° in each third cycle; here everything stays where it
+ * was last seen, as a robot that looks straight ahead would see it.
+ *
+ * <p>The turns of the head are taken into account, by {@link CameraTransformation#SUM_OF_ANGLES} unless another one is chosen.
+ * Other movements of the robot since the last sighting are not: {@link FieldItem#ageSeconds} tells how far to trust.
+ *
+ * <pre>{@code
+ * if (fieldView.ball().isVisible() && fieldView.ball().distance() < 0.5) { ... }
+ * }</pre>
+ */
+public final class LocalFieldView {
+
+    private static final double PLAYER_MEMORY_SECONDS = 10;
+
+    private final Mistakes mistakes;
+    private final FieldItem.Vision vision = new FieldItem.Vision();
+    private final FieldItem ball;
+    private final Map<Landmark, FieldItem> landmarks = new EnumMap<>(Landmark.class);
+    private final List<PlayerItem> players = new ArrayList<>();
+    private List<LineItem> lines = List.of();
+    private CameraTransformation transformation = CameraTransformation.SUM_OF_ANGLES;
+    private String team = "";
+    private int number;
+    private TeamSide side = TeamSide.LEFT;
+    private double yawDegrees;
+    private double pitchDegrees;
+
+    /**
+     * Creates a view without memories; the framework does this for each robot.
+     *
+     * @param mistakes takes questions that have no answer
+     */
+    public LocalFieldView(Mistakes mistakes) {
+        this.mistakes = mistakes;
+        ball = new FieldItem("ball", vision, mistakes);
+        for (Landmark landmark : Landmark.values()) {
+            landmarks.put(landmark, new FieldItem(landmark.toString(), vision, mistakes));
+        }
+    }
+
+    /**
+     * Chooses how the turned head is taken into account.
+     *
+     * @param transformation such as {@link CameraTransformation#ROTATION}
+     */
+    public void setTransformation(CameraTransformation transformation) {
+        this.transformation = transformation;
+    }
+
+    /**
+     * Tells the view whose it is, so that the robot does not meet itself.
+     *
+     * @param ownTeam name of the own team
+     * @param ownNumber own number
+     * @param ownSide own half of the pitch
+     */
+    public void setIdentity(String ownTeam, int ownNumber, TeamSide ownSide) {
+        team = ownTeam;
+        number = ownNumber;
+        side = ownSide;
+    }
+
+    /**
+     * Goes on in time; the framework does this in each cycle.
+     *
+     * @param seconds simulated time
+     */
+    public void setTime(double seconds) {
+        vision.nowSeconds = seconds;
+        players.removeIf(player -> player.ageSeconds() > PLAYER_MEMORY_SECONDS);
+        if (seconds - vision.pictureSeconds > 0.1) {
+            lines = List.of();
+        }
+    }
+
+    /**
+     * Takes in a picture of the camera; the framework does this in each cycle that has one, after {@link #setTime}.
+     *
+     * @param picture what the camera recognises
+     * @param neckYawDegrees how far the head is turned
+     * @param neckPitchDegrees how far the head is lifted
+     */
+    public void see(Vision picture, double neckYawDegrees, double neckPitchDegrees) {
+        vision.pictureSeconds = vision.nowSeconds;
+        yawDegrees = neckYawDegrees;
+        pitchDegrees = neckPitchDegrees;
+        picture.ball().ifPresent(position -> see(ball, position));
+        for (SeenLandmark seen : picture.landmarks()) {
+            see(landmark(seen.landmark()), seen.position());
+        }
+        for (SeenPlayer seen : picture.players()) {
+            if (!isMyself(seen)) {
+                see(seen);
+            }
+        }
+        lines = seenLines(picture.lines());
+    }
+
+    /** Forgets everything, since the robot was put somewhere else. */
+    public void forget() {
+        ball.forget();
+        landmarks.values().forEach(FieldItem::forget);
+        players.clear();
+        lines = List.of();
+    }
+
+    /**
+     * Looks for the ball.
+     *
+     * @return the ball, known or not
+     */
+    public FieldItem ball() {
+        return ball;
+    }
+
+    /**
+     * Looks for a goal post or flag by its name on the pitch.
+     *
+     * @param landmark which one
+     * @return the landmark, known or not
+     */
+    @SuppressWarnings("NullAway") // the map has each landmark
+    public FieldItem landmark(Landmark landmark) {
+        return landmarks.get(landmark);
+    }
+
+    /**
+     * Looks for the left post of the goal that the own team attacks.
+     *
+     * @return the top of the post that is on the left of who looks at that goal from the field
+     */
+    public FieldItem opponentGoalLeftPost() {
+        return landmark(leftPost(side.opponent()));
+    }
+
+    /**
+     * Looks for the right post of the goal that the own team attacks.
+     *
+     * @return the top of the post that is on the right of who looks at that goal from the field
+     */
+    public FieldItem opponentGoalRightPost() {
+        return landmark(rightPost(side.opponent()));
+    }
+
+    /**
+     * Looks for the left post of the goal that the own team defends.
+     *
+     * @return the top of the post that is on the left of who looks at that goal from the field
+     */
+    public FieldItem ownGoalLeftPost() {
+        return landmark(leftPost(side));
+    }
+
+    /**
+     * Looks for the right post of the goal that the own team defends.
+     *
+     * @return the top of the post that is on the right of who looks at that goal from the field
+     */
+    public FieldItem ownGoalRightPost() {
+        return landmark(rightPost(side));
+    }
+
+    /**
+     * Lists the other robots that were seen within the last 10 seconds.
+     *
+     * @return team-mates and opponents, in the order in which they were first seen
+     */
+    public List<PlayerItem> players() {
+        return List.copyOf(players);
+    }
+
+    /**
+     * Lists the robots of the own team that were seen within the last 10 seconds.
+     *
+     * @return the team-mates without this robot
+     */
+    public List<PlayerItem> teamMates() {
+        return players.stream().filter(PlayerItem::isTeamMate).toList();
+    }
+
+    /**
+     * Lists the robots of the other team that were seen within the last 10 seconds.
+     *
+     * @return the opponents
+     */
+    public List<PlayerItem> opponents() {
+        return players.stream().filter(player -> !player.isTeamMate()).toList();
+    }
+
+    /**
+     * Lists the field lines of the last picture.
+     *
+     * @return the visible pieces of lines; empty if the camera has not seen anything for 0.1 s
+     */
+    public List<LineItem> lines() {
+        return lines;
+    }
+
+    private static Landmark leftPost(TeamSide goal) {
+        return goal == TeamSide.RIGHT ? Landmark.GOAL_POST_1_RIGHT : Landmark.GOAL_POST_2_LEFT;
+    }
+
+    private static Landmark rightPost(TeamSide goal) {
+        return goal == TeamSide.RIGHT ? Landmark.GOAL_POST_2_RIGHT : Landmark.GOAL_POST_1_LEFT;
+    }
+
+    private boolean isMyself(SeenPlayer seen) {
+        return seen.number() == number && seen.team().equals(team);
+    }
+
+    private void see(SeenPlayer seen) {
+        PlayerItem player = playerOf(seen);
+        Vector3 sum = Vector3.ZERO;
+        int count = 0;
+        for (SeenBodyPart part : seen.parts()) {
+            if (see(player.part(part.part()), part.position())) {
+                sum = sum.plus(player.part(part.part()).position());
+                count++;
+            }
+        }
+        if (count > 0) {
+            player.see(Direction.of(sum.times(1.0 / count)));
+        } else {
+            seen.position().ifPresent(position -> see(player, position));
+        }
+        if (player.isKnown() && !players.contains(player)) {
+            players.add(player);
+        }
+    }
+
+    private PlayerItem playerOf(SeenPlayer seen) {
+        for (PlayerItem player : players) {
+            if (player.number() == seen.number() && player.team().equals(seen.team())) {
+                return player;
+            }
+        }
+        return new PlayerItem(seen.team(), seen.number(), seen.team().equals(team), vision, mistakes);
+    }
+
+    private List<LineItem> seenLines(List<SeenLine> seen) {
+        List<LineItem> items = new ArrayList<>(seen.size());
+        for (SeenLine line : seen) {
+            if (isFinite(line.start()) && isFinite(line.end())) {
+                items.add(new LineItem(facingForward(line.start()), facingForward(line.end())));
+            }
+        }
+        return List.copyOf(items);
+    }
+
+    private boolean see(FieldItem item, PolarPosition position) {
+        if (isFinite(position)) {
+            item.see(facingForward(position));
+            return true;
+        }
+        return false;
+    }
+
+    private Direction facingForward(PolarPosition seen) {
+        Direction direction =
+                new Direction(seen.distanceMetres(), seen.horizontalDegrees(), seen.verticalDegrees());
+        return transformation.toFacingForward(direction, yawDegrees, pitchDegrees);
+    }
+
+    private static boolean isFinite(PolarPosition position) {
+        return Double.isFinite(position.distanceMetres() + position.horizontalDegrees() + position.verticalDegrees());
+    }
+}

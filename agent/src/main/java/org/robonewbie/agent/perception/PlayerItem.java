@@ -1,0 +1,65 @@
+package org.robonewbie.agent.perception;
+
+import java.util.EnumMap;
+import java.util.Map;
+import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.nao.BodyPart;
+
+/**
+ * Another robot as this robot remembers it. It is where the middle of its visible parts was; each part can be asked as well.
+ */
+public final class PlayerItem extends FieldItem {
+
+    private final String team;
+    private final int number;
+    private final boolean teamMate;
+    private final Map<BodyPart, FieldItem> parts = new EnumMap<>(BodyPart.class);
+
+    PlayerItem(String team, int number, boolean teamMate, Vision vision, Mistakes mistakes) {
+        super(team + " " + number, vision, mistakes);
+        this.team = team;
+        this.number = number;
+        this.teamMate = teamMate;
+        for (BodyPart part : BodyPart.values()) {
+            parts.put(part, new FieldItem(part + " of " + team + " " + number, vision, mistakes));
+        }
+    }
+
+    /**
+     * Names the robot's team.
+     *
+     * @return the team's name
+     */
+    public String team() {
+        return team;
+    }
+
+    /**
+     * Tells the number on the robot's shirt.
+     *
+     * @return 1 to 11; 0 if it has none yet
+     */
+    public int number() {
+        return number;
+    }
+
+    /**
+     * Tells friend from foe.
+     *
+     * @return whether the robot plays for the own team
+     */
+    public boolean isTeamMate() {
+        return teamMate;
+    }
+
+    /**
+     * Looks at one part of the robot's body.
+     *
+     * @param part which part
+     * @return the part, known or not
+     */
+    @SuppressWarnings("NullAway") // the map has each part
+    public FieldItem part(BodyPart part) {
+        return parts.get(part);
+    }
+}

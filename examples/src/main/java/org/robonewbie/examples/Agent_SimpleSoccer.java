@@ -1,0 +1,92 @@
+package org.robonewbie.examples;
+
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.Options;
+import org.robonewbie.agent.StartPose;
+import org.robonewbie.agent.motion.LookAround;
+import org.robonewbie.agent.perception.FieldItem;
+
+/**
+ * A soccer player with a very simple decision tree: find the ball, walk to it, get behind it, and push it into the goal. It
+ * plays poorly on purpose, so that there is much to improve.
+ *
+ * <p>Decisions are made only when the last motion is over. The head looks around all the time; what it sees stays in the
+ * field view, and counts as known for as long as one round of the head takes.
+ *
+ * <p>Ideas: turn by the angle that is needed; do not stop so often; kick; walk around the ball instead of side-stepping.
+ */
+public final class Agent_SimpleSoccer extends Agent {
+
+    private static final StartPose START = new StartPose(-0.5, 0.4, -40);
+    private static final double STRAIGHT_AHEAD_DEGREES = 6;
+    private static final double FAR_METRES = 0.7;
+    private static final double MEMORY_SECONDS = LookAround.ROUND_SECONDS + 0.2;
+
+    /** Creates the agent. */
+    public Agent_SimpleSoccer() {}
+
+    /**
+     * Starts the robot.
+     *
+     * @param args options such as {@code --headless}; {@code --help} lists them
+     */
+    public static void main(String[] args) {
+        new Agent_SimpleSoccer().run(args);
+    }
+
+    @Override
+    protected Options defaults() {
+        return Options.none().withPose(START.x(), START.y(), START.degrees());
+    }
+
+    @Override
+    protected void think() {
+        lookAround.look();
+        if (hasToGoToStart()) {
+            nao.beam(START);
+            motions.reset();
+        } else if (motions.isFinished()) {
+            decide();
+        }
+    }
+
+    private void decide() {
+        FieldItem ball = fieldView.ball();
+        if (nao.isFallen()) {
+            motions.startGetUp();
+        } else if (!isKnown(ball)) {
+            motions.start("turn-left");
+        } else if (Math.abs(ball.bearing()) > STRAIGHT_AHEAD_DEGREES) {
+            motions.start(ball.bearing() > 0 ? "turn-left-small" : "turn-right-small");
+        } else if (ball.distance() > FAR_METRES) {
+            motions.start("walk-forward");
+        } else {
+            decideAtTheBall(ball);
+        }
+    }
+
+    private void decideAtTheBall(FieldItem ball) {
+        FieldItem leftPost = fieldView.opponentGoalLeftPost();
+        FieldItem rightPost = fieldView.opponentGoalRightPost();
+        if (!isKnown(leftPost) || !isKnown(rightPost)) {
+            motions.start("turn-left");
+        } else if (leftPost.bearing() <= ball.bearing()) {
+            motions.start("side-step-left");
+        } else if (rightPost.bearing() >= ball.bearing()) {
+            motions.start("side-step-right");
+        } else {
+            motions.start("walk-forward"); // the ball is between the posts: push it
+        }
+    }
+
+    private boolean isKnown(FieldItem item) {
+        return item.ageSeconds() < MEMORY_SECONDS;
+    }
+
+    private boolean hasToGoToStart() {
+        return switch (nao.getPlayMode()) {
+            case GOAL_LEFT, GOAL_RIGHT -> true;
+            default -> false;
+        };
+    }
+}

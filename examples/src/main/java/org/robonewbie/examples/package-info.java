@@ -1,0 +1,6 @@
+/**
+ * Lessons that run. Read {@link org.robonewbie.examples.Agent_Wave} first, then {@link
+ * org.robonewbie.examples.Agent_BasicStructure} and {@link org.robonewbie.examples.Agent_SimpleSoccer}.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.examples;
