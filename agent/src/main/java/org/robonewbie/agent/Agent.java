@@ -45,8 +45,7 @@ public abstract class Agent {
     protected final NaoBody nao = new NaoBody(log, mistakes);
 
     /** Motions by name. */
-    protected final Motions motions =
-            new Motions(nao.motors(), new MotionLibrary(), mistakes, nao::getBodyPosition);
+    protected final Motions motions = new Motions(nao.motors(), new MotionLibrary(), mistakes, nao::getBodyPosition);
 
     /** What the robot remembers of the field. */
     protected final LocalFieldView fieldView = new LocalFieldView(mistakes);
@@ -56,8 +55,7 @@ public abstract class Agent {
 
     private final RehearsalPort rehearsal = new RehearsalPort();
     private final PrintStream out = System.out;
-    private Session session =
-            new Session(nao, motions, fieldView, rehearsal, OptionalDouble.empty(), System.err);
+    private Session session = new Session(nao, motions, fieldView, rehearsal, OptionalDouble.empty(), System.err);
     private boolean failed;
 
     /** Creates an agent that is not yet connected. */
@@ -138,8 +136,7 @@ public abstract class Agent {
             new StartDialogue(port, nao, options).run();
             OptionalDouble life = home.endsByItself() ? OptionalDouble.empty() : options.seconds();
             session = new Session(nao, motions, fieldView, port, life, System.err);
-            Optional<Runnable> giveUp =
-                    options.isHeadless() ? Optional.of(() -> System.exit(1)) : Optional.empty();
+            Optional<Runnable> giveUp = options.isHeadless() ? Optional.of(() -> System.exit(1)) : Optional.empty();
             try (Watchdog watchdog = new Watchdog(mistakes, giveUp)) {
                 boolean running = true;
                 while (running) {
@@ -196,7 +193,11 @@ public abstract class Agent {
     private void report(String name, Throwable mistake) {
         String place = StudentCode.place(mistake.getStackTrace()).orElse("");
         mistakes.reportAt(place, name + mistake.getClass(), () -> {
-            log.error("%s failed: %s at %s", name, mistake, List.of(mistake.getStackTrace()).stream().limit(8).toList());
+            log.error(
+                    "%s failed: %s at %s",
+                    name,
+                    mistake,
+                    List.of(mistake.getStackTrace()).stream().limit(8).toList());
             return name + " failed with " + mistake + "; the robot goes on with the next step.";
         });
     }

@@ -47,7 +47,8 @@ abstract sealed class Home implements AutoCloseable {
     public abstract void close();
 
     private static Home join(Options options) {
-        Server server = new Server(options.host().orElse(THIS_COMPUTER), options.port().orElse(USUAL_PORT));
+        Server server =
+                new Server(options.host().orElse(THIS_COMPUTER), options.port().orElse(USUAL_PORT));
         try {
             server.connect().close();
             return server;

@@ -110,7 +110,9 @@ final class Senses {
 
     List<Heard> heard() {
         List<Heard> heard = message.heard();
-        return heard.isEmpty() ? heard : heard.stream().filter(text -> !text.isOwn()).toList();
+        return heard.isEmpty()
+                ? heard
+                : heard.stream().filter(text -> !text.isOwn()).toList();
     }
 
     PlayMode playMode() {

@@ -153,7 +153,7 @@ public final class MotionPlayer {
             double seconds = cyclesOf(i) * Motors.CYCLE_SECONDS;
             for (Joint joint : JOINTS) {
                 double way = Math.abs(reachable(joint, section.to()) - reachable(joint, section.from()));
-                if (way / seconds > joint.maxDegreesPerSecond() * 1.001) {
+                if (motors.isFree(joint) && way / seconds > joint.maxDegreesPerSecond() * 1.001) {
                     problems.add(tooFast(i, joint, way, seconds));
                 }
             }

@@ -134,7 +134,8 @@ public final class Motions {
      * @return its name; empty if none is running
      */
     public Optional<String> current() {
-        return player.filter(playing -> !isFinished()).map(playing -> playing.motion().name());
+        return player.filter(playing -> !isFinished())
+                .map(playing -> playing.motion().name());
     }
 
     /**

@@ -101,9 +101,14 @@ public final class Motors {
         }
     }
 
+    /** Tells whether a motion may turn a joint. */
+    boolean isFree(Joint joint) {
+        return !commanded[joint.ordinal()];
+    }
+
     /** Turns a joint by a motion, unless the joint was commanded otherwise since the motion started. */
     void setMotionSpeed(Joint joint, double speed) {
-        if (!commanded[joint.ordinal()]) {
+        if (isFree(joint)) {
             degreesPerSecond[joint.ordinal()] = speed;
         }
     }

@@ -274,8 +274,7 @@ public final class LocalFieldView {
     }
 
     private Direction facingForward(PolarPosition seen) {
-        Direction direction =
-                new Direction(seen.distanceMetres(), seen.horizontalDegrees(), seen.verticalDegrees());
+        Direction direction = new Direction(seen.distanceMetres(), seen.horizontalDegrees(), seen.verticalDegrees());
         return transformation.toFacingForward(direction, yawDegrees, pitchDegrees);
     }
 
