@@ -27,14 +27,12 @@ import org.robonewbie.simulator.world.SoccerWorld;
  * server asks it for a picture in every third cycle.
  *
  * <pre>{@code
- * Camera camera = new Camera(robot, world.field(), CameraSettings.STANDARD, random);
- * Vision vision = camera.look(world, players, Optional.of(TeamSide.LEFT));
+ * Camera camera = new Camera(world.field(), CameraSettings.STANDARD, random);
+ * Vision vision = camera.look(robot, world, players, Optional.of(TeamSide.LEFT));
  * }</pre>
  */
 public final class Camera {
 
-    private final Robot observer;
-    private final int headLink;
     private final SoccerField field;
     private final CameraSettings settings;
     private final ViewCone cone;
@@ -42,16 +40,13 @@ public final class Camera {
     private final Optional<VisionNoise> noise;
 
     /**
-     * Puts a camera into a robot's head; its calibration error is drawn here and stays.
+     * Makes a camera; its calibration error is drawn here and stays.
      *
-     * @param observer the robot
      * @param field the pitch with its landmarks and lines
      * @param settings what it sees and how well
      * @param random source of all noise; not used without noise
      */
-    public Camera(Robot observer, SoccerField field, CameraSettings settings, RandomGenerator random) {
-        this.observer = observer;
-        this.headLink = observer.model().linkIndex(BodyPart.HEAD.simSparkName());
+    public Camera(SoccerField field, CameraSettings settings, RandomGenerator random) {
         this.field = field;
         this.settings = settings;
         this.cone = new ViewCone(settings.horizontalConeDegrees(), settings.verticalConeDegrees());
@@ -62,13 +57,14 @@ public final class Camera {
     /**
      * Takes a picture.
      *
+     * @param observer the robot that carries the camera in its head
      * @param world the world with the ball
      * @param players all robots that belong to a team, in a fixed order; the observer too if it does
      * @param side the observer's team for the true positions, if it has one
      * @return what is recognised; numbers are not rounded
      */
-    public Vision look(SoccerWorld world, List<VisiblePlayer> players, Optional<TeamSide> side) {
-        Pose head = observer.linkPose(headLink);
+    public Vision look(Robot observer, SoccerWorld world, List<VisiblePlayer> players, Optional<TeamSide> side) {
+        Pose head = observer.linkPose(observer.model().linkIndex(BodyPart.HEAD.simSparkName()));
         Vector3 ball = world.ball().position();
         return new Vision(
                 landmarks(head),

@@ -4,15 +4,16 @@ import java.util.Optional;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
 import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
+import org.robonewbie.simulator.sensing.Camera;
+import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.Robot;
 
 /** An agent with its connection, its robot and what it asked for in this cycle. */
 final class ConnectedAgent {
 
-    private static final int VISION_INTERVAL = 3;
-
     private final AgentConnection connection;
+    private final Camera camera;
     private final Hearing hearing = new Hearing();
     private Optional<Robot> robot = Optional.empty();
     private Optional<Player> player = Optional.empty();
@@ -24,12 +25,17 @@ final class ConnectedAgent {
     private long cycles;
     private long cyclesInTeam;
 
-    ConnectedAgent(AgentConnection connection) {
+    ConnectedAgent(AgentConnection connection, Camera camera) {
         this.connection = connection;
+        this.camera = camera;
     }
 
     AgentConnection connection() {
         return connection;
+    }
+
+    Camera camera() {
+        return camera;
     }
 
     Hearing hearing() {
@@ -119,7 +125,7 @@ final class ConnectedAgent {
     }
 
     boolean seesInThisCycle() {
-        return cycles % VISION_INTERVAL == 0;
+        return cycles % CameraSettings.CYCLES_PER_PICTURE == 0;
     }
 
     double secondsInTeam() {

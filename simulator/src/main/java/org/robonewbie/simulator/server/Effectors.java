@@ -2,6 +2,7 @@ package org.robonewbie.simulator.server;
 
 import java.util.List;
 import java.util.Random;
+import java.util.function.ObjDoubleConsumer;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
@@ -72,7 +73,12 @@ final class Effectors {
         agent.player()
                 .ifPresent(player -> agent.lastBeam()
                         .ifPresentOrElse(
-                                beam -> place(player, beam.xMetres(), beam.yMetres(), beam.headingDegrees()),
+                                beam -> place(
+                                        player,
+                                        beam.xMetres(),
+                                        beam.yMetres(),
+                                        beam.headingDegrees(),
+                                        player.robot()::moveUpright),
                                 () -> match.teams().putToStart(player)));
     }
 
@@ -196,10 +202,12 @@ final class Effectors {
             return;
         }
         agent.remember(new Beam(x, y, yaw));
-        place(agent.player().get(), x, y, yaw);
+        Player player = agent.player().get();
+        place(player, x, y, yaw, player.robot()::beam);
     }
 
-    private void place(Player player, double wantedX, double wantedY, double headingDegrees) {
+    private void place(
+            Player player, double wantedX, double wantedY, double headingDegrees, ObjDoubleConsumer<Vector3> move) {
         SoccerField field = world.field();
         double x = wantedX;
         double y = wantedY;
@@ -210,7 +218,7 @@ final class Effectors {
         double z = match.parameters().get(SoccerParameter.AGENT_RADIUS);
         boolean left = player.side() == TeamSide.LEFT;
         Vector3 position = left ? new Vector3(x, y, z) : new Vector3(-x, -y, z);
-        player.robot().moveUpright(position, left ? headingDegrees - 90 : headingDegrees + 90);
+        move.accept(position, left ? headingDegrees - 90 : headingDegrees + 90);
     }
 
     private boolean mayBeam(ConnectedAgent agent) {

@@ -13,20 +13,25 @@ import org.robonewbie.protocol.perceptor.JointAngles;
 import org.robonewbie.protocol.perceptor.JointAngles.ExtraHinge;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.Vision;
+import org.robonewbie.simulator.sensing.VisiblePlayer;
 import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
 
 /** Asks all perceptors of a robot at the end of a cycle. */
 final class Percepts {
 
+    private final SoccerWorld world;
     private final Match match;
 
-    Percepts(Match match) {
+    Percepts(SoccerWorld world, Match match) {
+        this.world = world;
         this.match = match;
     }
 
-    PerceptorMessage of(ConnectedAgent agent, Robot robot, double seconds) {
+    PerceptorMessage of(ConnectedAgent agent, Robot robot, List<VisiblePlayer> players, double seconds) {
         double playSeconds = match.state().playSeconds();
         boolean labelled = match.parameters().isOn(SoccerParameter.LABEL_MESSAGES);
         return new PerceptorMessage(
@@ -37,7 +42,15 @@ final class Percepts {
                 Optional.of(robot.acceleration()),
                 jointAngles(robot),
                 robot.footForces(),
-                Optional.<Vision>empty());
+                vision(agent, robot, players));
+    }
+
+    private Optional<Vision> vision(ConnectedAgent agent, Robot robot, List<VisiblePlayer> players) {
+        if (!agent.seesInThisCycle()) {
+            return Optional.empty();
+        }
+        Optional<TeamSide> side = agent.player().map(Player::side);
+        return Optional.of(agent.camera().look(robot, world, players, side));
     }
 
     private GameState gameState(ConnectedAgent agent, double playSeconds) {

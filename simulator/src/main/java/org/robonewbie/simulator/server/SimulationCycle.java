@@ -6,11 +6,15 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.SplittableRandom;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
 import org.robonewbie.simulator.recording.Participant;
 import org.robonewbie.simulator.recording.RunRecorder;
+import org.robonewbie.simulator.sensing.Camera;
+import org.robonewbie.simulator.sensing.CameraSettings;
+import org.robonewbie.simulator.sensing.VisiblePlayer;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameter;
@@ -33,6 +37,8 @@ final class SimulationCycle {
     private final SoccerWorld world;
     private final Match match;
     private final Effectors effectors;
+    private final Random cameraSeeds;
+    private final CameraSettings cameraSettings;
     private final Percepts percepts;
     private final Console console;
     private final List<ConnectedAgent> agents = new ArrayList<>();
@@ -47,7 +53,9 @@ final class SimulationCycle {
         this.world = world;
         this.match = new Match(world, settings.parameters(), seeds.nextLong());
         this.effectors = new Effectors(world, match, seeds.nextLong());
-        this.percepts = new Percepts(match);
+        this.cameraSeeds = new Random(seeds.nextLong());
+        this.cameraSettings = CameraSettings.STANDARD.withNoise(settings.noise());
+        this.percepts = new Percepts(world, match);
         this.console = console;
         this.refusals = new ComplaintBook(console, "The simulator");
         this.synchronous = settings.synchronous();
@@ -98,7 +106,8 @@ final class SimulationCycle {
      */
     void connect(ServerLink link, boolean strict) {
         connections++;
-        agents.add(new ConnectedAgent(new AgentConnection(connections, link, synchronous, strict, console)));
+        Camera camera = new Camera(world.field(), cameraSettings, new SplittableRandom(cameraSeeds.nextLong()));
+        agents.add(new ConnectedAgent(new AgentConnection(connections, link, synchronous, strict, console), camera));
     }
 
     /** Tells that a connection was closed at once since there are too many. */
@@ -238,17 +247,25 @@ final class SimulationCycle {
     }
 
     private void generateMessages() {
+        List<VisiblePlayer> players = visiblePlayers();
         for (ConnectedAgent agent : agents) {
             agent.cycleEnds();
             if (agent.robot().isPresent()) {
-                generateMessage(agent, agent.robot().get());
+                generateMessage(agent, agent.robot().get(), players);
             }
         }
     }
 
-    private void generateMessage(ConnectedAgent agent, Robot robot) {
+    private List<VisiblePlayer> visiblePlayers() {
+        return agents.stream()
+                .flatMap(agent -> agent.player().stream())
+                .map(player -> new VisiblePlayer(player.robot(), player.team().name(), player.number()))
+                .toList();
+    }
+
+    private void generateMessage(ConnectedAgent agent, Robot robot, List<VisiblePlayer> players) {
         MessageBuffer message = agent.connection().emptyMessage();
-        new PerceptorMessageWriter(message).write(percepts.of(agent, robot, cycle * CYCLE_SECONDS));
+        new PerceptorMessageWriter(message).write(percepts.of(agent, robot, players, cycle * CYCLE_SECONDS));
         agent.connection().messageGenerated();
     }
 }

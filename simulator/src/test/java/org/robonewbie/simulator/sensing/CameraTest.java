@@ -114,8 +114,8 @@ class CameraTest {
         world.ball().place(new Vector3(4, 1, 0.042));
         Camera camera = camera(EXACT.withTruth(true, true, true), 1);
 
-        Vision right = camera.look(world, players, Optional.of(TeamSide.RIGHT));
-        Vision left = camera.look(world, players, Optional.of(TeamSide.LEFT));
+        Vision right = camera.look(robot, world, players, Optional.of(TeamSide.RIGHT));
+        Vision left = camera.look(robot, world, players, Optional.of(TeamSide.LEFT));
 
         assertThat(right.ownPosition().orElseThrow().distanceTo(new Vector3(-3, -2, 0.54)))
                 .isLessThan(1e-9);
@@ -129,20 +129,20 @@ class CameraTest {
 
     @Test
     void sameSeedGivesTheSamePicturesAndAnotherSeedOthers() {
-        Vision first = camera(CameraSettings.STANDARD, 5).look(world, players, Optional.empty());
-        Vision same = camera(CameraSettings.STANDARD, 5).look(world, players, Optional.empty());
-        Vision other = camera(CameraSettings.STANDARD, 6).look(world, players, Optional.empty());
+        Vision first = camera(CameraSettings.STANDARD, 5).look(robot, world, players, Optional.empty());
+        Vision same = camera(CameraSettings.STANDARD, 5).look(robot, world, players, Optional.empty());
+        Vision other = camera(CameraSettings.STANDARD, 6).look(robot, world, players, Optional.empty());
 
         assertThat(same).isEqualTo(first);
         assertThat(other).isNotEqualTo(first);
     }
 
     private Vision look(CameraSettings settings) {
-        return camera(settings, 1).look(world, players, Optional.empty());
+        return camera(settings, 1).look(robot, world, players, Optional.empty());
     }
 
-    private Camera camera(CameraSettings settings, long seed) {
-        return new Camera(robot, SoccerField.LEAGUE, settings, new SplittableRandom(seed));
+    private static Camera camera(CameraSettings settings, long seed) {
+        return new Camera(SoccerField.LEAGUE, settings, new SplittableRandom(seed));
     }
 
     private static Vector3 at(double degrees) {

@@ -31,7 +31,7 @@ class RecordedVisionTest {
     void aRobotThatJoinsFallsAndIsBeamedSeesTheSame() throws IOException {
         List<PerceptorMessage> messages = RecordedMessages.read("a_agent_100msgs_sync_fast_nonoise");
         Robot robot = world.addRobot(RobotType.TYPE_0);
-        Camera camera = camera(robot);
+        Camera camera = camera();
         stepBeforeKickOff();
 
         for (int i = 0; i < messages.size(); i++) {
@@ -43,7 +43,7 @@ class RecordedVisionTest {
             }
             stepBeforeKickOff();
             compareSensors(messages.get(i), robot);
-            compareVision(messages.get(i), camera);
+            compareVision(messages.get(i), robot, camera);
         }
 
         assertThat(messages).hasSize(100);
@@ -58,7 +58,7 @@ class RecordedVisionTest {
         hang("Alpha", 2, -1.5, 1, 90);
         stand("Beta", 1, 2, 0, 90);
         stand("Beta", 2, 4, 1, 90);
-        Camera camera = camera(observer);
+        Camera camera = camera();
 
         for (PerceptorMessage message : messages) {
             if (message.gameState().orElseThrow().playModeName().equals("BeforeKickOff")) {
@@ -66,7 +66,7 @@ class RecordedVisionTest {
             } else {
                 world.step();
             }
-            compareVision(message, camera);
+            compareVision(message, observer, camera);
         }
 
         assertThat(messages).hasSize(120);
@@ -94,9 +94,9 @@ class RecordedVisionTest {
         }
     }
 
-    private Camera camera(Robot robot) {
+    private static Camera camera() {
         CameraSettings withoutNoise = CameraSettings.STANDARD.withNoise(false);
-        return new Camera(robot, SoccerField.LEAGUE, withoutNoise, new SplittableRandom(1));
+        return new Camera(SoccerField.LEAGUE, withoutNoise, new SplittableRandom(1));
     }
 
     /** Before the kick-off the referee puts the ball back after every step. */
@@ -122,12 +122,12 @@ class RecordedVisionTest {
                         () -> assertThat(robot.footForces().right()).isEmpty());
     }
 
-    private void compareVision(PerceptorMessage message, Camera camera) {
+    private void compareVision(PerceptorMessage message, Robot observer, Camera camera) {
         if (message.vision().isEmpty()) {
             return;
         }
         Vision printed = message.vision().get();
-        Vision seen = camera.look(world, players, Optional.empty());
+        Vision seen = camera.look(observer, world, players, Optional.empty());
         assertThat(seen.landmarks())
                 .extracting(Vision.SeenLandmark::landmark)
                 .containsExactlyInAnyOrderElementsOf(printed.landmarks().stream()
