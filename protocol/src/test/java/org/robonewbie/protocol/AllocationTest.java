@@ -20,7 +20,7 @@ import org.robonewbie.protocol.sexp.Token;
 /** How much garbage a cycle makes, measured by the JVM. */
 class AllocationTest {
 
-    private static final int ROUNDS = 200;
+    private static final int ROUNDS = 60;
 
     private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private final List<MessageBuffer> recorded = RecordedMessages.load("a_agent_two_teams_hear_playon_noise").stream()

@@ -49,7 +49,7 @@ public final class Mirror {
      * @return the angle of {@link #partner} in degrees
      */
     public static double mirroredDegrees(Joint joint, double degrees) {
-        return CHANGES_SIGN[joint.ordinal()] ? 0 - degrees : degrees;
+        return CHANGES_SIGN[joint.ordinal()] ? -degrees : degrees;
     }
 
     private static Joint findPartner(Joint joint) {

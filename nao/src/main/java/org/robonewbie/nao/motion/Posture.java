@@ -17,7 +17,11 @@ public final class Posture {
 
     private final double[] degrees;
 
+    /** Takes the array over; a negative zero becomes a plain one, since both are the same angle. */
     private Posture(double[] degrees) {
+        for (int i = 0; i < degrees.length; i++) {
+            degrees[i] += 0.0;
+        }
         this.degrees = degrees;
     }
 

@@ -26,7 +26,7 @@ class InverseKinematicsTest {
         ForwardKinematics forward = ForwardKinematics.of(type);
         InverseKinematics inverseOfType = new InverseKinematics(type);
         Random random = new Random(SEED);
-        for (int i = 0; i < 3000; i++) {
+        for (int i = 0; i < 1000; i++) {
             Leg leg = i % 2 == 0 ? Leg.LEFT : Leg.RIGHT;
             Posture posture = randomPosture(random);
             Pose wanted = forward.poses(posture).foot(leg);

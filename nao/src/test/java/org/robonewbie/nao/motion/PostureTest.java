@@ -28,6 +28,11 @@ class PostureTest {
     }
 
     @Test
+    void knowsNoNegativeZero() {
+        assertThat(Posture.ZERO.with(Joint.NECK_YAW, -0.0)).isEqualTo(Posture.ZERO);
+    }
+
+    @Test
     void refusesAWrongNumberOfAngles() {
         assertThatThrownBy(() -> Posture.of(1, 2, 3))
                 .isInstanceOf(IllegalArgumentException.class)

@@ -29,7 +29,7 @@ import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 
 class PerceptorRoundTripTest {
 
-    @Property(tries = 1000, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 300, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
     void everyMessageThatCanBeWrittenIsReadTheSame(@ForAll("messages") PerceptorMessage message) {
         MessageBuffer buffer = new MessageBuffer();
         new PerceptorMessageWriter(buffer).write(message);
