@@ -17,7 +17,8 @@ import org.robonewbie.nao.motion.Posture;
  * }</pre>
  *
  * <p>Method: damped least squares (Levenberg 1944, Marquardt 1963) within the joints' ranges; a joint at its stop is left out
- * as long as it wants to go further. One object serves one thread at a time.
+ * as long as it wants to go further. A reachable pose takes some microseconds, one out of reach up to a millisecond, since
+ * the search then begins at several places. One object serves one thread at a time.
  */
 public final class InverseKinematics {
 

@@ -46,7 +46,7 @@ class MotionFilePropertyTest {
         assertThat(MotionFile.parse("a.txt", text).text()).isEqualTo(text);
     }
 
-    @Property(tries = 200)
+    @Property(tries = 50)
     void allBytesAreKept(@ForAll byte[] bytes) throws Exception {
         Files.write(file, bytes);
 
