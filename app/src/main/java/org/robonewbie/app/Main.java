@@ -2,13 +2,13 @@ package org.robonewbie.app;
 
 import java.util.Objects;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
-import org.jspecify.annotations.Nullable;
 import org.robonewbie.agent.Options;
 import picocli.CommandLine;
-import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.Model.UsageMessageSpec;
+import picocli.CommandLine.TypeConversionException;
 
 /**
  * Starts RoboNewbie from the command line. The exit code is 0 when all went well, 1 when a command ran and failed, 2 when
@@ -37,7 +37,12 @@ public final class Main {
 
     static CommandLine commandLine() {
         CommandLine commandLine = new CommandLine(new RoboNewbieCommand())
-                .setExecutionExceptionHandler(reportPlainly())
+                .setParameterExceptionHandler(new PlainMessages())
+                .setExecutionExceptionHandler(new PlainMessages())
+                .registerConverter(Integer.class, text -> number(text, Integer::valueOf, "a whole number"))
+                .registerConverter(int.class, text -> number(text, Integer::valueOf, "a whole number"))
+                .registerConverter(Long.class, text -> number(text, Long::valueOf, "a whole number"))
+                .registerConverter(Double.class, text -> number(text, Double::valueOf, "a number"))
                 .setUsageHelpAutoWidth(true);
         subcommand(commandLine, RunCommand.NAME).setStopAtPositional(true);
         appendToHelp(commandLine, DemoCommand.NAME, () -> "Options of the agent:%n" + Options.help());
@@ -68,17 +73,11 @@ public final class Main {
                 : arguments;
     }
 
-    private static IExecutionExceptionHandler reportPlainly() {
-        return (exception, commandLine, parsed) -> {
-            commandLine.getErr().println("robonewbie: " + messageOf(exception));
-            return exception instanceof CalledWronglyException
-                    ? CommandLine.ExitCode.USAGE
-                    : CommandLine.ExitCode.SOFTWARE;
-        };
-    }
-
-    static String messageOf(Throwable exception) {
-        @Nullable String message = exception.getMessage();
-        return message == null ? exception.toString() : message;
+    private static <T> T number(String text, Function<String, T> reading, String expected) {
+        try {
+            return reading.apply(text);
+        } catch (NumberFormatException wrong) {
+            throw new TypeConversionException("\"" + text + "\" is not " + expected);
+        }
     }
 }

@@ -9,6 +9,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Unmatched;
 
 /** Runs one agent: an example, a class of the user or a Java file. */
 @Command(
@@ -44,8 +45,15 @@ final class RunCommand implements Callable<Integer> {
                     "Name of an example, name of a class of yours, or a .java file; then the options of the agent.")
     private List<String> agentAndOptions = List.of();
 
+    @Unmatched
+    private List<String> optionsBeforeTheAgent = List.of();
+
     @Override
     public Integer call() {
+        if (!optionsBeforeTheAgent.isEmpty()) {
+            throw new CalledWronglyException("Name the agent first, then its options: robonewbie run "
+                    + ExampleCatalogue.FIRST_EXAMPLE + " " + optionsBeforeTheAgent.get(0));
+        }
         AgentFinder finder = new AgentFinder(ExampleCatalogue.load(), folders());
         if (agentAndOptions.isEmpty()) {
             throw new CalledWronglyException("Which agent shall run? Write for example: robonewbie run "

@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalLong;
 import java.util.Random;
 import java.util.concurrent.Callable;
 import org.robonewbie.simulator.SimulationControl;
@@ -35,6 +34,7 @@ import picocli.CommandLine.Option;
 final class SimulatorCommand implements Callable<Integer> {
 
     static final String NAME = "simulator";
+    private static final int LAST_PORT = 65535;
 
     @Mixin
     final HelpOption help = new HelpOption();
@@ -58,10 +58,10 @@ final class SimulatorCommand implements Callable<Integer> {
     private boolean withoutNoise;
 
     @Option(names = "--seed", paramLabel = "S", description = "Start of all random numbers: same seed, same run.")
-    private OptionalLong seed = OptionalLong.empty();
+    private Optional<Long> seed = Optional.empty();
 
     @Option(names = "--seconds", paramLabel = "T", description = "End after T simulated seconds.")
-    private OptionalDouble seconds = OptionalDouble.empty();
+    private Optional<Double> seconds = Optional.empty();
 
     @Option(names = "--wait-for", paramLabel = "N", description = "Begin when N agents are connected.")
     private int awaitedAgents;
@@ -114,16 +114,24 @@ final class SimulatorCommand implements Callable<Integer> {
         return (beginner ? SimulatorSettings.beginner() : SimulatorSettings.league())
                 .parameters(parameters(start))
                 .bindAddress(bindAddress)
-                .agentPort(agentPort.or(start::agentPort).orElse(SimulatorSettings.DEFAULT_AGENT_PORT))
+                .agentPort(port(agentPort.or(start::agentPort).orElse(SimulatorSettings.DEFAULT_AGENT_PORT)))
                 .synchronous(synchronous || isFast || start.isSynchronous())
                 .speed(isFast ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
                 .noise(!withoutNoise)
-                .seed(seed.orElseGet(() -> new Random().nextInt(Integer.MAX_VALUE)))
+                .seed(seed.orElseGet(() -> (long) new Random().nextInt(Integer.MAX_VALUE)))
                 .awaitedAgents(awaitedAgents)
-                .seconds(seconds)
+                .seconds(seconds.map(OptionalDouble::of).orElse(OptionalDouble.empty()))
                 .recording(recording)
                 .report(report)
                 .build();
+    }
+
+    private static int port(int number) {
+        if (number < 0 || number > LAST_PORT) {
+            throw new CalledWronglyException(
+                    "Port " + number + " does not exist. Ports are 1 to " + LAST_PORT + ", and 0 takes any free one.");
+        }
+        return number;
     }
 
     private SoccerParameters parameters(StartScript start) {
@@ -135,7 +143,7 @@ final class SimulatorCommand implements Callable<Integer> {
                 parameters = parameters.with(assignment);
             }
         } catch (IllegalArgumentException wrong) {
-            throw new CalledWronglyException(Main.messageOf(wrong));
+            throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         }
         return parameters;
     }
