@@ -1,5 +1,6 @@
 package org.robonewbie.app;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -27,7 +28,7 @@ final class DemoCommand implements Callable<Integer> {
     final HelpOption help = new HelpOption();
 
     @Unmatched
-    private List<String> agentOptions = List.of();
+    private final List<String> agentOptions = new ArrayList<>();
 
     @Override
     public Integer call() {

@@ -2,6 +2,7 @@ package org.robonewbie.app;
 
 import java.io.File;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -46,7 +47,7 @@ final class RunCommand implements Callable<Integer> {
     private List<String> agentAndOptions = List.of();
 
     @Unmatched
-    private List<String> optionsBeforeTheAgent = List.of();
+    private final List<String> optionsBeforeTheAgent = new ArrayList<>();
 
     @Override
     public Integer call() {

@@ -1,0 +1,102 @@
+package org.robonewbie.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Predicate;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+
+/** Rules of the house that no compiler checks. */
+class HouseRulesTest {
+
+    private static final int MOST_LINES_OF_JAVA = 400;
+    private static final int MOST_LINES_OF_JAVASCRIPT = 300;
+    private static final Pattern EMPTY_NAME = Pattern.compile(".*(Util|Utils|Manager|Helper|Impl)\\.(java|js)");
+    private static final Pattern OPEN_END = Pattern.compile("\\b(TODO|FIXME|XXX)\\b");
+
+    @Test
+    void javaFilesCanBeReadInOneGo() {
+        assertThat(those(Project.sources(".java"), file -> lines(file) > MOST_LINES_OF_JAVA))
+                .isEmpty();
+    }
+
+    @Test
+    void scriptsCanBeReadInOneGo() {
+        assertThat(those(Project.sources(".js"), file -> lines(file) > MOST_LINES_OF_JAVASCRIPT))
+                .isEmpty();
+    }
+
+    @Test
+    void namesSayWhatAThingIs() {
+        List<Path> all = Project.sources("");
+
+        assertThat(those(
+                        all,
+                        file -> EMPTY_NAME
+                                .matcher(file.getFileName().toString())
+                                .matches()))
+                .isEmpty();
+    }
+
+    @Test
+    void exceptionsAreToldInWords() {
+        String forbidden = "print" + "StackTrace";
+
+        assertThat(those(Project.sources(".java"), file -> Project.read(file).contains(forbidden)))
+                .isEmpty();
+    }
+
+    @Test
+    void testsDoNotSleep() {
+        String forbidden = "Thread." + "sleep";
+
+        assertThat(those(
+                        Project.sources("Test.java"), file -> Project.read(file).contains(forbidden)))
+                .isEmpty();
+    }
+
+    @Test
+    void nothingIsLeftOpenInTheSources() {
+        assertThat(those(
+                        Project.sources(".java"),
+                        file -> !isThisTest(file)
+                                && OPEN_END.matcher(Project.read(file)).find()))
+                .isEmpty();
+    }
+
+    @Test
+    void everyPackageSaysWhatLivesThere() {
+        List<Path> withoutWord = those(
+                Project.sources(".java"),
+                file -> file.toString().contains("main")
+                        && !Files.exists(file.resolveSibling("package-info.java"))
+                        && !file.endsWith("module-info.java"));
+
+        assertThat(withoutWord).isEmpty();
+    }
+
+    @Test
+    void everyPackageIsFreeOfNull() {
+        List<Path> packages = those(Project.sources("package-info.java"), file -> true);
+
+        assertThat(packages)
+                .isNotEmpty()
+                .allMatch(file ->
+                        Project.read(Project.ROOT.resolve(file)).contains("@org.jspecify.annotations.NullMarked"));
+    }
+
+    private static List<Path> those(List<Path> files, Predicate<Path> condition) {
+        return files.stream().filter(condition).map(Project.ROOT::relativize).toList();
+    }
+
+    private static boolean isThisTest(Path file) {
+        return file.endsWith("HouseRulesTest.java");
+    }
+
+    private static long lines(Path file) {
+        return Project.read(file).lines().count();
+    }
+}

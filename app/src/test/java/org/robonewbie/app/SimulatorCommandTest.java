@@ -1,0 +1,127 @@
+package org.robonewbie.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import picocli.CommandLine;
+
+class SimulatorCommandTest {
+
+    @TempDir
+    Path folder = Path.of("");
+
+    @Test
+    void withoutOptionsItIsLikeTheOriginalServer() {
+        SimulatorSettings settings = settings();
+
+        assertThat(settings.agentPort()).isEqualTo(3100);
+        assertThat(settings.bindAddress()).isEqualTo("127.0.0.1");
+        assertThat(settings.synchronous()).isFalse();
+        assertThat(settings.speed()).isEqualTo(1);
+        assertThat(settings.noise()).isTrue();
+        assertThat(settings.parameters()).isEqualTo(SoccerParameters.league());
+    }
+
+    @Test
+    void beginnersGetTheirOwnPitch() {
+        assertThat(settings("--beginner").parameters()).isEqualTo(SoccerParameters.beginner());
+    }
+
+    @Test
+    void bothProfilesTogetherAreRefused() {
+        assertThatThrownBy(() -> settings("--beginner", "--league"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("exclude each other");
+    }
+
+    @Test
+    void fastIncludesWaitingForAgents() {
+        SimulatorSettings settings = settings("--fast");
+
+        assertThat(settings.synchronous()).isTrue();
+        assertThat(settings.speed()).isEqualTo(SimulationControl.AS_FAST_AS_POSSIBLE);
+    }
+
+    @Test
+    void parametersAreChangedOneByOne() {
+        SimulatorSettings settings = settings("--set", "RuleHalfTime=60", "--set", "UseCharging=false");
+
+        assertThat(settings.parameters().get(SoccerParameter.RULE_HALF_TIME)).isEqualTo(60);
+        assertThat(settings.parameters().isOn(SoccerParameter.USE_CHARGING)).isFalse();
+    }
+
+    @Test
+    void unknownParameterIsAnsweredWithTheNearest() {
+        assertThatThrownBy(() -> settings("--set", "RuleHalftime=60"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("Did you mean RuleHalfTime?");
+    }
+
+    @Test
+    void commandLineIsStrongerThanTheScript() throws IOException {
+        Path script =
+                Files.writeString(folder.resolve("start.rb"), "$agentPort = 3500\naddSoccerVar('RuleHalfTime', 60)\n");
+
+        SimulatorSettings settings =
+                settings("--script-path", script.toString(), "--agent-port", "0", "--set", "RuleHalfTime=90");
+
+        assertThat(settings.agentPort()).isZero();
+        assertThat(settings.parameters().get(SoccerParameter.RULE_HALF_TIME)).isEqualTo(90);
+    }
+
+    @Test
+    void scriptSetsWhatTheCommandLineLeavesOpen() throws IOException {
+        Path script = Files.writeString(folder.resolve("start.rb"), "$agentPort = 3500\nBeamNoiseXY = 0\n");
+
+        SimulatorSettings settings = settings("--script-path", script.toString());
+
+        assertThat(settings.agentPort()).isEqualTo(3500);
+        assertThat(settings.parameters().get(SoccerParameter.BEAM_NOISE_XY)).isZero();
+    }
+
+    @Test
+    void portThatCannotBeIsRefused() {
+        assertThatThrownBy(() -> settings("--agent-port", "70000"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("Port 70000 does not exist");
+    }
+
+    @Test
+    void portInUseEndsWithOneClearMessage() throws IOException {
+        try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            String port = Integer.toString(other.getLocalPort());
+
+            Printed answer = Printed.by("simulator", "--agent-port", port);
+
+            assertThat(answer.exitCode()).isEqualTo(1);
+            assertThat(answer.err().lines()).singleElement().asString().contains(port, "--agent-port");
+        }
+    }
+
+    @Test
+    void simulationEndsAfterTheGivenTime() {
+        Printed answer =
+                Printed.by("simulator", "--agent-port", "0", "--monitor-port", "0", "--fast", "--seconds", "1");
+
+        assertThat(answer.exitCode()).isZero();
+        assertThat(answer.err()).contains("Agents can join at port ");
+    }
+
+    private static SimulatorSettings settings(String... options) {
+        SimulatorCommand command = new SimulatorCommand();
+        new CommandLine(command).parseArgs(options);
+        return command.settings(Console.silent());
+    }
+}
