@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.Random;
 import java.util.concurrent.Callable;
 import org.robonewbie.simulator.SimulationControl;
@@ -34,6 +35,7 @@ import picocli.CommandLine.Option;
 final class SimulatorCommand implements Callable<Integer> {
 
     static final String NAME = "simulator";
+    private static final int DEFAULT_MONITOR_PORT = 3200;
     private static final int LAST_PORT = 65535;
 
     @Mixin
@@ -41,6 +43,12 @@ final class SimulatorCommand implements Callable<Integer> {
 
     @Option(names = "--agent-port", paramLabel = "N", description = "Port for agents, 0 for any free one (3100).")
     private Optional<Integer> agentPort = Optional.empty();
+
+    @Option(
+            names = {"--monitor-port", "--server-port"},
+            paramLabel = "N",
+            description = "Port for monitors and trainers, 0 for any free one (3200).")
+    private Optional<Integer> monitorPort = Optional.empty();
 
     @Option(
             names = {"--bind", "--host"},
@@ -99,7 +107,8 @@ final class SimulatorCommand implements Callable<Integer> {
         Console console = Console.standard();
         Simulator simulator = Simulator.start(settings(console), console);
         Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));
-        console.say("Agents can join at port " + simulator.agentPort() + " of " + bindAddress + ". Control-C ends it.");
+        console.say("Agents can join at port " + simulator.agentPort() + ", monitors at port "
+                + simulator.monitorPort().orElseThrow() + " of " + bindAddress + ". Control-C ends it.");
         simulator.awaitEnd();
         return ExitCode.OK;
     }
@@ -115,6 +124,8 @@ final class SimulatorCommand implements Callable<Integer> {
                 .parameters(parameters(start))
                 .bindAddress(bindAddress)
                 .agentPort(port(agentPort.or(start::agentPort).orElse(SimulatorSettings.DEFAULT_AGENT_PORT)))
+                .monitorPort(
+                        OptionalInt.of(port(monitorPort.or(start::monitorPort).orElse(DEFAULT_MONITOR_PORT))))
                 .synchronous(synchronous || isFast || start.isSynchronous())
                 .speed(isFast ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
                 .noise(!withoutNoise)

@@ -62,7 +62,6 @@ class ArchitectureTest {
                 .resideInAPackage(own)
                 .should()
                 .onlyDependOnClassesThat(resideInAnyPackage(all))
-                .allowEmptyShould(true)
                 .check(HOUSE);
     }
 
@@ -128,7 +127,7 @@ class ArchitectureTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"nao", "protocol", "agent", "simulator", "studio", "app"})
+    @ValueSource(strings = {"nao", "protocol", "agent", "simulator", "studio", "examples", "app"})
     void moduleIsLookedAt(String module) {
         assertThat(HOUSE).anyMatch(type -> type.getPackageName().startsWith("org.robonewbie." + module));
     }

@@ -27,6 +27,7 @@ class SimulatorCommandTest {
         SimulatorSettings settings = settings();
 
         assertThat(settings.agentPort()).isEqualTo(3100);
+        assertThat(settings.monitorPort()).hasValue(3200);
         assertThat(settings.bindAddress()).isEqualTo("127.0.0.1");
         assertThat(settings.synchronous()).isFalse();
         assertThat(settings.speed()).isEqualTo(1);
@@ -103,7 +104,7 @@ class SimulatorCommandTest {
         try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             String port = Integer.toString(other.getLocalPort());
 
-            Printed answer = Printed.by("simulator", "--agent-port", port);
+            Printed answer = Printed.by("simulator", "--agent-port", port, "--monitor-port", "0");
 
             assertThat(answer.exitCode()).isEqualTo(1);
             assertThat(answer.err().lines()).singleElement().asString().contains(port, "--agent-port");
