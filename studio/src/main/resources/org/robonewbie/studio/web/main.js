@@ -145,7 +145,7 @@ function drawPicture(now, seconds) {
     view.update(picture);
   }
   stale = desk.update(view.crowd.poses, seconds);
-  view.light.shine(desk.shown.target);
+  view.light.shine(desk.shown.target, view.camera.position);
   view.draw();
   draws.forEach((draw) => draw(state, now));
   picturesInARow++;

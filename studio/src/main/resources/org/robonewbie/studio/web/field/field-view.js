@@ -58,6 +58,9 @@ export class FieldView {
     this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
     this.scene.environmentIntensity = 0.5;
     this.crowd.setQuality(quality);
+    if (this.content) {
+      this.#layPitch(this.content);
+    }
     this.setShadows(this.realShadows);
     this.resize();
   }
@@ -114,7 +117,7 @@ export class FieldView {
     if (this.pitch) {
       this.scene.remove(this.pitch);
     }
-    this.pitch = pitch(content.field, this.palette);
+    this.pitch = pitch(content.field, this.palette, this.quality.glossy);
     this.scene.add(this.pitch);
     this.setShadows(this.realShadows);
   }

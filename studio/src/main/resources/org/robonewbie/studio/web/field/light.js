@@ -3,7 +3,8 @@ import * as THREE from 'three';
 
 /**
  * @typedef {object} Palette
- * @property {number} sky
+ * @property {number} sky at the horizon
+ * @property {number} zenith straight above
  * @property {number} surround
  * @property {number} grass
  * @property {number} grassStripe
@@ -14,11 +15,12 @@ import * as THREE from 'three';
 
 /** @type {{light: Palette, dark: Palette}} */
 export const PALETTES = {
-  light: { sky: 0xdfe8ef, surround: 0xb9c7cf, grass: 0x55a362, grassStripe: 0x5cab69, line: 0xffffff, skyLight: 1.55, sunLight: 2.1 },
-  dark: { sky: 0x141a21, surround: 0x1d252d, grass: 0x2d6a3c, grassStripe: 0x327243, line: 0xe6ece8, skyLight: 1.15, sunLight: 2.0 },
+  light: { sky: 0xe9eff3, zenith: 0xb4cfe6, surround: 0xc3ced4, grass: 0x55a362, grassStripe: 0x5cab69, line: 0xffffff, skyLight: 1.55, sunLight: 2.1 },
+  dark: { sky: 0x232c36, zenith: 0x0d1217, surround: 0x1b2229, grass: 0x2d6a3c, grassStripe: 0x327243, line: 0xe6ece8, skyLight: 1.15, sunLight: 2.0 },
 };
 
-const SHADOW_REACH = 2.2;
+const SHADOW_REACH = 2;
+const SKY_RADIUS = 100;
 
 export class Light {
   /** @param {THREE.Scene} scene */
@@ -27,7 +29,7 @@ export class Light {
     this.sky = new THREE.HemisphereLight(0xffffff, 0x7d9482, 1);
     this.sky.position.set(0, 0, 1);
     this.sun = new THREE.DirectionalLight(0xfff4e2, 1);
-    this.sun.shadow.mapSize.set(1024, 1024);
+    this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.radius = 3;
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.01;
@@ -39,27 +41,58 @@ export class Light {
       near: 1,
       far: 20,
     });
-    scene.add(this.sky, this.sun, this.sun.target);
-    this.shine([0, 0, 0]);
+    this.dome = skyDome();
+    scene.add(this.dome, this.sky, this.sun, this.sun.target);
+    this.shine([0, 0, 0], new THREE.Vector3());
   }
 
   /** @param {Palette} palette */
   setPalette(palette) {
     this.sky.intensity = palette.skyLight;
     this.sun.intensity = palette.sunLight;
-    this.scene.background = new THREE.Color(palette.sky);
-    this.scene.fog = new THREE.Fog(palette.sky, 14, 60);
+    paintDome(this.dome, palette);
+    this.scene.fog = new THREE.Fog(palette.sky, 9, 38);
   }
 
   /**
-   * Takes the sun along, so that its shadows are sharp where the eye looks.
+   * Takes sun and sky along, so that shadows are sharp where the eye looks and the sky is out of reach.
    *
-   * @param {number[]} target
+   * @param {number[]} target what the eye looks at
+   * @param {THREE.Vector3} eye
    */
-  shine(target) {
-    this.sun.position.set(target[0] - 4, target[1] - 5, 9);
+  shine(target, eye) {
+    this.dome.position.copy(eye);
+    this.sun.position.set(target[0] + 3, target[1] - 5, 8);
     this.sun.target.position.set(target[0], target[1], 0);
   }
+}
+
+/** A dome that is bright at the horizon and deeper above; it must be moved along with the eye. */
+function skyDome() {
+  const geometry = new THREE.SphereGeometry(SKY_RADIUS, 16, 24).rotateX(Math.PI / 2);
+  const count = geometry.getAttribute('position').count;
+  geometry.setAttribute('color', new THREE.BufferAttribute(new Float32Array(3 * count), 3));
+  const material = new THREE.MeshBasicMaterial({ vertexColors: true, side: THREE.BackSide, fog: false, depthWrite: false });
+  const dome = new THREE.Mesh(geometry, material);
+  dome.renderOrder = -1;
+  return dome;
+}
+
+/**
+ * @param {THREE.Mesh} dome
+ * @param {Palette} palette
+ */
+function paintDome(dome, palette) {
+  const places = dome.geometry.getAttribute('position');
+  const colours = dome.geometry.getAttribute('color');
+  const [horizon, zenith] = [new THREE.Color(palette.sky), new THREE.Color(palette.zenith)];
+  const colour = new THREE.Color();
+  for (let i = 0; i < places.count; i++) {
+    const height = Math.max(0, Math.min(1, (places.getZ(i) / SKY_RADIUS) * 1.5));
+    colour.lerpColors(horizon, zenith, Math.sqrt(height));
+    colours.setXYZ(i, colour.r, colour.g, colour.b);
+  }
+  colours.needsUpdate = true;
 }
 
 /**

@@ -45,17 +45,21 @@ const UPPER_ARM = [
   { at: -0.018, wide: 0.029, deep: 0.029, x: -0.005 },
   { at: 0.01, wide: 0.031, deep: 0.03, x: -0.004 },
   { at: 0.034, wide: 0.026, deep: 0.026, x: -0.008, y: -0.005 },
-  { at: 0.048, wide: 0.02, deep: 0.02, x: -0.01, y: -0.008 },
+  { at: 0.046, wide: 0.021, deep: 0.021, x: -0.01, y: -0.008 },
+  { at: 0.05, wide: 0.012, deep: 0.012, x: -0.01, y: -0.009 },
+  { at: 0.05, wide: 0, deep: 0, x: -0.01, y: -0.009 },
 ];
 
 /** @type {Section[]} */
 const FOREARM = [
-  { at: -0.045, wide: 0.013, deep: 0.013 },
+  { at: -0.046, wide: 0, deep: 0 },
+  { at: -0.046, wide: 0.012, deep: 0.012 },
   { at: -0.038, wide: 0.022, deep: 0.022 },
   { at: -0.012, wide: 0.028, deep: 0.029 },
   { at: 0.012, wide: 0.027, deep: 0.027 },
   { at: 0.03, wide: 0.021, deep: 0.021 },
   { at: 0.034, wide: 0.014, deep: 0.014 },
+  { at: 0.034, wide: 0, deep: 0 },
 ];
 
 /** @type {Section[]} */
@@ -69,6 +73,7 @@ const HAND = [
 
 /** @type {Section[]} */
 const THIGH = [
+  { at: -0.078, wide: 0, deep: 0, y: -0.004 },
   { at: -0.078, wide: 0.02, deep: 0.02, y: -0.004 },
   { at: -0.07, wide: 0.028, deep: 0.03, y: -0.003 },
   { at: -0.04, wide: 0.035, deep: 0.037 },
@@ -76,16 +81,19 @@ const THIGH = [
   { at: 0.032, wide: 0.036, deep: 0.036, y: -0.004 },
   { at: 0.048, wide: 0.026, deep: 0.026, y: -0.008 },
   { at: 0.055, wide: 0.01, deep: 0.01, y: -0.01 },
+  { at: 0.056, wide: 0, deep: 0, y: -0.01 },
 ];
 
 /** @type {Section[]} */
 const SHANK = [
+  { at: -0.052, wide: 0, deep: 0, y: -0.006 },
   { at: -0.052, wide: 0.022, deep: 0.022, y: -0.006 },
   { at: -0.044, wide: 0.029, deep: 0.029, y: -0.005 },
   { at: -0.01, wide: 0.036, deep: 0.037, y: 0.002 },
   { at: 0.022, wide: 0.037, deep: 0.039, y: 0.003 },
   { at: 0.044, wide: 0.031, deep: 0.031, y: 0.002 },
   { at: 0.054, wide: 0.02, deep: 0.02 },
+  { at: 0.055, wide: 0, deep: 0 },
 ];
 
 /** @type {Section[]} */
@@ -96,10 +104,12 @@ const FOOT = [
   { at: 0.019, wide: 0.037, deep: 0.066, y: -0.01 },
   { at: 0.029, wide: 0.031, deep: 0.047, y: -0.022 },
   { at: 0.036, wide: 0.024, deep: 0.032, y: -0.029 },
+  { at: 0.037, wide: 0, deep: 0, y: -0.029 },
 ];
 
 /** @type {Section[]} */
 const SOLE = [
+  { at: -0.01, wide: 0, deep: 0 },
   { at: -0.01, wide: 0.038, deep: 0.077 },
   { at: -0.009, wide: 0.0445, deep: 0.0835 },
   { at: -0.005, wide: 0.0455, deep: 0.0845 },
@@ -168,8 +178,8 @@ export function numberPlates() {
   /** @type {LoftOptions} */
   const patch = { segments: 6, rings: 3, inflate: 0.0016 };
   return [
-    loft(TORSO, { ...patch, around: [-31, 31], along: [0.49, 0.69] }),
-    loft(TORSO, { ...patch, around: [142, 218], along: [0.44, 0.72] }),
+    loft(TORSO, { ...patch, around: [-27, 27], along: [0.5, 0.71] }),
+    loft(TORSO, { ...patch, around: [146, 214], along: [0.44, 0.71] }),
   ];
 }
 
@@ -180,6 +190,8 @@ function torso({ body, small, disc: round, trinkets }) {
     piece('shell', loft(TORSO, body)),
     piece('team', loft(TORSO, { ...band, around: [-62, 62], along: [0.735, 0.8] })),
     piece('team', loft(TORSO, { ...band, around: [118, 242], along: [0.75, 0.8] })),
+    piece('trim', loft(TORSO, { ...band, inflate: 0.0012, around: [70, 110], along: [0.2, 0.58] })),
+    piece('trim', loft(TORSO, { ...band, inflate: 0.0012, around: [250, 290], along: [0.2, 0.58] })),
     piece('trim', disc(0.0075, 0.0125, round), [0, 0.0588, -0.004]),
     piece('eye', disc(0, 0.0075, round), [0, 0.0588, -0.004]),
     piece('joint', loft(boxRibs(0.05, 0.036, 0.022), { ...small, rings: 5, square: 3 }), [0, -0.004, -0.11]),
@@ -188,12 +200,13 @@ function torso({ body, small, disc: round, trinkets }) {
 }
 
 /** @param {Facets} facets */
-function head({ body, small, disc: round }) {
+function head(facets) {
+  const { body, small, disc: round } = facets;
   const ear = { ...small, axis: /** @type {'x'} */ ('x') };
   return [
     piece('shell', loft(HEAD, { ...body, square: 2.3 })),
-    ...eye(1, round),
-    ...eye(-1, round),
+    ...eye(1, facets),
+    ...eye(-1, facets),
     piece('black', disc(0, 0.006, round).rotateX(0.55), [0, 0.0575, 0.038]),
     piece('black', disc(0, 0.0055, round).rotateX(-0.35), [0, 0.0622, -0.02]),
     piece('team', barrel(0.031, 0.016, ear), [0.062, -0.006, 0.008]),
@@ -204,20 +217,23 @@ function head({ body, small, disc: round }) {
 }
 
 /**
+ * A goggle: a black rim that stands out of the head, and in it a ring of light.
+ *
  * @param {1 | -1} side
- * @param {number} round facets
+ * @param {Facets} facets
  */
-function eye(side, round) {
-  /** @param {number} inner @param {number} outer @param {number} off */
-  const ring = (inner, outer, off) =>
-    disc(inner, outer, round)
+function eye(side, { small, disc: round }) {
+  /** @param {BufferGeometry} geometry @param {number} off */
+  const placed = (geometry, off) =>
+    geometry
+      .translate(0, off, 0)
       .rotateX(0.06)
-      .rotateZ(-side * 0.4)
-      .translate(side * (0.0285 + 0.4 * off), 0.0585 + off, 0.009);
+      .rotateZ(-side * 0.42)
+      .translate(side * 0.0285, 0.0545, 0.009);
   return [
-    piece('black', ring(0, 0.0178, 0)),
-    piece('eye', ring(0.0072, 0.0142, 0.0006)),
-    piece('black', ring(0, 0.0072, 0.0006)),
+    piece('black', placed(barrel(0.0192, 0.02, { ...small, axis: 'y' }), 0)),
+    piece('eye', placed(disc(0.0072, 0.0145, round), 0.0103)),
+    piece('black', placed(disc(0, 0.0072, round), 0.0103)),
   ];
 }
 
@@ -289,7 +305,7 @@ function ankle({ small, trinkets }) {
 function foot({ body, small }) {
   return [
     piece('shell', loft(FOOT, { ...body, square: 2.8 })),
-    piece('joint', loft(SOLE, { ...body, square: 2.9, rings: 2 })),
+    piece('joint', loft(SOLE, { ...body, square: 2.9, rings: 3 })),
     piece('team', loft(FOOT, { ...small, square: 2.8, inflate: 0.0014, around: [-58, 58], along: [0.1, 0.5] })),
   ];
 }

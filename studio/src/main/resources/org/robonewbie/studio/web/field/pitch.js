@@ -12,17 +12,19 @@ const POST_RADIUS = 0.03;
 const STRIPES = 12;
 const NET_STEP = 0.1;
 const OVER_GRASS = 0.002;
+const BLADES_METRES = 0.9;
 
 /**
  * Builds the pitch.
  *
  * @param {Field} field
  * @param {{grass: number, grassStripe: number, surround: number, line: number}} colours
+ * @param {boolean} blades whether the grass has a grain
  * @returns {THREE.Group}
  */
-export function pitch(field, colours) {
+export function pitch(field, colours, blades) {
   const group = new THREE.Group();
-  group.add(surround(colours.surround), grass(field, colours), lines(field, colours.line), shadowSheet(), ...goals(field));
+  group.add(surround(colours.surround), grass(field, colours, blades), lines(field, colours.line), shadowSheet(), ...goals(field));
   return group;
 }
 
@@ -36,8 +38,9 @@ function surround(colour) {
 /**
  * @param {Field} field
  * @param {{grass: number, grassStripe: number}} colours
+ * @param {boolean} blades
  */
-function grass(field, colours) {
+function grass(field, colours, blades) {
   const step = field.length / STRIPES;
   const places = [];
   const tints = [];
@@ -52,9 +55,36 @@ function grass(field, colours) {
   }
   const geometry = flat(places);
   geometry.setAttribute('color', new THREE.Float32BufferAttribute(tints, 3));
-  const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ vertexColors: true }));
+  const corners = places.filter((_, i) => i % 3 < 2).map((value) => value / BLADES_METRES);
+  geometry.setAttribute('uv', new THREE.Float32BufferAttribute(corners, 2));
+  const map = blades ? grain() : null;
+  const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ vertexColors: true, map }));
   mesh.name = 'grass';
   return mesh;
+}
+
+/** A picture of short blades in slightly different greys, always the same. */
+function grain() {
+  const size = 256;
+  const canvas = document.createElement('canvas');
+  canvas.width = size;
+  canvas.height = size;
+  const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+  pen.fillStyle = '#f1f1f1';
+  pen.fillRect(0, 0, size, size);
+  let random = 7;
+  const next = () => (random = (random * 16807) % 2147483647) / 2147483647;
+  for (let i = 0; i < 5200; i++) {
+    const grey = 205 + Math.floor(50 * next());
+    pen.fillStyle = `rgb(${grey}, ${grey}, ${grey - 8})`;
+    pen.fillRect(size * next(), size * next(), 1.5, 2 + 5 * next());
+  }
+  const texture = new THREE.CanvasTexture(canvas);
+  texture.wrapS = THREE.RepeatWrapping;
+  texture.wrapT = THREE.RepeatWrapping;
+  texture.colorSpace = THREE.SRGBColorSpace;
+  texture.anisotropy = 8;
+  return texture;
 }
 
 /**
@@ -159,7 +189,7 @@ function goals(field) {
   }
   const bars = new THREE.InstancedMesh(
     new THREE.CylinderGeometry(POST_RADIUS, POST_RADIUS, 1, 14),
-    new THREE.MeshLambertMaterial({ color: 0xf7f9fa }),
+    new THREE.MeshLambertMaterial({ color: 0xfafcfd, emissive: 0x3c4044 }),
     frames.length,
   );
   frames.forEach((bar, i) => bars.setMatrixAt(i, bar));
@@ -170,7 +200,7 @@ function goals(field) {
   geometry.setAttribute('position', new THREE.Float32BufferAttribute(netting, 3));
   const threads = new THREE.LineSegments(
     geometry,
-    new THREE.LineBasicMaterial({ color: 0xffffff, transparent: true, opacity: 0.42 }),
+    new THREE.LineBasicMaterial({ color: 0xffffff, transparent: true, opacity: 0.6 }),
   );
   return [bars, threads];
 }
