@@ -9,6 +9,8 @@ import java.util.Arrays;
  */
 public final class MessageBuffer {
 
+    private static final char LAST_ASCII = 0x7F;
+
     private byte[] bytes;
     private int length;
 
@@ -72,15 +74,21 @@ public final class MessageBuffer {
     }
 
     /**
-     * Appends a text.
+     * Appends a text in UTF-8, so that no letter of a foreign alphabet can pass for a parenthesis.
      *
-     * @param ascii characters of which the lower eight bits are taken
+     * @param text the text, mostly ASCII
      */
-    public void append(CharSequence ascii) {
+    public void append(CharSequence text) {
         int start = length;
-        resize(length + ascii.length());
-        for (int i = 0; i < ascii.length(); i++) {
-            bytes[start + i] = (byte) ascii.charAt(i);
+        resize(length + text.length());
+        for (int i = 0; i < text.length(); i++) {
+            char character = text.charAt(i);
+            if (character > LAST_ASCII) {
+                resize(start);
+                appendEncoded(text.toString().getBytes(StandardCharsets.UTF_8));
+                return;
+            }
+            bytes[start + i] = (byte) character;
         }
     }
 
@@ -93,6 +101,12 @@ public final class MessageBuffer {
         int start = length;
         resize(length + other.length);
         System.arraycopy(other.bytes, 0, bytes, start, other.length);
+    }
+
+    private void appendEncoded(byte[] encoded) {
+        int start = length;
+        resize(length + encoded.length);
+        System.arraycopy(encoded, 0, bytes, start, encoded.length);
     }
 
     /**

@@ -1,10 +1,12 @@
 package org.robonewbie.protocol.monitor;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.robonewbie.protocol.monitor.RecordedMonitorMessages.message;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -141,6 +143,20 @@ class TrainerCommandReaderTest {
         assertThat(read("(ball ".repeat(100_000))).isEmpty();
         assertThat(read("(".repeat(100_000) + ")".repeat(100_000) + "(dropBall)"))
                 .containsExactly(new TrainerCommand.DropBall());
+    }
+
+    @Test
+    void randomBytesNeverStopTheReader() {
+        Random random = new Random(11);
+        String letters = "()()  ballposvelagentunumteamLeft0123456789.-+einf;\"\n\u0128";
+        for (int i = 0; i < 20_000; i++) {
+            StringBuilder text = new StringBuilder("(ball (pos ");
+            for (int k = random.nextInt(60); k >= 0; k--) {
+                text.append(letters.charAt(random.nextInt(letters.length())));
+            }
+            String garbage = text.toString();
+            assertThatCode(() -> read(garbage)).as(garbage).doesNotThrowAnyException();
+        }
     }
 
     private static List<TrainerCommand> read(String text) {

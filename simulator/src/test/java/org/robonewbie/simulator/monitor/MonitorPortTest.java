@@ -251,6 +251,26 @@ class MonitorPortTest {
     }
 
     @Test
+    void thousandsOfShortConnectionsLeaveNothingBehind() throws Exception {
+        try (MonitorLink healthy = watched.connect()) {
+            for (int i = 0; i < 3000; i++) {
+                new Socket(InetAddress.getLoopbackAddress(), watched.port().number()).close();
+            }
+            try (MonitorLink late =
+                    MonitorLink.connect("127.0.0.1", watched.port().number())) {
+                late.send(new TrainerCommand.DropBall());
+                assertThat(watched.nextOrder()).isEqualTo(new TrainerCommand.DropBall());
+                watched.awaitMonitors(2);
+                watched.runCycles(1);
+
+                assertThat(nextText(healthy)).contains("(RSG ");
+                assertThat(nextText(late)).contains("(RSG ");
+                assertThat(watched.console()).isEmpty();
+            }
+        }
+    }
+
+    @Test
     void announcedMessageOfFourGibibytesEndsTheConnectionWithAWord() throws Exception {
         try (Socket socket =
                 new Socket(InetAddress.getLoopbackAddress(), watched.port().number())) {

@@ -201,6 +201,17 @@ class MonitorExpectationsTest {
     }
 
     @Test
+    void teamNameOfForeignLettersDoesNotBreakTheScene() throws IOException {
+        try (MonitoredSimulator match = new MonitoredSimulator()) {
+            match.join("\u0128\u0129", 1);
+
+            match.await(seen -> seen.isCurrent() && seen.gameState().teamLeft().isPresent());
+            assertThat(match.world().gameState().teamLeft()).contains("\u0128\u0129");
+            assertThat(match.world().robots()).hasSize(1);
+        }
+    }
+
+    @Test
     void monitorPortInUseLeavesNoAgentPortBehind() throws IOException {
         try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             int agentPort;
