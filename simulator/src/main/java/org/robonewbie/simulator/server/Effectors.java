@@ -31,6 +31,7 @@ final class Effectors {
     private static final String STANDARD_ROBOT = "rsg/agent/nao/nao.rsg";
     private static final String TYPED_ROBOT = "rsg/agent/nao/nao_hetero.rsg";
     private static final int MAXIMUM_ROBOTS = 44;
+    private static final double ROOM = 1;
     private static final double HEARING_RANGE = 50;
     private static final Vector3 PLACE_OF_REFUSED = new Vector3(0, 0, 10);
 
@@ -154,8 +155,27 @@ final class Effectors {
             agent.connection()
                     .complain("crowd", "gets no robot, since there are " + MAXIMUM_ROBOTS + " robots already.");
         } else {
-            agent.setRobot(world.addRobot(RobotType.values()[type]));
+            Vector3 place = freePlace(Robot.START_POSITION);
+            Robot robot = world.addRobot(RobotType.values()[type]);
+            robot.moveTo(place);
+            agent.setRobot(robot);
         }
+    }
+
+    /** Finds room beside a place, since robots that are put into each other cost the engine much time. */
+    private Vector3 freePlace(Vector3 wanted) {
+        Vector3 place = wanted;
+        for (int i = 1; isOccupied(place); i++) {
+            int column = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
+            place = wanted.plus(new Vector3(column * ROOM, 0, 0));
+        }
+        return place;
+    }
+
+    private boolean isOccupied(Vector3 place) {
+        return world.robots().stream()
+                .map(robot -> robot.torso().position())
+                .anyMatch(other -> Math.hypot(other.x() - place.x(), other.y() - place.y()) < ROOM - 0.01);
     }
 
     /** Finds the wanted type; -1 stands for a robot that does not exist. */
@@ -184,7 +204,7 @@ final class Effectors {
             agent.join(match.teams().join(join.team(), join.number(), robot));
         } catch (JoinRefusedException e) {
             agent.connection().complain(String.valueOf(e.getMessage()), "cannot join: " + e.getMessage() + ".");
-            robot.moveUpright(PLACE_OF_REFUSED, 0);
+            robot.moveUpright(freePlace(PLACE_OF_REFUSED), 0);
         }
     }
 

@@ -110,7 +110,7 @@ final class Simulation implements SimulationControl, Runnable {
             while (!over && !(closing && isFinished())) {
                 turn();
             }
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | OutOfMemoryError e) {
             StringWriter trace = new StringWriter();
             e.printStackTrace(new PrintWriter(trace));
             console.say("The simulation has failed; please report this. " + trace);

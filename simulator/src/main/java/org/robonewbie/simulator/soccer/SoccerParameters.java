@@ -3,8 +3,10 @@ package org.robonewbie.simulator.soccer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import org.robonewbie.nao.SoccerField;
 
 /**
@@ -16,6 +18,18 @@ import org.robonewbie.nao.SoccerField;
  * }</pre>
  */
 public final class SoccerParameters {
+
+    private static final Set<SoccerParameter> POSITIVE = EnumSet.of(
+            SoccerParameter.FIELD_LENGTH,
+            SoccerParameter.FIELD_WIDTH,
+            SoccerParameter.GOAL_WIDTH,
+            SoccerParameter.GOAL_DEPTH,
+            SoccerParameter.GOAL_HEIGHT,
+            SoccerParameter.AGENT_RADIUS,
+            SoccerParameter.BALL_RADIUS,
+            SoccerParameter.BALL_MASS);
+    private static final Set<SoccerParameter> ANY_SIGN =
+            EnumSet.of(SoccerParameter.KEEPAWAY_CENTER_X, SoccerParameter.KEEPAWAY_CENTER_Y);
 
     private final double[] values;
 
@@ -172,6 +186,7 @@ public final class SoccerParameters {
         try {
             double value = Double.parseDouble(text);
             if (Double.isFinite(value)) {
+                checkSize(parameter, value);
                 return value;
             }
         } catch (NumberFormatException e) {
@@ -179,6 +194,14 @@ public final class SoccerParameters {
         }
         throw new IllegalArgumentException("Value \"" + text + "\" of " + parameter.simSparkName()
                 + " is not a number. It is meant in " + parameter.description() + ".");
+    }
+
+    private static void checkSize(SoccerParameter parameter, double value) {
+        boolean mustBePositive = POSITIVE.contains(parameter);
+        if (mustBePositive ? value <= 0 : value < 0 && !ANY_SIGN.contains(parameter)) {
+            throw new IllegalArgumentException("Value " + text(parameter, value) + " of " + parameter.simSparkName()
+                    + " is too small. It must be " + (mustBePositive ? "greater than 0." : "at least 0."));
+        }
     }
 
     private static String text(SoccerParameter parameter, double value) {

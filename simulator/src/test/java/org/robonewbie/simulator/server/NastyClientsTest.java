@@ -1,0 +1,258 @@
+package org.robonewbie.simulator.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.robonewbie.protocol.frame.TcpAgentLink;
+import org.robonewbie.simulator.SimulationControl;
+
+/** Whatever a client does, its problem is named and a well-behaved agent is served on. */
+@Timeout(60)
+class NastyClientsTest {
+
+    private static final String SCENE = "(scene rsg/agent/nao/nao.rsg)(syn)";
+
+    private final RecordingConsole console = new RecordingConsole();
+    private Simulator simulator;
+    private TestAgent goodAgent;
+
+    @BeforeEach
+    void startGameWithGoodAgent() throws IOException {
+        simulator = Simulator.start(
+                SimulatorSettings.beginner()
+                        .agentPort(0)
+                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                        .build(),
+                console);
+        goodAgent = new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()));
+        goodAgent.join("Stars", 1);
+    }
+
+    @AfterEach
+    void goodAgentIsStillServed() throws IOException {
+        for (int i = 0; i < 5; i++) {
+            assertThat(goodAgent.exchange("(syn)").seconds()).isPresent();
+        }
+        goodAgent.close();
+        simulator.close();
+    }
+
+    @Test
+    void lengthOfFourGigabytesEndsTheConnection() throws IOException {
+        try (Socket socket = connect()) {
+            socket.getOutputStream().write(new byte[] {-1, -1, -1, -1, '(', ')'});
+
+            assertThat(socket.getInputStream().read()).isEqualTo(-1);
+        }
+
+        awaitSaid("4294967295 bytes");
+    }
+
+    @Test
+    void messageThatNeverEndsTakesNoMoreThanItsBytes() throws IOException {
+        try (Socket socket = connect()) {
+            socket.getOutputStream().write(prefix(1 << 20));
+            byte[] chunk = new byte[1 << 16];
+            for (int i = 0; i < 15; i++) {
+                socket.getOutputStream().write(chunk);
+            }
+
+            goodAgent.exchange("(syn)");
+        }
+    }
+
+    @Test
+    void truncatedMessageIsForgottenWithItsClient() throws IOException {
+        try (Socket socket = connect()) {
+            socket.getOutputStream().write(prefix(100));
+            socket.getOutputStream().write("(scene rsg".getBytes(StandardCharsets.US_ASCII));
+        }
+    }
+
+    @Test
+    void deepNestingIsSkipped() throws IOException {
+        try (Socket socket = connect()) {
+            send(socket, "(".repeat(100_000) + "x" + ")".repeat(100_000));
+            send(socket, SCENE);
+
+            assertThat(readFrame(socket)).startsWith("(time");
+        }
+    }
+
+    @Test
+    void strayParenthesesAndBinaryAreSkipped() throws IOException {
+        try (Socket socket = connect()) {
+            send(socket, ")))(((\u0000\u0001\u00ff");
+            send(socket, "");
+            send(socket, SCENE);
+
+            assertThat(readFrame(socket)).startsWith("(time");
+        }
+    }
+
+    @Test
+    void hugeAndImpossibleNumbersDoNoHarm() throws IOException {
+        try (TestAgent agent = new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()))) {
+            agent.join("Stars", 2);
+
+            for (int i = 0; i < 20; i++) {
+                agent.exchange("(he1 NaN)(he2 1e308)(lae1 -1e400)(rae1 inf)(beam nan 1e308 inf)(say )(syn)");
+            }
+
+            assertThat(agent.exchange("(syn)").jointAngles().degreesOr(org.robonewbie.nao.Joint.NECK_YAW, 999))
+                    .isBetween(-130.0, 130.0);
+        }
+
+        assertSaid("NaN for hinge he1");
+    }
+
+    @Test
+    void unknownEffectorsAndRobotsAreNamed() throws IOException {
+        try (Socket socket = connect()) {
+            send(socket, "(scene rsg/agent/fridge.rsg)");
+            send(socket, "(beam 0 0 0)");
+            send(socket, "(fly 1)");
+            awaitSaid("unknown robot \"rsg/agent/fridge.rsg \"");
+            awaitSaid("before it had a robot");
+            awaitSaid("Unknown effector \"fly\"");
+        }
+    }
+
+    @Test
+    void thirdTeamAndTakenNumberAreNamed() throws IOException {
+        try (TestAgent moon = agent();
+                TestAgent sun = agent();
+                TestAgent twin = agent()) {
+            moon.join("Moons", 1);
+
+            assertThat(sun.join("Suns", 1).gameState().orElseThrow().number()).isEmpty();
+            assertThat(twin.join("Moons", 1).gameState().orElseThrow().number()).isEmpty();
+        }
+
+        assertSaid("a third team \"Suns\" cannot");
+        assertSaid("number 1 of team \"Moons\" is taken");
+    }
+
+    @Test
+    void stormOfConnectionsIsSurvived() throws IOException {
+        for (int i = 0; i < 1000; i++) {
+            connect().close();
+        }
+    }
+
+    @Test
+    void tooManyOpenConnectionsAreRefused() throws IOException {
+        List<Socket> sockets = new ArrayList<>();
+        try {
+            for (int i = 0; i < 300; i++) {
+                sockets.add(connect());
+            }
+            awaitSaid("256 agents are connected already");
+        } finally {
+            for (Socket socket : sockets) {
+                socket.close();
+            }
+        }
+    }
+
+    @Test
+    void robotsThatDoNotJoinAreLimited() throws IOException {
+        List<TestAgent> agents = new ArrayList<>();
+        try {
+            for (int i = 0; i < 44; i++) {
+                TestAgent agent = agent();
+                agents.add(agent);
+                agent.send(SCENE);
+            }
+            awaitSaid("there are 44 robots already");
+        } finally {
+            for (TestAgent agent : agents) {
+                agent.close();
+            }
+        }
+    }
+
+    @Test
+    void clientThatNeverReadsLosesMessagesOnly() throws IOException {
+        try (Socket socket = new Socket()) {
+            socket.setReceiveBufferSize(4096);
+            socket.connect(new java.net.InetSocketAddress("127.0.0.1", simulator.agentPort()));
+            send(socket, SCENE);
+
+            awaitSaid("does not read its messages fast enough");
+        }
+    }
+
+    @Test
+    void floodOfCommandsIsCut() throws IOException {
+        try (TestAgent agent = agent()) {
+            agent.join("Stars", 3);
+
+            agent.exchange("(he1 0.1)".repeat(5000) + "(syn)");
+
+            awaitSaid("more than 2000 commands in one cycle");
+        }
+    }
+
+    @Test
+    void vanishedClientLeavesThePitch() throws IOException {
+        agent().join("Stars", 4).gameState();
+        try (TestAgent agent = agent()) {
+            agent.join("Stars", 5);
+        }
+
+        awaitSaid("player 5 of Stars");
+        try (TestAgent agent = agent()) {
+            assertThat(agent.join("Stars", 5).gameState().orElseThrow().number())
+                    .hasValue(5);
+        }
+    }
+
+    private TestAgent agent() throws IOException {
+        return new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()));
+    }
+
+    private Socket connect() throws IOException {
+        return new Socket("127.0.0.1", simulator.agentPort());
+    }
+
+    private static void send(Socket socket, String text) throws IOException {
+        byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
+        socket.getOutputStream().write(prefix(bytes.length));
+        socket.getOutputStream().write(bytes);
+    }
+
+    private static byte[] prefix(int length) {
+        return ByteBuffer.allocate(4).putInt(length).array();
+    }
+
+    private static String readFrame(Socket socket) throws IOException {
+        byte[] prefix = socket.getInputStream().readNBytes(4);
+        byte[] bytes = socket.getInputStream().readNBytes(ByteBuffer.wrap(prefix).getInt());
+        return new String(bytes, StandardCharsets.US_ASCII);
+    }
+
+    private void assertSaid(String part) {
+        assertThat(console.sentences()).anyMatch(sentence -> sentence.contains(part));
+    }
+
+    /** Lets the game go on until the console has told something. */
+    private void awaitSaid(String part) throws IOException {
+        long end = System.nanoTime() + Duration.ofSeconds(20).toNanos();
+        while (console.sentences().stream().noneMatch(sentence -> sentence.contains(part))
+                && System.nanoTime() < end) {
+            goodAgent.exchange("(syn)");
+        }
+        assertSaid(part);
+    }
+}

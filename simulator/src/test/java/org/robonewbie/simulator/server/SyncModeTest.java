@@ -1,0 +1,137 @@
+package org.robonewbie.simulator.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.util.concurrent.CompletableFuture;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.robonewbie.protocol.frame.TcpAgentLink;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.simulator.SimulationControl;
+
+@Timeout(60)
+class SyncModeTest {
+
+    private final RecordingConsole console = new RecordingConsole();
+
+    @Test
+    void worldWaitsForEachAnswer() throws Exception {
+        try (Simulator simulator = start(60);
+                TestAgent agent = agent(simulator)) {
+            agent.join("Stars", 1);
+            double before = agent.exchange("(syn)").seconds().orElseThrow();
+
+            Thread.sleep(300);
+            double after = agent.exchange("(syn)").seconds().orElseThrow();
+
+            assertThat(after - before).isCloseTo(0.02, within(1e-9));
+        }
+    }
+
+    @Test
+    void messagesFollowEachOtherWithoutGap() throws IOException {
+        try (Simulator simulator = start(60);
+                TestAgent agent = agent(simulator)) {
+            double last = agent.join("Stars", 1).seconds().orElseThrow();
+
+            for (int i = 0; i < 100; i++) {
+                double now = agent.exchange("(syn)").seconds().orElseThrow();
+                assertThat(now - last).isCloseTo(0.02, within(1e-9));
+                last = now;
+            }
+        }
+    }
+
+    @Test
+    void silentAgentIsNamedAndDroppedSoThatTheOthersGoOn() throws IOException {
+        try (Simulator simulator = start(0.3);
+                TestAgent silent = agent(simulator);
+                TestAgent lively = agent(simulator)) {
+            CompletableFuture<PerceptorMessage> joined = CompletableFuture.supplyAsync(() -> join(silent, 2));
+            lively.join("Stars", 1);
+            joined.join();
+            for (int i = 0; i < 10; i++) {
+                silent.send("(syn)");
+                lively.exchange("(syn)");
+            }
+
+            for (int i = 0; i < 20; i++) {
+                lively.exchange("(syn)");
+            }
+
+            assertThat(console.sentences())
+                    .anyMatch(sentence ->
+                            sentence.startsWith("Dropped player 2 of Stars") && sentence.contains("not sent (syn)"));
+        }
+    }
+
+    @Test
+    void agentMayJoinWithoutSyn() throws IOException {
+        try (Simulator simulator = start(60);
+                TestAgent agent = agent(simulator)) {
+            agent.exchange("(scene rsg/agent/nao/nao.rsg)");
+
+            PerceptorMessage message = agent.exchange("(init (unum 1)(teamname Stars))");
+
+            assertThat(message.seconds()).isPresent();
+        }
+    }
+
+    @Test
+    void messageWithoutSynKeepsTheWorldWaiting() throws IOException {
+        try (Simulator simulator = start(60);
+                TestAgent agent = agent(simulator)) {
+            agent.join("Stars", 1);
+            double before = 0;
+            for (int i = 0; i < 5; i++) {
+                before = agent.exchange("(syn)").seconds().orElseThrow();
+            }
+
+            agent.send("(he1 1)");
+            agent.send("(he1 0)");
+            double after = agent.exchange("(syn)").seconds().orElseThrow();
+
+            assertThat(after - before).isCloseTo(0.02, within(1e-9));
+        }
+    }
+
+    @Test
+    void portInUseIsExplained() throws IOException {
+        try (Simulator simulator = start(60)) {
+            SimulatorSettings same = SimulatorSettings.league()
+                    .agentPort(simulator.agentPort())
+                    .build();
+
+            assertThatThrownBy(() -> Simulator.start(same, console))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContaining("Port " + simulator.agentPort() + " on 127.0.0.1 cannot be opened")
+                    .hasMessageContaining("End it, or choose another port with --agent-port.");
+        }
+    }
+
+    private Simulator start(double silentAgentSeconds) throws IOException {
+        return Simulator.start(
+                SimulatorSettings.beginner()
+                        .agentPort(0)
+                        .synchronous(true)
+                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                        .silentAgentSeconds(silentAgentSeconds)
+                        .build(),
+                console);
+    }
+
+    private static TestAgent agent(Simulator simulator) throws IOException {
+        return new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()));
+    }
+
+    private static PerceptorMessage join(TestAgent agent, int number) {
+        try {
+            return agent.join("Stars", number);
+        } catch (IOException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}

@@ -1,0 +1,77 @@
+package org.robonewbie.simulator.soccer;
+
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+/** A game on the real pitch for tests of the rules: robots stand where they are put. */
+final class Game {
+
+    static final double STANDING_HEIGHT = 0.4;
+
+    final SoccerWorld world;
+    final Match match;
+
+    Game(SoccerParameters parameters) {
+        world = new SoccerWorld(parameters.field());
+        match = new Match(world, parameters, 1);
+    }
+
+    Player join(String team, int number) {
+        return join(team, number, RobotType.TYPE_0);
+    }
+
+    Player join(String team, int number, RobotType type) {
+        try {
+            return match.teams().join(team, number, world.addRobot(type));
+        } catch (JoinRefusedException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    /** Puts a robot somewhere, looking along x. */
+    void put(Player player, double x, double y) {
+        player.robot().moveUpright(new Vector3(x, y, STANDING_HEIGHT), -90);
+        player.robot().moveUpright(new Vector3(x, y, STANDING_HEIGHT), -90);
+    }
+
+    void cycle() {
+        world.step();
+        match.tick();
+    }
+
+    void cycles(double seconds) {
+        for (int i = 0; i < Math.round(seconds * 50); i++) {
+            cycle();
+        }
+    }
+
+    /** Lets a player touch the ball: its foot is put beside the ball and then the ball into the foot. */
+    void touch(Player player) {
+        Robot robot = player.robot();
+        Vector3 ball = world.ball().position();
+        put(player, ball.x() - 0.13, ball.y() + 0.055);
+        int foot = robot.model().linkIndex("rfoot");
+        world.step();
+        world.ball().place(robot.linkPose(foot).position().plus(new Vector3(0.1, 0, 0.02)));
+        for (int i = 0; i < 3; i++) {
+            cycle();
+        }
+    }
+
+    void roll(double x, double y, double speedX, double speedY) {
+        world.ball().moveTo(new Vector3(x, y, 0.042));
+        world.ball().setVelocity(new Vector3(speedX, speedY, 0));
+    }
+
+    PlayMode playMode() {
+        return match.state().playMode();
+    }
+
+    int score(TeamSide side) {
+        return match.state().score(side);
+    }
+}
