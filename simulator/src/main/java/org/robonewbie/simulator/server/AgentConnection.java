@@ -16,7 +16,6 @@ final class AgentConnection {
     /** Commands of one agent that are kept for one cycle; a robot has 24 hinges. */
     private static final int MAXIMUM_COMMANDS = 2000;
 
-    private final int id;
     private final ServerLink link;
     private final boolean synchronous;
     private final boolean strict;
@@ -35,22 +34,16 @@ final class AgentConnection {
     /**
      * Begins the conversation.
      *
-     * @param id number of the connection
      * @param link the connection
      * @param synchronous whether the world waits for agents
      * @param strict whether in sync mode the agent is waited for from the beginning, as agents within this process are
      * @param console where to tell the agent's mistakes
      */
-    AgentConnection(int id, ServerLink link, boolean synchronous, boolean strict, Console console) {
-        this.id = id;
+    AgentConnection(ServerLink link, boolean synchronous, boolean strict, Console console) {
         this.link = link;
         this.synchronous = synchronous;
         this.strict = strict;
-        this.complaints = new ComplaintBook(console, "Agent " + id + " (" + link.address() + ")");
-    }
-
-    int id() {
-        return id;
+        this.complaints = new ComplaintBook(console, "The agent " + link.address());
     }
 
     ServerLink link() {

@@ -13,9 +13,10 @@ import org.robonewbie.simulator.world.Robot;
 final class ConnectedAgent {
 
     private final AgentConnection connection;
-    private final Camera camera;
     private final Hearing hearing = new Hearing();
+    private int id;
     private Optional<Robot> robot = Optional.empty();
+    private Optional<Camera> camera = Optional.empty();
     private Optional<Player> player = Optional.empty();
     private Optional<CreateRobot> wantedRobot = Optional.empty();
     private Optional<JoinTeam> wantedTeam = Optional.empty();
@@ -25,17 +26,12 @@ final class ConnectedAgent {
     private long cycles;
     private long cyclesInTeam;
 
-    ConnectedAgent(AgentConnection connection, Camera camera) {
+    ConnectedAgent(AgentConnection connection) {
         this.connection = connection;
-        this.camera = camera;
     }
 
     AgentConnection connection() {
         return connection;
-    }
-
-    Camera camera() {
-        return camera;
     }
 
     Hearing hearing() {
@@ -50,8 +46,26 @@ final class ConnectedAgent {
         return player;
     }
 
+    Optional<Camera> camera() {
+        return camera;
+    }
+
     void setRobot(Robot newRobot) {
         robot = Optional.of(newRobot);
+    }
+
+    /** Gives the agent its eyes; they have the same errors in each body. */
+    void setCamera(Camera newCamera) {
+        camera = Optional.of(newCamera);
+    }
+
+    /** Tells the number of the agent's robot, which counts all robots of a run. */
+    int id() {
+        return id;
+    }
+
+    void setId(int newId) {
+        id = newId;
     }
 
     void join(Player newPlayer) {
@@ -60,16 +74,15 @@ final class ConnectedAgent {
         cyclesInTeam = 0;
     }
 
-    void replaceBody(Player newPlayer) {
+    /** Keeps number and team in a new body. */
+    void replacePlayer(Player newPlayer) {
         player = Optional.of(newPlayer);
-        robot = Optional.of(newPlayer.robot());
     }
 
-    /** Leaves the agent without robot; it may ask for another one. */
+    /** Leaves the agent without robot; as in the original it gets the last message again and again. */
     void loseRobot() {
         robot = Optional.empty();
         player = Optional.empty();
-        connection.emptyMessage();
     }
 
     void want(CreateRobot command) {
@@ -134,7 +147,7 @@ final class ConnectedAgent {
 
     @Override
     public String toString() {
-        return player.map(Player::toString).orElse("an agent without team") + " (agent " + connection.id() + ", "
+        return player.map(Player::toString).orElse("an agent without team") + " ("
                 + connection.link().address() + ")";
     }
 }

@@ -2,6 +2,7 @@ package org.robonewbie.simulator.server;
 
 import java.util.List;
 import java.util.Random;
+import java.util.SplittableRandom;
 import java.util.function.ObjDoubleConsumer;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
@@ -14,6 +15,8 @@ import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
 import org.robonewbie.protocol.effector.EffectorCommand.Say;
 import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
+import org.robonewbie.simulator.sensing.Camera;
+import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.JoinRefusedException;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
@@ -37,11 +40,14 @@ final class Effectors {
 
     private final SoccerWorld world;
     private final Match match;
+    private final CameraSettings cameraSettings;
     private final Random random;
+    private int createdRobots;
 
-    Effectors(SoccerWorld world, Match match, long seed) {
+    Effectors(SoccerWorld world, Match match, CameraSettings cameraSettings, long seed) {
         this.world = world;
         this.match = match;
+        this.cameraSettings = cameraSettings;
         this.random = new Random(seed);
     }
 
@@ -69,8 +75,17 @@ final class Effectors {
         agent.takeWantedBeam().ifPresent(beam -> beam(agent, beam));
     }
 
+    /** Gives a player a new body with its joints at 0, where the old one was beamed last. */
+    void renew(ConnectedAgent agent, Player player) {
+        Robot robot = world.addRobot(player.robot().model().type());
+        world.removeRobot(player.robot());
+        agent.replacePlayer(match.replaceRobot(player, robot));
+        agent.setRobot(robot);
+        putToStart(agent);
+    }
+
     /** Puts a robot to where it was beamed last or, if it never was, to where new robots appear. */
-    void putToStart(ConnectedAgent agent) {
+    private void putToStart(ConnectedAgent agent) {
         agent.player()
                 .ifPresent(player -> agent.lastBeam()
                         .ifPresentOrElse(
@@ -158,7 +173,9 @@ final class Effectors {
             Vector3 place = freePlace(Robot.START_POSITION);
             Robot robot = world.addRobot(RobotType.values()[type]);
             robot.moveTo(place);
+            agent.setId(++createdRobots);
             agent.setRobot(robot);
+            agent.setCamera(new Camera(world.field(), cameraSettings, new SplittableRandom(random.nextLong())));
         }
     }
 

@@ -97,7 +97,7 @@ final class MonitorDesk {
             boolean isSelected = agent.player().isPresent() && agent.player().equals(selected);
             agent.robot()
                     .ifPresent(robot -> robots.add(MonitoredRobotState.of(
-                            agent.connection().id(), robot, agent.player().map(MonitorDesk::number), isSelected)));
+                            agent.id(), robot, agent.player().map(MonitorDesk::number), isSelected)));
         }
         return MonitorSnapshot.of(game(cycle.match()), List.of(), cycle.world().ball(), robots);
     }

@@ -25,13 +25,21 @@ final class Percepts {
 
     private final SoccerWorld world;
     private final Match match;
+    private List<VisiblePlayer> visiblePlayers = List.of();
 
     Percepts(SoccerWorld world, Match match) {
         this.world = world;
         this.match = match;
     }
 
-    PerceptorMessage of(ConnectedAgent agent, Robot robot, List<VisiblePlayer> players, double seconds) {
+    /** Collects what all robots may see; called once in each cycle. */
+    void prepare() {
+        visiblePlayers = match.teams().players().stream()
+                .map(player -> new VisiblePlayer(player.robot(), player.team().name(), player.number()))
+                .toList();
+    }
+
+    PerceptorMessage of(ConnectedAgent agent, Robot robot, double seconds) {
         double playSeconds = match.state().playSeconds();
         boolean labelled = match.parameters().isOn(SoccerParameter.LABEL_MESSAGES);
         return new PerceptorMessage(
@@ -42,15 +50,13 @@ final class Percepts {
                 Optional.of(robot.acceleration()),
                 jointAngles(robot),
                 robot.footForces(),
-                vision(agent, robot, players));
+                vision(agent));
     }
 
-    private Optional<Vision> vision(ConnectedAgent agent, Robot robot, List<VisiblePlayer> players) {
-        if (!agent.seesInThisCycle()) {
-            return Optional.empty();
-        }
-        Optional<TeamSide> side = agent.player().map(Player::side);
-        return Optional.of(agent.camera().look(robot, world, players, side));
+    private Optional<Vision> vision(ConnectedAgent agent) {
+        return agent.camera()
+                .filter(camera -> agent.seesInThisCycle())
+                .map(camera -> camera.look(agent.robot().orElseThrow(), world, visiblePlayers, agent.player().map(Player::side)));
     }
 
     private GameState gameState(ConnectedAgent agent, double playSeconds) {

@@ -49,9 +49,9 @@ interface ServerLink {
     boolean isLocal();
 
     /**
-     * Names the other end.
+     * Tells where the other end is.
      *
-     * @return the address
+     * @return such as "at 127.0.0.1:4711"
      */
     String address();
 }

@@ -11,7 +11,7 @@ final class SilenceWatch {
 
     private final Console console;
     private final double secondsUntilDropped;
-    private final Set<Integer> named = new HashSet<>();
+    private final Set<AgentConnection> named = new HashSet<>();
     private long waitingSince;
     private boolean waiting;
 
@@ -32,7 +32,7 @@ final class SilenceWatch {
         }
         double seconds = (now - waitingSince) / 1e9;
         boolean local = agent.connection().link().isLocal();
-        if (seconds >= SECONDS_UNTIL_NAMED && named.add(agent.connection().id())) {
+        if (seconds >= SECONDS_UNTIL_NAMED && named.add(agent.connection())) {
             console.say("The world waits for " + agent + ", which has not sent (syn) for "
                     + Math.round(SECONDS_UNTIL_NAMED) + " s."
                     + (local ? "" : " It is dropped after " + text(secondsUntilDropped) + " s."));

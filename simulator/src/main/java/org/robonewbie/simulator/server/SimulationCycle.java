@@ -6,15 +6,12 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import java.util.SplittableRandom;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
 import org.robonewbie.simulator.recording.Participant;
 import org.robonewbie.simulator.recording.RunRecorder;
-import org.robonewbie.simulator.sensing.Camera;
 import org.robonewbie.simulator.sensing.CameraSettings;
-import org.robonewbie.simulator.sensing.VisiblePlayer;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameter;
@@ -37,24 +34,20 @@ final class SimulationCycle {
     private final SoccerWorld world;
     private final Match match;
     private final Effectors effectors;
-    private final Random cameraSeeds;
-    private final CameraSettings cameraSettings;
     private final Percepts percepts;
     private final Console console;
     private final List<ConnectedAgent> agents = new ArrayList<>();
     private final RunRecorder recorder;
     private final boolean synchronous;
     private final ComplaintBook refusals;
-    private int connections;
     private long cycle;
 
     private SimulationCycle(SimulatorSettings settings, SoccerWorld world, Console console, RunRecorder recorder) {
         Random seeds = new Random(settings.seed());
         this.world = world;
         this.match = new Match(world, settings.parameters(), seeds.nextLong());
-        this.effectors = new Effectors(world, match, seeds.nextLong());
-        this.cameraSeeds = new Random(seeds.nextLong());
-        this.cameraSettings = CameraSettings.STANDARD.withNoise(settings.noise());
+        CameraSettings camera = CameraSettings.STANDARD.withNoise(settings.noise());
+        this.effectors = new Effectors(world, match, camera, seeds.nextLong());
         this.percepts = new Percepts(world, match);
         this.console = console;
         this.refusals = new ComplaintBook(console, "The simulator");
@@ -105,16 +98,14 @@ final class SimulationCycle {
      * @param strict whether in sync mode it is waited for from its first message on
      */
     void connect(ServerLink link, boolean strict) {
-        connections++;
-        Camera camera = new Camera(world.field(), cameraSettings, new SplittableRandom(cameraSeeds.nextLong()));
-        agents.add(new ConnectedAgent(new AgentConnection(connections, link, synchronous, strict, console), camera));
+        agents.add(new ConnectedAgent(new AgentConnection(link, synchronous, strict, console)));
     }
 
     /** Tells that a connection was closed at once since there are too many. */
     void refused(ServerLink link, int limit) {
         refusals.complain(
                 "limit",
-                "had to close a connection from " + link.address() + ", since " + limit
+                "had to close the connection " + link.address() + ", since " + limit
                         + " agents are connected already.");
     }
 
@@ -122,7 +113,7 @@ final class SimulationCycle {
     void reset() {
         match.restart();
         for (ConnectedAgent agent : agents) {
-            agent.player().ifPresent(player -> renew(agent, player));
+            agent.player().ifPresent(player -> effectors.renew(agent, player));
         }
     }
 
@@ -200,21 +191,13 @@ final class SimulationCycle {
         generateMessages();
     }
 
-    /** Gives an agent a new robot with its joints at 0, where the old one was beamed last. */
-    private void renew(ConnectedAgent agent, Player player) {
-        Robot robot = world.addRobot(player.robot().model().type());
-        world.removeRobot(player.robot());
-        agent.replaceBody(match.replaceRobot(player, robot));
-        effectors.putToStart(agent);
-    }
-
     private List<Participant> participants() {
         List<Participant> participants = new ArrayList<>(agents.size());
         for (ConnectedAgent agent : agents) {
             AgentConnection connection = agent.connection();
             agent.robot()
                     .ifPresent(robot -> participants.add(new Participant(
-                            connection.id(),
+                            agent.id(),
                             agent.player(),
                             robot,
                             connection.executedCommands(),
@@ -247,25 +230,18 @@ final class SimulationCycle {
     }
 
     private void generateMessages() {
-        List<VisiblePlayer> players = visiblePlayers();
+        percepts.prepare();
         for (ConnectedAgent agent : agents) {
             agent.cycleEnds();
             if (agent.robot().isPresent()) {
-                generateMessage(agent, agent.robot().get(), players);
+                generateMessage(agent, agent.robot().get());
             }
         }
     }
 
-    private List<VisiblePlayer> visiblePlayers() {
-        return agents.stream()
-                .flatMap(agent -> agent.player().stream())
-                .map(player -> new VisiblePlayer(player.robot(), player.team().name(), player.number()))
-                .toList();
-    }
-
-    private void generateMessage(ConnectedAgent agent, Robot robot, List<VisiblePlayer> players) {
+    private void generateMessage(ConnectedAgent agent, Robot robot) {
         MessageBuffer message = agent.connection().emptyMessage();
-        new PerceptorMessageWriter(message).write(percepts.of(agent, robot, players, cycle * CYCLE_SECONDS));
+        new PerceptorMessageWriter(message).write(percepts.of(agent, robot, cycle * CYCLE_SECONDS));
         agent.connection().messageGenerated();
     }
 }

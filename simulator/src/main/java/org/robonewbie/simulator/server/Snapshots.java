@@ -47,7 +47,7 @@ final class Snapshots {
     private static RobotSnapshot robot(ConnectedAgent agent, Robot robot) {
         Optional<Player> player = agent.player();
         return new RobotSnapshot(
-                agent.connection().id(),
+                agent.id(),
                 player.map(member -> member.team().name()).orElse(""),
                 player.map(Player::side),
                 player.map(Player::number).orElse(0),

@@ -88,7 +88,7 @@ final class TcpServerLink implements ServerLink {
 
     @Override
     public String address() {
-        return address;
+        return "at " + address;
     }
 
     private void end(String reason) {

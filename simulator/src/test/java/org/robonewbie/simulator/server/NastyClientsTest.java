@@ -3,6 +3,8 @@ package org.robonewbie.simulator.server;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -13,6 +15,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.frame.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
 
@@ -35,7 +38,7 @@ class NastyClientsTest {
                         .build(),
                 console);
         goodAgent = new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()));
-        goodAgent.join("Stars", 1);
+        goodAgent.joinRunningGame("Stars", 1);
     }
 
     @AfterEach
@@ -103,13 +106,13 @@ class NastyClientsTest {
     @Test
     void hugeAndImpossibleNumbersDoNoHarm() throws IOException {
         try (TestAgent agent = new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()))) {
-            agent.join("Stars", 2);
+            agent.joinRunningGame("Stars", 2);
 
             for (int i = 0; i < 20; i++) {
                 agent.exchange("(he1 NaN)(he2 1e308)(lae1 -1e400)(rae1 inf)(beam nan 1e308 inf)(say )(syn)");
             }
 
-            assertThat(agent.exchange("(syn)").jointAngles().degreesOr(org.robonewbie.nao.Joint.NECK_YAW, 999))
+            assertThat(agent.exchange("(syn)").jointAngles().degreesOr(Joint.NECK_YAW, 999))
                     .isBetween(-130.0, 130.0);
         }
 
@@ -133,10 +136,15 @@ class NastyClientsTest {
         try (TestAgent moon = agent();
                 TestAgent sun = agent();
                 TestAgent twin = agent()) {
-            moon.join("Moons", 1);
+            moon.joinRunningGame("Moons", 1);
 
-            assertThat(sun.join("Suns", 1).gameState().orElseThrow().number()).isEmpty();
-            assertThat(twin.join("Moons", 1).gameState().orElseThrow().number()).isEmpty();
+            assertThat(sun.joinRunningGame("Suns", 1).gameState().orElseThrow().number())
+                    .isEmpty();
+            assertThat(twin.joinRunningGame("Moons", 1)
+                            .gameState()
+                            .orElseThrow()
+                            .number())
+                    .isEmpty();
         }
 
         assertSaid("a third team \"Suns\" cannot");
@@ -186,7 +194,7 @@ class NastyClientsTest {
     void clientThatNeverReadsLosesMessagesOnly() throws IOException {
         try (Socket socket = new Socket()) {
             socket.setReceiveBufferSize(4096);
-            socket.connect(new java.net.InetSocketAddress("127.0.0.1", simulator.agentPort()));
+            socket.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), simulator.agentPort()));
             send(socket, SCENE);
 
             awaitSaid("does not read its messages fast enough");
@@ -196,7 +204,7 @@ class NastyClientsTest {
     @Test
     void floodOfCommandsIsCut() throws IOException {
         try (TestAgent agent = agent()) {
-            agent.join("Stars", 3);
+            agent.joinRunningGame("Stars", 3);
 
             agent.exchange("(he1 0.1)".repeat(5000) + "(syn)");
 
@@ -206,14 +214,17 @@ class NastyClientsTest {
 
     @Test
     void vanishedClientLeavesThePitch() throws IOException {
-        agent().join("Stars", 4).gameState();
+        agent().joinRunningGame("Stars", 4).gameState();
         try (TestAgent agent = agent()) {
-            agent.join("Stars", 5);
+            agent.joinRunningGame("Stars", 5);
         }
 
         awaitSaid("player 5 of Stars");
         try (TestAgent agent = agent()) {
-            assertThat(agent.join("Stars", 5).gameState().orElseThrow().number())
+            assertThat(agent.joinRunningGame("Stars", 5)
+                            .gameState()
+                            .orElseThrow()
+                            .number())
                     .hasValue(5);
         }
     }
@@ -223,7 +234,7 @@ class NastyClientsTest {
     }
 
     private Socket connect() throws IOException {
-        return new Socket("127.0.0.1", simulator.agentPort());
+        return new Socket(InetAddress.getLoopbackAddress(), simulator.agentPort());
     }
 
     private static void send(Socket socket, String text) throws IOException {
@@ -238,7 +249,8 @@ class NastyClientsTest {
 
     private static String readFrame(Socket socket) throws IOException {
         byte[] prefix = socket.getInputStream().readNBytes(4);
-        byte[] bytes = socket.getInputStream().readNBytes(ByteBuffer.wrap(prefix).getInt());
+        byte[] bytes =
+                socket.getInputStream().readNBytes(ByteBuffer.wrap(prefix).getInt());
         return new String(bytes, StandardCharsets.US_ASCII);
     }
 
@@ -249,8 +261,7 @@ class NastyClientsTest {
     /** Lets the game go on until the console has told something. */
     private void awaitSaid(String part) throws IOException {
         long end = System.nanoTime() + Duration.ofSeconds(20).toNanos();
-        while (console.sentences().stream().noneMatch(sentence -> sentence.contains(part))
-                && System.nanoTime() < end) {
+        while (console.sentences().stream().noneMatch(sentence -> sentence.contains(part)) && System.nanoTime() < end) {
             goodAgent.exchange("(syn)");
         }
         assertSaid(part);

@@ -101,9 +101,8 @@ class SyncModeTest {
     @Test
     void portInUseIsExplained() throws IOException {
         try (Simulator simulator = start(60)) {
-            SimulatorSettings same = SimulatorSettings.league()
-                    .agentPort(simulator.agentPort())
-                    .build();
+            SimulatorSettings same =
+                    SimulatorSettings.league().agentPort(simulator.agentPort()).build();
 
             assertThatThrownBy(() -> Simulator.start(same, console))
                     .isInstanceOf(IOException.class)

@@ -27,6 +27,16 @@ final class TestAgent implements AutoCloseable {
         return receive();
     }
 
+    /** Joins a game that does not wait for its agents; returns the message with the number, or the last of many without. */
+    PerceptorMessage joinRunningGame(String team, int number) throws IOException {
+        exchange("(scene rsg/agent/nao/nao.rsg)");
+        PerceptorMessage answer = exchange("(init (unum " + number + ")(teamname " + team + "))");
+        for (int i = 0; i < 60 && answer.gameState().orElseThrow().number().isEmpty(); i++) {
+            answer = receive();
+        }
+        return answer;
+    }
+
     void send(String text) throws IOException {
         message.clear();
         message.append(text);

@@ -270,8 +270,8 @@ class PlayModesTest {
 
     @Test
     void teamsChangeSidesIfWanted() {
-        Game changing = new Game(
-                SoccerParameters.league().with("RuleHalfTime=2").with("ChangeSidesInSecondHalf=true"));
+        Game changing =
+                new Game(SoccerParameters.league().with("RuleHalfTime=2").with("ChangeSidesInSecondHalf=true"));
         Player player = changing.join("Stars", 1);
         changing.match.kickOff();
 

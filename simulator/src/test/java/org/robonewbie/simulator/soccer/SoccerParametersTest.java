@@ -16,7 +16,8 @@ class SoccerParametersTest {
 
     @Test
     void assignmentChangesOneValue() {
-        SoccerParameters changed = SoccerParameters.league().with("RuleHalfTime=60").with("UseCharging=false");
+        SoccerParameters changed =
+                SoccerParameters.league().with("RuleHalfTime=60").with("UseCharging=false");
 
         assertThat(changed.get(SoccerParameter.RULE_HALF_TIME)).isEqualTo(60);
         assertThat(changed.isOn(SoccerParameter.USE_CHARGING)).isFalse();

@@ -107,7 +107,9 @@ class TeamsTest {
 
         assertThatThrownBy(() -> onlyVariety.join("Stars", 10, world.addRobot(RobotType.TYPE_0)))
                 .hasMessageContaining("needs 2 more types");
-        assertThat(onlyVariety.join("Stars", 10, world.addRobot(RobotType.TYPE_1)).number())
+        assertThat(onlyVariety
+                        .join("Stars", 10, world.addRobot(RobotType.TYPE_1))
+                        .number())
                 .isEqualTo(10);
     }
 
