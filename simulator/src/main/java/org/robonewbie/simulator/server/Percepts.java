@@ -56,7 +56,11 @@ final class Percepts {
     private Optional<Vision> vision(ConnectedAgent agent) {
         return agent.camera()
                 .filter(camera -> agent.seesInThisCycle())
-                .map(camera -> camera.look(agent.robot().orElseThrow(), world, visiblePlayers, agent.player().map(Player::side)));
+                .map(camera -> camera.look(
+                        agent.robot().orElseThrow(),
+                        world,
+                        visiblePlayers,
+                        agent.player().map(Player::side)));
     }
 
     private GameState gameState(ConnectedAgent agent, double playSeconds) {
