@@ -30,7 +30,11 @@ abstract sealed class Home implements AutoCloseable {
             return startOwn(options, options.port().orElse(0), robots);
         }
         int port = options.port().orElse(USUAL_PORT);
-        return isServerOn(port) ? new Server(THIS_COMPUTER, port) : startOwn(options, port, robots);
+        try {
+            return Server.join(THIS_COMPUTER, port);
+        } catch (IOException nobody) {
+            return startOwn(options, port, robots);
+        }
     }
 
     /** Connects one more robot. */
@@ -47,22 +51,10 @@ abstract sealed class Home implements AutoCloseable {
     public abstract void close();
 
     private static Home join(Options options) {
-        Server server =
-                new Server(options.host().orElse(THIS_COMPUTER), options.port().orElse(USUAL_PORT));
         try {
-            server.connect().close();
-            return server;
+            return Server.join(options.host().orElse(THIS_COMPUTER), options.port().orElse(USUAL_PORT));
         } catch (IOException nobody) {
             throw new StartUpException(String.valueOf(nobody.getMessage()));
-        }
-    }
-
-    private static boolean isServerOn(int port) {
-        try {
-            TcpAgentLink.connect(THIS_COMPUTER, port).close();
-            return true;
-        } catch (IOException nobody) {
-            return false;
         }
     }
 
@@ -125,15 +117,23 @@ abstract sealed class Home implements AutoCloseable {
 
         private final String host;
         private final int port;
+        private Optional<AgentLink> firstLink;
 
-        Server(String host, int port) {
+        private Server(String host, int port, AgentLink firstLink) {
             this.host = host;
             this.port = port;
+            this.firstLink = Optional.of(firstLink);
+        }
+
+        static Server join(String host, int port) throws IOException {
+            return new Server(host, port, TcpAgentLink.connect(host, port));
         }
 
         @Override
         AgentLink connect() throws IOException {
-            return TcpAgentLink.connect(host, port);
+            Optional<AgentLink> link = firstLink;
+            firstLink = Optional.empty();
+            return link.isPresent() ? link.get() : TcpAgentLink.connect(host, port);
         }
 
         @Override
@@ -148,7 +148,7 @@ abstract sealed class Home implements AutoCloseable {
 
         @Override
         public void close() {
-            // the server belongs to somebody else
+            firstLink.ifPresent(AgentLink::close);
         }
     }
 }

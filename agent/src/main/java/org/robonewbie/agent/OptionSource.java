@@ -60,7 +60,7 @@ enum OptionSource {
             String argument = rest.next();
             if (argument.equals("-h")) {
                 values.put(Option.HELP, ARGUMENTS.value(Option.HELP, "true"));
-            } else if (argument.startsWith("-")) {
+            } else if (argument.startsWith("-") && !Values.isNumber(argument)) {
                 int equals = argument.indexOf('=');
                 String name = equals < 0 ? argument : argument.substring(0, equals);
                 Option option = find(name.replaceFirst("^--", ""), ARGUMENTS.where);

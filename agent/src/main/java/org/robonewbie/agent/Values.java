@@ -51,9 +51,13 @@ final class Values {
         String[] parts = value.split(",", -1);
         boolean numbers = parts.length == 3;
         for (String part : parts) {
-            numbers &= isNumber(part.trim(), number -> true);
+            numbers &= isNumber(part.trim());
         }
         return expect(numbers, "three numbers X,Y,DEGREES such as -0.5,0.4,-40");
+    }
+
+    static boolean isNumber(String value) {
+        return isNumber(value, number -> true);
     }
 
     private static boolean isNumber(String value, DoublePredicate condition) {

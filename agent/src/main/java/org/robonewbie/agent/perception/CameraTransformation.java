@@ -14,7 +14,8 @@ public interface CameraTransformation {
      * neck pitch.
      *
      * <p>This is simple and good enough to find a ball. It is exact while the neck pitch is 0, and for everything straight
-     * ahead of the head. With the head bent down by 40° an object 2 m away and 45° aside is seen 0.4 m beside its place.
+     * ahead of the head. With the head bent down by 40° an object 2 m away that the camera sees 45° aside is taken to be 0.5 m
+     * from where it is.
      */
     CameraTransformation SUM_OF_ANGLES = (seen, neckYawDegrees, neckPitchDegrees) -> new Direction(
             seen.distance(), normalized(seen.bearing() + neckYawDegrees), seen.elevation() + neckPitchDegrees);

@@ -1,0 +1,205 @@
+package org.robonewbie.agent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorCommand.Beam;
+import org.robonewbie.protocol.effector.EffectorCommand.Say;
+import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
+import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
+import student.Careless;
+
+class AgentTest {
+
+    private final PrintStream usual = System.err;
+    private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+
+    @BeforeEach
+    void listen() {
+        System.setErr(new PrintStream(printed, true, StandardCharsets.UTF_8));
+    }
+
+    @AfterEach
+    void stopListening() {
+        System.setErr(usual);
+    }
+
+    @Test
+    void answersEachMessageWithItsCommandsAndOneSynchronisation() {
+        Agent agent = new Careless(nao -> {
+            nao.setJointSpeed(Joint.NECK_YAW, 90);
+            nao.say("hello");
+        });
+
+        List<EffectorCommand> answer = agent.respond(Messages.standing().build());
+
+        assertThat(answer).hasSize(3);
+        assertThat(((SetHingeSpeed) answer.get(0)).effectorName()).isEqualTo("he1");
+        assertThat(((SetHingeSpeed) answer.get(0)).radiansPerSecond()).isCloseTo(Math.PI / 2, within(1e-8));
+        assertThat(answer.get(1)).isEqualTo(new Say("hello"));
+        assertThat(answer.get(2)).isEqualTo(new Synchronise());
+    }
+
+    @Test
+    void stopsAMotorOnceAndThenSaysNoMoreAboutIt() {
+        AtomicInteger cycle = new AtomicInteger();
+        Agent agent = new Careless(nao -> {
+            if (cycle.incrementAndGet() <= 2) {
+                nao.setJointSpeed(Joint.NECK_YAW, cycle.get() == 1 ? 50 : 0);
+            }
+        });
+
+        agent.respond(Messages.standing().at(1.00).build());
+        List<EffectorCommand> second =
+                agent.respond(Messages.standing().at(1.02).build());
+        List<EffectorCommand> third = agent.respond(Messages.standing().at(1.04).build());
+
+        assertThat(second).containsExactly(new SetHingeSpeed("he1", 0), new Synchronise());
+        assertThat(third).containsExactly(new Synchronise());
+    }
+
+    @Test
+    void reportsSpeedNaNOnceWithTimeAndLine() {
+        Agent agent = new Careless(Careless::speedNaN);
+
+        agent.respond(Messages.standing().at(1.00).build());
+        List<EffectorCommand> answer =
+                agent.respond(Messages.standing().at(1.02).build());
+
+        assertThat(answer).containsExactly(new Synchronise());
+        assertThat(printedLines())
+                .containsExactly("1.00 s: Joint speed NaN for LEFT_KNEE_PITCH is ignored. Was something divided by zero?"
+                        + " (Careless.java:31)");
+    }
+
+    @Test
+    void reportsAnAngleBeyondTheRangeAndGoesToItsEnd() {
+        Agent agent = new Careless(Careless::beyondRange);
+        Posture nearlyThere = Posture.ZERO.with(Joint.LEFT_KNEE_PITCH, 0.8);
+
+        agent.respond(Messages.standing().posture(nearlyThere).build());
+        List<EffectorCommand> answer =
+                agent.respond(Messages.standing().at(2).posture(nearlyThere).build());
+
+        assertThat(printedLines())
+                .containsExactly("1.00 s: Joint angle 200.0 for LEFT_KNEE_PITCH is beyond its range of -130 to 1 degrees;"
+                        + " it goes to the end of the range. (Careless.java:36)");
+        assertThat(answer).containsExactly(new SetHingeSpeed("lle4", 0), new Synchronise());
+    }
+
+    @Test
+    void stopsAJointAtTheEndOfItsRange() {
+        Agent agent = new Careless(nao -> nao.setJointSpeed(Joint.NECK_PITCH, 100));
+        Posture atTheEnd = Posture.ZERO.with(Joint.NECK_PITCH, 44.9);
+
+        List<EffectorCommand> answer =
+                agent.respond(Messages.standing().posture(atTheEnd).build());
+
+        assertThat(answer).containsExactly(new Synchronise());
+        assertThat(printedLines()).hasSize(1);
+        assertThat(printedLines().get(0))
+                .startsWith("1.00 s: NECK_PITCH has reached the end of its range (-45 to 45 degrees) at 44.9 and stops"
+                        + " there; set another speed. (");
+    }
+
+    @Test
+    void clampsASpeedThatNoMotorCanReach() {
+        Agent agent = new Careless(nao -> nao.setJointSpeed(Joint.NECK_YAW, 1000));
+
+        List<EffectorCommand> answer = agent.respond(Messages.standing().build());
+
+        assertThat(((SetHingeSpeed) answer.get(0)).radiansPerSecond())
+                .isCloseTo(Math.toRadians(351.77), within(1e-8));
+        assertThat(printedLines().get(0))
+                .startsWith("1.00 s: Joint speed 1000 for NECK_YAW is more than its motor can do; it turns with 351.77"
+                        + " degrees per second.");
+    }
+
+    @Test
+    void goesOnAfterAnExceptionAndNamesItsLine() {
+        Agent agent = new Careless(Careless::exception);
+
+        List<EffectorCommand> first = agent.respond(Messages.standing().build());
+        List<EffectorCommand> second = agent.respond(Messages.standing().build());
+
+        assertThat(first).containsExactly(new Synchronise());
+        assertThat(second).containsExactly(new Synchronise());
+        assertThat(printedLines())
+                .containsExactly("1.00 s: think() failed with java.lang.ArrayIndexOutOfBoundsException: Index 22 out of"
+                        + " bounds for length 22; the robot goes on with the next step. (Careless.java:42)");
+    }
+
+    @Test
+    void refusesATextThatIsTooLong() {
+        Agent agent = new Careless(Careless::longSpeech);
+
+        List<EffectorCommand> answer = agent.respond(Messages.standing().build());
+
+        assertThat(answer).containsExactly(new Synchronise());
+        assertThat(printedLines().get(0))
+                .contains("A robot can say at most 20 characters")
+                .endsWith("(Careless.java:47)");
+    }
+
+    @Test
+    void beamsOnlyWithTheRefereesLeaveButTellsSo() {
+        Agent agent = new Careless(nao -> nao.beam(-1, 0.5, 90));
+
+        List<EffectorCommand> allowed =
+                agent.respond(Messages.standing().in(PlayMode.GOAL_LEFT).build());
+        int warningsWhileAllowed = printedLines().size();
+        agent.respond(Messages.standing().in(PlayMode.PLAY_ON).build());
+
+        assertThat(allowed).containsExactly(new Beam(-1, 0.5, 90), new Synchronise());
+        assertThat(warningsWhileAllowed).isZero();
+        assertThat(printedLines().get(0)).contains("does not allow a beam in play mode PLAY_ON");
+    }
+
+    @Test
+    void sendsTheAnswerEvenIfActIsOverriddenWrongly() {
+        Agent agent = new Agent() {
+            @Override
+            protected void act() {
+                // forgets super.act()
+            }
+        };
+
+        List<EffectorCommand> answer = agent.respond(Messages.standing().build());
+
+        assertThat(answer).containsExactly(new Synchronise());
+        assertThat(printedLines()).containsExactly("1.00 s: act() did not call super.act(); the framework does it.");
+    }
+
+    @Test
+    void reachesAnAngleExactlyInSpiteOfTheDelay() {
+        Agent agent = new Careless(nao -> nao.setJointAngle(Joint.NECK_YAW, 30, 100));
+        double angle = 0;
+        double underWay = 0;
+
+        for (int i = 0; i < 30; i++) {
+            List<EffectorCommand> answer = agent.respond(Messages.standing()
+                    .posture(Posture.ZERO.with(Joint.NECK_YAW, angle))
+                    .build());
+            angle += underWay * 0.02;
+            underWay = answer.get(0) instanceof SetHingeSpeed hinge ? Math.toDegrees(hinge.radiansPerSecond()) : 0;
+        }
+
+        assertThat(angle).isCloseTo(30, within(1e-6));
+    }
+
+    private List<String> printedLines() {
+        return printed.toString(StandardCharsets.UTF_8).lines().toList();
+    }
+}

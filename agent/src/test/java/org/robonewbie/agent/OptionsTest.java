@@ -1,0 +1,121 @@
+package org.robonewbie.agent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class OptionsTest {
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void readsAllKindsOfValues() {
+        Options options = read("--number", "7", "--pose", "-0.5,0.4,-40", "--seed=12", "--fast", "--seconds", "1.5");
+
+        assertThat(options.number()).isEqualTo(7);
+        assertThat(options.pose()).contains(new StartPose(-0.5, 0.4, -40));
+        assertThat(options.seed()).hasValue(12);
+        assertThat(options.isFast()).isTrue();
+        assertThat(options.seconds()).hasValue(1.5);
+        assertThat(options.isHeadless()).isFalse();
+    }
+
+    @Test
+    void prefersTheCommandLineToTheFileAndTheFileToTheEnvironment() throws IOException {
+        Files.writeString(file(), "team=File\nnumber=5\n");
+        Map<String, String> environment =
+                Map.of("ROBONEWBIE_TEAM", "Air", "ROBONEWBIE_NUMBER", "3", "ROBONEWBIE_TYPE", "2");
+
+        Options options = Options.none()
+                .withTeam("Program")
+                .withPose(-1, 0, 0)
+                .overriddenBy(List.of("--team", "Line"), file(), environment);
+
+        assertThat(options.team()).isEqualTo("Line");
+        assertThat(options.number()).isEqualTo(5);
+        assertThat(options.type()).isEqualTo(2);
+        assertThat(options.pose()).contains(new StartPose(-1, 0, 0));
+    }
+
+    @Test
+    void keepsOtherArgumentsForTheAgent() {
+        Options options = read("dance.txt", "--headless", "-5");
+
+        assertThat(options.isHeadless()).isTrue();
+        assertThat(options.arguments()).containsExactly("dance.txt", "-5");
+    }
+
+    @Test
+    void guessesWhatAMisspeltOptionMeans() {
+        assertThatThrownBy(() -> read("--hots", "here"))
+                .isInstanceOf(StartUpException.class)
+                .hasMessage("The option \"hots\" on the command line is unknown. Did you mean --host?");
+    }
+
+    @Test
+    void saysWhatAWrongValueShouldHaveBeen() {
+        assertThatThrownBy(() -> read("--number", "12"))
+                .hasMessage("--number needs a whole number from 0 to 11, but \"12\" stands on the command line.");
+        assertThatThrownBy(() -> read("--pose", "1,2"))
+                .hasMessage("--pose needs three numbers X,Y,DEGREES such as -0.5,0.4,-40, but \"1,2\" stands on the"
+                        + " command line.");
+        assertThatThrownBy(() -> read("--seed")).hasMessage("--seed needs a value after it; --help shows which.");
+    }
+
+    @Test
+    void namesTheFileInWhichAMistakeIs() throws IOException {
+        Files.writeString(file(), "seconds=soon\n");
+
+        assertThatThrownBy(() -> read())
+                .hasMessage("--seconds needs a number above 0, but \"soon\" stands in robonewbie.properties.");
+    }
+
+    @Test
+    void startsAnOwnSimulatorForASeedAndJoinsANamedHost() {
+        assertThat(read("--seed", "1").needsOwnSimulator()).isTrue();
+        assertThat(read("--fast").needsOwnSimulator()).isTrue();
+        assertThat(read("--host", "there").needsServer()).isTrue();
+        assertThat(read("--seconds", "3").needsOwnSimulator()).isFalse();
+        assertThat(read().needsServer()).isFalse();
+    }
+
+    @Test
+    void prefersASeedOfTheCommandLineToAHostOfTheFile() throws IOException {
+        Files.writeString(file(), "host=there\n");
+
+        Options options = read("--seed", "1");
+
+        assertThat(options.needsOwnSimulator()).isTrue();
+        assertThat(options.needsServer()).isFalse();
+    }
+
+    @Test
+    void refusesAHostTogetherWithASeed() {
+        assertThatThrownBy(() -> read("--seed", "1", "--host", "there"))
+                .hasMessage("--seed needs an own simulator, but --host there asks for another one: leave one of the two"
+                        + " out.");
+    }
+
+    @Test
+    void explainsEachOptionInTheHelp() {
+        for (Option option : Option.values()) {
+            assertThat(Options.help()).contains(option.argument());
+        }
+    }
+
+    private Options read(String... args) {
+        return Options.none().overriddenBy(List.of(args), file(), Map.of());
+    }
+
+    private Path file() {
+        return folder.resolve("robonewbie.properties");
+    }
+}

@@ -1,0 +1,105 @@
+package org.robonewbie.agent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.agent.log.Logger;
+import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.perception.BodyPosition;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.protocol.perceptor.Heard;
+
+class SensesTest {
+
+    private final NaoBody nao = new NaoBody(new Logger("test"), new Mistakes(System.err));
+
+    @Test
+    void turnsVectorsIntoTheBodysFrame() {
+        nao.accept(Messages.standing()
+                .gyro(10, 20, 30)
+                .accelerometer(1, 2, 9)
+                .leftFoot(new Vector3(0.01, 0.02, -0.01), new Vector3(1, 2, 22))
+                .build());
+
+        assertThat(nao.getGyro()).isEqualTo(new Vector3(20, -10, 30));
+        assertThat(nao.getAcceleration()).isEqualTo(new Vector3(2, -1, 9));
+        assertThat(nao.getLeftFootPressure().point()).isEqualTo(new Vector3(0.02, -0.01, -0.01));
+        assertThat(nao.getLeftFootPressure().force()).isEqualTo(new Vector3(2, -1, 22));
+        assertThat(nao.getLeftFootPressure().isTouching()).isTrue();
+        assertThat(nao.getRightFootPressure().isTouching()).isFalse();
+    }
+
+    @Test
+    void readsTheGame() {
+        nao.accept(Messages.standing()
+                .at(3.5)
+                .in(PlayMode.KICK_OFF_LEFT)
+                .on(TeamSide.RIGHT)
+                .build());
+
+        assertThat(nao.getTime()).isEqualTo(3.5);
+        assertThat(nao.getPlayTime()).isEqualTo(3.5);
+        assertThat(nao.getPlayMode()).isEqualTo(PlayMode.KICK_OFF_LEFT);
+        assertThat(nao.getTeamSide()).isEqualTo(TeamSide.RIGHT);
+        assertThat(nao.getNumber()).isEqualTo(4);
+        assertThat(nao.getOwnScore()).isEqualTo(1);
+        assertThat(nao.getOpponentScore()).isEqualTo(2);
+    }
+
+    @Test
+    void keepsNumberAndSideThatAreSentOnlyOnce() {
+        nao.accept(Messages.standing().on(TeamSide.RIGHT).build());
+        nao.accept(Messages.standing().withoutNumber().build());
+
+        assertThat(nao.getNumber()).isEqualTo(4);
+        assertThat(nao.getTeamSide()).isEqualTo(TeamSide.RIGHT);
+    }
+
+    @Test
+    void keepsTheLastReadingWhenTheNextIsNoNumber() {
+        nao.accept(Messages.standing().gyro(1, 2, 3).accelerometer(0, 0, 9).build());
+        nao.accept(Messages.standing()
+                .gyro(Double.NaN, 0, 0)
+                .accelerometer(0, Double.POSITIVE_INFINITY, 0)
+                .build());
+
+        assertThat(nao.getGyro()).isEqualTo(new Vector3(2, -1, 3));
+        assertThat(nao.getAcceleration()).isEqualTo(new Vector3(0, 0, 9));
+    }
+
+    @Test
+    void readsJointAnglesInDegrees() {
+        nao.accept(Messages.standing()
+                .posture(Posture.ZERO.with(Joint.RIGHT_ARM_YAW, 42.5))
+                .build());
+
+        assertThat(nao.getJointAngle(Joint.RIGHT_ARM_YAW)).isEqualTo(42.5);
+    }
+
+    @Test
+    void hearsOthersButNotItself() {
+        Heard own = new Heard(Optional.of("Blue"), 1, OptionalDouble.empty(), "me");
+        Heard other = new Heard(Optional.of("Blue"), 1, OptionalDouble.of(-30), "100%");
+
+        nao.accept(Messages.standing().heard(own, other).build());
+
+        assertThat(nao.getHeard()).isEqualTo(List.of(other));
+    }
+
+    @Test
+    void feelsThatItLiesOnItsBack() {
+        for (int i = 0; i < 30; i++) {
+            nao.accept(Messages.standing().accelerometer(0, 9.81, 0).build());
+        }
+
+        assertThat(nao.isFallen()).isTrue();
+        assertThat(nao.getBodyPosition()).isEqualTo(BodyPosition.LYING_ON_BACK);
+    }
+}

@@ -1,0 +1,142 @@
+package org.robonewbie.agent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+
+class StartDialogueTest {
+
+    @Test
+    void createsTheRobotJoinsBeamsAndAnswersEachMessageOnce() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(2, 30))) {
+            Nao nao = Nao.connect(options(server).withTeam("Blue").withNumber(4).withPose(-1, 0.5, 90));
+            boolean running = nao.sense();
+            nao.act();
+            nao.close();
+            server.await();
+
+            assertThat(running).isTrue();
+            assertThat(nao.getTeamSide()).isEqualTo(TeamSide.RIGHT);
+            assertThat(server.received().subList(0, 5))
+                    .containsExactly(
+                            "(scene rsg/agent/nao/nao.rsg)(syn)",
+                            "(init (unum 4)(teamname Blue))(syn)",
+                            "(syn)",
+                            "(beam -1 0.5 90)(syn)",
+                            "(syn)");
+            assertThat(server.received()).allMatch(message -> message.endsWith("(syn)"));
+        }
+    }
+
+    @Test
+    void waitsUntilItHasItsNumberHoweverLongThatTakes() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(20, 60))) {
+            Nao nao = Nao.connect(options(server));
+            nao.close();
+
+            assertThat(nao.getNumber()).isEqualTo(4);
+            assertThat(server.received()).contains("(beam -1 -2 0)(syn)");
+        }
+    }
+
+    @Test
+    void buildsOtherRobotTypes() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(2, 30))) {
+            Nao.connect(options(server).with("type", "3")).close();
+
+            assertThat(server.received().get(0)).isEqualTo("(scene rsg/agent/nao/nao_hetero.rsg 3)(syn)");
+        }
+    }
+
+    @Test
+    void saysWhatToDoWhenTheNumberIsRefused() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(Integer.MAX_VALUE, 200))) {
+            Options options = options(server).withTeam("Blue").withNumber(4);
+
+            assertThatThrownBy(() -> Nao.connect(options))
+                    .isInstanceOf(StartUpException.class)
+                    .hasMessage("The simulator has refused number 4 of team Blue: choose a number that is free"
+                            + " (--number 0 takes any), or the name of a team that plays already (--team).");
+        }
+    }
+
+    @Test
+    void saysThatTheServerHasClosedDuringTheStart() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(2, 5))) {
+            Options options = options(server);
+
+            assertThatThrownBy(() -> Nao.connect(options))
+                    .isInstanceOf(StartUpException.class)
+                    .hasMessageContaining("The simulator has not let the robot in");
+        }
+    }
+
+    @Test
+    void saysWhatToDoWithoutAServer() throws IOException {
+        int freePort;
+        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            freePort = socket.getLocalPort();
+        }
+        Options options = Options.none().with("host", "127.0.0.1").with("port", Integer.toString(freePort));
+
+        assertThatThrownBy(() -> Nao.connect(options))
+                .isInstanceOf(StartUpException.class)
+                .hasMessage("No simulator answers at 127.0.0.1:" + freePort + ". Start one with \"robonewbie simulator\","
+                        + " or leave the host out to have one started for you.");
+    }
+
+    @Test
+    void endsAfterTheWantedTime() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(2, 200))) {
+            Nao nao = Nao.connect(options(server).withSeconds(0.5));
+            int cycles = 0;
+            while (nao.sense()) {
+                nao.act();
+                cycles++;
+            }
+            nao.close();
+
+            assertThat(cycles).isEqualTo(25);
+        }
+    }
+
+    @Test
+    void actsByItselfIfThatWasForgotten() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(2, 30))) {
+            Nao nao = Nao.connect(options(server));
+            int cycles = 0;
+            while (nao.sense()) {
+                cycles++;
+            }
+            nao.close();
+
+            assertThat(cycles).isEqualTo(30 - 3 - 15);
+        }
+    }
+
+    private static Options options(ScriptedServer server) {
+        return Options.none().with("host", "127.0.0.1").with("port", Integer.toString(server.port()));
+    }
+
+    /** Messages of which one, once, tells the robot its number and side. */
+    private static List<PerceptorMessage> script(int tellingMessage, int length) {
+        List<PerceptorMessage> script = new ArrayList<>();
+        for (int i = 0; i < length; i++) {
+            Messages message = Messages.standing()
+                    .at(0.02 * i)
+                    .in(PlayMode.BEFORE_KICK_OFF)
+                    .on(TeamSide.RIGHT);
+            script.add((i == tellingMessage ? message : message.withoutNumber()).build());
+        }
+        return script;
+    }
+}

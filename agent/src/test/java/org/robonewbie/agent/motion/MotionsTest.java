@@ -1,0 +1,237 @@
+package org.robonewbie.agent.motion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.perception.BodyPosition;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.Posture;
+
+class MotionsTest {
+
+    private static final String ZEROS = " 0".repeat(21);
+
+    @TempDir
+    private Path folder;
+
+    private final Motors motors = new Motors();
+    private final IdealRobot robot = new IdealRobot(Posture.ZERO);
+    private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
+    private BodyPosition bodyPosition = BodyPosition.UPRIGHT;
+
+    @Test
+    void playsAFileByItsName() throws IOException {
+        file("nod", "200 30" + ZEROS);
+        Motions motions = motions();
+
+        boolean started = motions.start("nod");
+        cycles(motions, 12);
+
+        assertThat(started).isTrue();
+        assertThat(robot.degrees(Joint.NECK_YAW)).isCloseTo(30, within(1e-6));
+        assertThat(motions.isFinished()).isTrue();
+    }
+
+    @Test
+    void namesTheMotionAndKeyframeThatAreRunning() throws IOException {
+        file("nod", "40 10" + ZEROS + "\n40 20" + ZEROS);
+        Motions motions = motions();
+
+        motions.start("nod");
+        cycles(motions, 3);
+
+        assertThat(motions.current()).contains("nod");
+        assertThat(motions.keyframe()).isEqualTo(2);
+    }
+
+    @Test
+    void runsAMotionToItsEndBeforeAnotherOneStarts() throws IOException {
+        file("nod", "200 30" + ZEROS);
+        file("shake", "200 -30" + ZEROS);
+        Motions motions = motions();
+        motions.start("nod");
+        cycles(motions, 5);
+
+        boolean started = motions.start("shake");
+
+        assertThat(started).isFalse();
+        assertThat(motions.current()).contains("nod");
+    }
+
+    @Test
+    void stopsAMotionWhereItIsAndStartsItAgainFromTheBeginning() throws IOException {
+        file("nod", "200 30" + ZEROS);
+        Motions motions = motions();
+        motions.start("nod");
+        cycles(motions, 5);
+
+        motions.stop();
+        cycles(motions, 3);
+        double stopped = robot.degrees(Joint.NECK_YAW);
+        motions.start("nod");
+        cycles(motions, 10);
+
+        assertThat(stopped).isBetween(12.0, 18.0);
+        assertThat(motions.isFinished()).isTrue();
+        assertThat(motions.current()).isEmpty();
+    }
+
+    @Test
+    void repeatsALoopUntilItIsStopped() throws IOException {
+        file("nod", "40 10" + ZEROS + "\n40 0" + ZEROS);
+        Motions motions = motions();
+
+        motions.loop("nod");
+        cycles(motions, 100);
+        boolean finished = motions.isFinished();
+        motions.stop();
+
+        assertThat(finished).isFalse();
+        assertThat(motions.isFinished()).isTrue();
+    }
+
+    @Test
+    void playsTwiceAsFast() throws IOException {
+        file("nod", "400 30" + ZEROS);
+        Motions motions = motions();
+
+        motions.setSpeed(2);
+        motions.start("nod");
+        cycles(motions, 10);
+
+        assertThat(motions.isFinished()).isTrue();
+    }
+
+    @Test
+    void stopsWalkingBeforeItTurns() throws IOException {
+        file("walk", "// start: stance or the end of walk\n// end: walking, left foot behind\n100 1" + ZEROS);
+        file("stop-walking", "// start: the end of walk\n// end: stance\n100 2" + ZEROS);
+        file("turn", "// start: stance\n// end: stance\n100 3" + ZEROS);
+        file("stand", "// start: standing\n// end: stance\n100 0" + ZEROS);
+        Motions motions = motions();
+
+        Set<String> played = new LinkedHashSet<>();
+        for (String name : List.of("walk", "walk", "turn", "turn")) {
+            motions.start(name);
+            while (!motions.isFinished()) {
+                cycles(motions, 1);
+                motions.current().ifPresent(played::add);
+            }
+        }
+
+        assertThat(played).containsExactly("stand", "walk", "stop-walking", "turn");
+    }
+
+    @Test
+    void choosesTheWayToGetUpByTheSideOnWhichTheRobotLies() throws IOException {
+        file("stand-up-from-front", "100 1" + ZEROS);
+        Motions motions = motions();
+
+        boolean upright = motions.startGetUp();
+        bodyPosition = BodyPosition.LYING_ON_FRONT;
+        boolean lying = motions.startGetUp();
+        cycles(motions, 1);
+
+        assertThat(upright).isFalse();
+        assertThat(lying).isTrue();
+        assertThat(motions.current()).contains("stand-up-from-front");
+    }
+
+    @Test
+    void saysWhichMotionsThereAreWhenOneIsUnknown() throws IOException {
+        file("nod", "200 30" + ZEROS);
+
+        boolean started = motions().start("not");
+
+        assertThat(started).isFalse();
+        assertThat(mistakes.reported())
+                .singleElement()
+                .asString()
+                .startsWith("0.00 s: There is no motion \"not\". Put a file motions/not.txt into the working directory,"
+                        + " or use one of: ")
+                .contains("nod");
+    }
+
+    @Test
+    void namesTheLineOfABrokenFileAndGoesOn() throws IOException {
+        file("nod", "200 30" + ZEROS + "\n200 thirty" + ZEROS);
+        Motions motions = motions();
+
+        boolean started = motions.start("nod");
+        cycles(motions, 1);
+
+        assertThat(started).isFalse();
+        assertThat(mistakes.reported())
+                .singleElement()
+                .asString()
+                .contains("The motion nod cannot be played: nod.txt")
+                .contains("2")
+                .contains("thirty")
+                .contains("The robot goes on without it.");
+    }
+
+    @Test
+    void readsAFileAgainThatWasMended() throws IOException {
+        file("nod", "oops");
+        Motions motions = motions();
+        boolean broken = motions.start("nod");
+
+        file("nod", "200 30" + ZEROS);
+        boolean mended = motions.start("nod");
+
+        assertThat(broken).isFalse();
+        assertThat(mended).isTrue();
+    }
+
+    @Test
+    void reportsOnceWhatAMotorCannotDoInTime() throws IOException {
+        file("nod", "20 90" + ZEROS + "\n500 0" + ZEROS);
+        Motions motions = motions();
+
+        for (int i = 0; i < 3; i++) {
+            motions.start("nod");
+            cycles(motions, 30);
+        }
+
+        assertThat(mistakes.reported())
+                .containsExactly("0.00 s: Motion nod turns NECK_YAW by 90 degrees in 20 ms on the way to keyframe 1,"
+                        + " faster than its motor can; give it at least 260 ms.");
+    }
+
+    @Test
+    void doesNotLetANameLeadOutOfTheFolder() throws IOException {
+        Files.writeString(folder.resolve("secret.txt"), "200 30" + ZEROS);
+
+        boolean started = motions().start("../secret");
+
+        assertThat(started).isFalse();
+    }
+
+    private Motions motions() {
+        return new Motions(motors, new MotionLibrary(folder.resolve("motions")), mistakes, () -> bodyPosition);
+    }
+
+    private void file(String name, String text) throws IOException {
+        Files.createDirectories(folder.resolve("motions"));
+        Files.writeString(folder.resolve("motions").resolve(name + ".txt"), text);
+    }
+
+    private void cycles(Motions motions, int count) {
+        for (int i = 0; i < count; i++) {
+            robot.sense(motors);
+            motions.update();
+            robot.act(motors);
+        }
+    }
+}
