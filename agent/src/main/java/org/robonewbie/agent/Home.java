@@ -52,7 +52,8 @@ abstract sealed class Home implements AutoCloseable {
 
     private static Home join(Options options) {
         try {
-            return Server.join(options.host().orElse(THIS_COMPUTER), options.port().orElse(USUAL_PORT));
+            return Server.join(
+                    options.host().orElse(THIS_COMPUTER), options.port().orElse(USUAL_PORT));
         } catch (IOException nobody) {
             throw new StartUpException(String.valueOf(nobody.getMessage()));
         }

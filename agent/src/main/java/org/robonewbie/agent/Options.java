@@ -313,8 +313,8 @@ public final class Options {
         }
         for (Option own : ONLY_OWN_SIMULATOR) {
             if (strength(own) == strength(Option.HOST)) {
-                throw new StartUpException(own.argument() + " needs an own simulator, but --host "
-                        + host().orElse("") + " asks for another one: leave one of the two out.");
+                throw new StartUpException(own.argument() + " needs an own simulator, but --host " + host().orElse("")
+                        + " asks for another one: leave one of the two out.");
             }
         }
     }

@@ -80,8 +80,9 @@ class AgentTest {
 
         assertThat(answer).containsExactly(new Synchronise());
         assertThat(printedLines())
-                .containsExactly("1.00 s: Joint speed NaN for LEFT_KNEE_PITCH is ignored. Was something divided by zero?"
-                        + " (Careless.java:31)");
+                .containsExactly(
+                        "1.00 s: Joint speed NaN for LEFT_KNEE_PITCH is ignored. Was something divided by zero?"
+                                + " (Careless.java:31)");
     }
 
     @Test
@@ -94,8 +95,9 @@ class AgentTest {
                 agent.respond(Messages.standing().at(2).posture(nearlyThere).build());
 
         assertThat(printedLines())
-                .containsExactly("1.00 s: Joint angle 200.0 for LEFT_KNEE_PITCH is beyond its range of -130 to 1 degrees;"
-                        + " it goes to the end of the range. (Careless.java:36)");
+                .containsExactly(
+                        "1.00 s: Joint angle 200.0 for LEFT_KNEE_PITCH is beyond its range of -130 to 1 degrees;"
+                                + " it goes to the end of the range. (Careless.java:36)");
         assertThat(answer).containsExactly(new SetHingeSpeed("lle4", 0), new Synchronise());
     }
 
@@ -120,8 +122,7 @@ class AgentTest {
 
         List<EffectorCommand> answer = agent.respond(Messages.standing().build());
 
-        assertThat(((SetHingeSpeed) answer.get(0)).radiansPerSecond())
-                .isCloseTo(Math.toRadians(351.77), within(1e-8));
+        assertThat(((SetHingeSpeed) answer.get(0)).radiansPerSecond()).isCloseTo(Math.toRadians(351.77), within(1e-8));
         assertThat(printedLines().get(0))
                 .startsWith("1.00 s: Joint speed 1000 for NECK_YAW is more than its motor can do; it turns with 351.77"
                         + " degrees per second.");

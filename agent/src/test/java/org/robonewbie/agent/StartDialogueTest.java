@@ -90,8 +90,9 @@ class StartDialogueTest {
 
         assertThatThrownBy(() -> Nao.connect(options))
                 .isInstanceOf(StartUpException.class)
-                .hasMessage("No simulator answers at 127.0.0.1:" + freePort + ". Start one with \"robonewbie simulator\","
-                        + " or leave the host out to have one started for you.");
+                .hasMessage(
+                        "No simulator answers at 127.0.0.1:" + freePort + ". Start one with \"robonewbie simulator\","
+                                + " or leave the host out to have one started for you.");
     }
 
     @Test

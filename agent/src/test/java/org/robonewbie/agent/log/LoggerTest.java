@@ -18,8 +18,7 @@ class LoggerTest {
         log.setTime(12.36);
         log.warning("two\nlines");
 
-        assertThat(printed())
-                .isEqualTo("""
+        assertThat(printed()).isEqualTo("""
                         --- log of Striker ---
                            12.34  INFO     ball at 1.20 m
                            12.36  WARNING  two

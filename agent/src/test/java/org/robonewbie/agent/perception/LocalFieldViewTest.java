@@ -131,8 +131,7 @@ class LocalFieldViewTest {
     @Test
     void acceptsPlayersOfOldServersThatHaveOnlyOnePosition() {
         view.setTime(1);
-        view.see(
-                players(new SeenPlayer("Red", 1, List.of(), Optional.of(new PolarPosition(3, 5, 0)))), 0, 0);
+        view.see(players(new SeenPlayer("Red", 1, List.of(), Optional.of(new PolarPosition(3, 5, 0)))), 0, 0);
 
         assertThat(view.players().get(0).distance()).isEqualTo(3);
     }
@@ -157,8 +156,7 @@ class LocalFieldViewTest {
         view.setTime(1);
         view.see(Vision.of(List.of(), Optional.empty(), List.of(), List.of(bad, good)), 0, 0);
 
-        assertThat(view.lines())
-                .containsExactly(new LineItem(new Direction(1, 0, -20), new Direction(2, 10, -10)));
+        assertThat(view.lines()).containsExactly(new LineItem(new Direction(1, 0, -20), new Direction(2, 10, -10)));
     }
 
     @Test
