@@ -70,20 +70,20 @@ public final class Ball {
     /**
      * Puts the ball somewhere as the trainer does: it keeps its velocity and spin.
      *
-     * @param position centre of the ball in the world frame, metres
+     * @param position centre of the ball in the world frame, metres; cut to a kilometre
      */
     public void moveTo(Vector3 position) {
-        body.setPosition(position);
+        body.setPosition(WorldLimits.place(position));
         body.wake();
     }
 
     /**
      * Sets the ball's speed as the trainer does: its spin is taken away.
      *
-     * @param metresPerSecond velocity in the world frame
+     * @param metresPerSecond velocity in the world frame; cut to 1000 m/s
      */
     public void setVelocity(Vector3 metresPerSecond) {
-        body.setVelocity(metresPerSecond);
+        body.setVelocity(WorldLimits.velocity(metresPerSecond));
         body.setAngularVelocity(Vector3.ZERO);
         body.wake();
     }
@@ -96,6 +96,14 @@ public final class Ball {
     public void place(Vector3 position) {
         moveTo(position);
         setVelocity(Vector3.ZERO);
+    }
+
+    /** Puts a ball that went beyond all limits back to the centre spot. */
+    void finishStep() {
+        if (!WorldLimits.isWithin(body.position())) {
+            body.setRotation(Rotation.IDENTITY);
+            place(new Vector3(0, 0, properties.radius()));
+        }
     }
 
     void applyDrag() {

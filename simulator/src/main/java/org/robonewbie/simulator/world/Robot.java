@@ -184,11 +184,11 @@ public final class Robot {
     /**
      * Pushes the torso at its centre during the next step, as a hand or another robot would.
      *
-     * @param newtons the force in the world frame
+     * @param newtons the force in the world frame; cut to 1000 N
      */
     public void push(Vector3 newtons) {
         bodies.get(0).wake();
-        bodies.get(0).addForce(newtons);
+        bodies.get(0).addForce(WorldLimits.force(newtons));
     }
 
     /**
@@ -197,7 +197,7 @@ public final class Robot {
      * @param position new centre of the torso in the world frame, metres
      */
     public void moveTo(Vector3 position) {
-        Vector3 way = position.minus(torso().position());
+        Vector3 way = WorldLimits.place(position).minus(torso().position());
         for (RigidBody body : bodies) {
             body.setPosition(body.position().plus(way));
             stop(body);
@@ -212,11 +212,12 @@ public final class Robot {
      */
     public void moveUpright(Vector3 position, double yawDegrees) {
         Pose torso = torso();
-        Rotation turn = Rotation.aboutZ(Math.toRadians(yawDegrees))
-                .after(torso.rotation().inverse());
+        Vector3 place = WorldLimits.place(position);
+        double yaw = Double.isFinite(yawDegrees) ? Math.toRadians(yawDegrees) : 0;
+        Rotation turn = Rotation.aboutZ(yaw).after(torso.rotation().inverse());
         for (RigidBody body : bodies) {
             Vector3 fromTorso = body.position().minus(torso.position());
-            body.setPosition(position.plus(turn.apply(fromTorso)));
+            body.setPosition(place.plus(turn.apply(fromTorso)));
             body.setRotation(turn.after(body.rotation()));
             stop(body);
         }
@@ -282,7 +283,20 @@ public final class Robot {
     }
 
     void finishStep() {
+        if (!bodies.stream().allMatch(body -> WorldLimits.isWithin(body.position()))) {
+            rebuild();
+        }
         plates.values().forEach(plate -> plate.update(linkPose(plate.link())));
+    }
+
+    /** Gives a robot that was torn apart the pose of a new one. */
+    private void rebuild() {
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).setRotation(Rotation.IDENTITY);
+            bodies.get(i).setPosition(START_POSITION.plus(model.links().get(i).position()));
+            stop(bodies.get(i));
+        }
+        wake();
     }
 
     void remove() {

@@ -124,6 +124,7 @@ public final class SoccerWorld {
         engine.findContacts();
         report.read(engine.contacts());
         engine.step(STEP_SECONDS);
+        ball.finishStep();
         robots.forEach(Robot::finishStep);
     }
 

@@ -1,0 +1,45 @@
+package org.robonewbie.simulator.world;
+
+import org.robonewbie.nao.Vector3;
+
+/**
+ * Keeps every body where the engine can still calculate, whatever a trainer or an accident asks for: beyond some kilometres,
+ * or at a place that is no number, collision detection would fail.
+ */
+final class WorldLimits {
+
+    private static final double LARGEST_COORDINATE = 1000;
+    private static final double LARGEST_SPEED = 1000;
+    private static final double LARGEST_FORCE = 1000;
+    private static final double FARTHEST = 10 * LARGEST_COORDINATE;
+
+    private WorldLimits() {}
+
+    /** Brings a place within a kilometre; what is no number becomes 0. */
+    static Vector3 place(Vector3 wanted) {
+        return cut(wanted, LARGEST_COORDINATE);
+    }
+
+    /** Brings a velocity below 1000 m/s; what is no number becomes 0. */
+    static Vector3 velocity(Vector3 wanted) {
+        return cut(wanted, LARGEST_SPEED);
+    }
+
+    /** Brings a force below 1000 N; what is no number becomes 0. */
+    static Vector3 force(Vector3 wanted) {
+        return cut(wanted, LARGEST_FORCE);
+    }
+
+    /** Tells whether a body may stay where it is. */
+    static boolean isWithin(Vector3 place) {
+        return Math.abs(place.x()) < FARTHEST && Math.abs(place.y()) < FARTHEST && Math.abs(place.z()) < FARTHEST;
+    }
+
+    private static Vector3 cut(Vector3 vector, double limit) {
+        return new Vector3(cut(vector.x(), limit), cut(vector.y(), limit), cut(vector.z(), limit));
+    }
+
+    private static double cut(double value, double limit) {
+        return Double.isNaN(value) ? 0 : Math.max(-limit, Math.min(limit, value));
+    }
+}
