@@ -10,6 +10,8 @@ import java.util.OptionalInt;
 import java.util.Random;
 import java.util.concurrent.Callable;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.monitor.MonitorSettings;
 import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
@@ -80,6 +82,15 @@ final class SimulatorCommand implements Callable<Integer> {
     @Option(names = "--report", paramLabel = "FILE", description = "Write the true results as JSON at the end.")
     private Optional<Path> report = Optional.empty();
 
+    @Option(names = "--log", paramLabel = "FILE", description = "Write a log that RoboViz can replay.")
+    private Optional<Path> log = Optional.empty();
+
+    @Option(
+            names = "--monitor-step",
+            paramLabel = "T",
+            description = "Simulated seconds between two messages to monitors, at least 0.02 (0.04).")
+    private double monitorStepSeconds = MonitorSettings.STANDARD_STEP_SECONDS;
+
     @Option(names = "--league", description = "Pitch and rules of the league. This is the usual profile.")
     private boolean league;
 
@@ -134,7 +145,17 @@ final class SimulatorCommand implements Callable<Integer> {
                 .seconds(seconds.map(OptionalDouble::of).orElse(OptionalDouble.empty()))
                 .recording(recording)
                 .report(report)
+                .monitorLog(log)
+                .monitorStepSeconds(monitorStep())
                 .build();
+    }
+
+    private double monitorStep() {
+        if (monitorStepSeconds >= WorldSnapshot.CYCLE_SECONDS && Double.isFinite(monitorStepSeconds)) {
+            return monitorStepSeconds;
+        }
+        throw new CalledWronglyException("A monitor step of " + monitorStepSeconds
+                + " s is not possible. It is at least 0.02, one cycle of the simulation.");
     }
 
     private static int port(int number) {

@@ -56,6 +56,24 @@ class SimulatorCommandTest {
     }
 
     @Test
+    void monitorsAreToldAndLoggedAsWanted() {
+        SimulatorSettings settings = settings("--log", "match.log", "--monitor-step", "0.02");
+
+        assertThat(settings.monitorLog()).contains(Path.of("match.log"));
+        assertThat(settings.monitorStepSeconds()).isEqualTo(0.02);
+        assertThat(settings().monitorLog()).isEmpty();
+        assertThat(settings().monitorStepSeconds()).isEqualTo(0.04);
+    }
+
+    @Test
+    void monitorStepShorterThanACycleIsRefused() {
+        assertThatThrownBy(() -> settings("--monitor-step", "0.01"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("0.01 s is not possible")
+                .hasMessageContaining("at least 0.02");
+    }
+
+    @Test
     void parametersAreChangedOneByOne() {
         SimulatorSettings settings = settings("--set", "RuleHalfTime=60", "--set", "UseCharging=false");
 
