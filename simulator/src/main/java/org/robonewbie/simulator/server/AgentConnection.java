@@ -98,6 +98,11 @@ final class AgentConnection {
         return outgoing;
     }
 
+    /** Gives the message that was generated last, empty before the first one. */
+    MessageBuffer newestMessage() {
+        return outgoing;
+    }
+
     void messageGenerated() {
         generatedMessages++;
     }

@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
 import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
+import org.robonewbie.protocol.perceptor.Vision;
 import org.robonewbie.simulator.sensing.Camera;
 import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.Player;
@@ -17,11 +18,13 @@ final class ConnectedAgent {
     private int id;
     private Optional<Robot> robot = Optional.empty();
     private Optional<Camera> camera = Optional.empty();
+    private Optional<Vision> picture = Optional.empty();
     private Optional<Player> player = Optional.empty();
     private Optional<CreateRobot> wantedRobot = Optional.empty();
     private Optional<JoinTeam> wantedTeam = Optional.empty();
     private Optional<Beam> wantedBeam = Optional.empty();
     private Optional<Beam> lastBeam = Optional.empty();
+    private boolean isNewborn;
     private boolean teamToBeTold;
     private long cycles;
     private long cyclesInTeam;
@@ -52,11 +55,26 @@ final class ConnectedAgent {
 
     void setRobot(Robot newRobot) {
         robot = Optional.of(newRobot);
+        isNewborn = true;
+    }
+
+    /** Tells whether the robot was made in this cycle; its perceptors begin to work in the next one. */
+    boolean isNewborn() {
+        return isNewborn;
     }
 
     /** Gives the agent its eyes; they have the same errors in each body. */
     void setCamera(Camera newCamera) {
         camera = Optional.of(newCamera);
+    }
+
+    /** What the camera has seen in this cycle. */
+    Optional<Vision> picture() {
+        return picture;
+    }
+
+    void setPicture(Optional<Vision> newPicture) {
+        picture = newPicture;
     }
 
     /** Tells the number of the agent's robot, which counts all robots of a run. */
@@ -132,9 +150,10 @@ final class ConnectedAgent {
     }
 
     /** Counts a cycle; vision comes in each third one since the agent has connected. */
-    void cycleEnds() {
+    void cycleBegins() {
         cycles++;
         cyclesInTeam++;
+        isNewborn = false;
     }
 
     boolean seesInThisCycle() {

@@ -25,18 +25,31 @@ final class Percepts {
 
     private final SoccerWorld world;
     private final Match match;
-    private List<VisiblePlayer> visiblePlayers = List.of();
 
     Percepts(SoccerWorld world, Match match) {
         this.world = world;
         this.match = match;
     }
 
-    /** Collects what all robots may see; called once in each cycle. */
-    void prepare() {
-        visiblePlayers = match.teams().players().stream()
+    /**
+     * Lets all cameras take their pictures. As in the original they see the world as its step has left it, before the
+     * referee moves anything.
+     */
+    void takePictures(List<ConnectedAgent> agents) {
+        List<VisiblePlayer> players = match.teams().players().stream()
                 .map(player -> new VisiblePlayer(player.robot(), player.team().name(), player.number()))
                 .toList();
+        for (ConnectedAgent agent : agents) {
+            agent.setPicture(picture(agent, players));
+        }
+    }
+
+    private Optional<Vision> picture(ConnectedAgent agent, List<VisiblePlayer> players) {
+        if (!agent.seesInThisCycle() || agent.robot().isEmpty()) {
+            return Optional.empty();
+        }
+        Optional<TeamSide> side = agent.player().map(Player::side);
+        return agent.camera().map(camera -> camera.look(agent.robot().get(), world, players, side));
     }
 
     PerceptorMessage of(ConnectedAgent agent, Robot robot, double seconds) {
@@ -50,17 +63,7 @@ final class Percepts {
                 Optional.of(robot.acceleration()),
                 jointAngles(robot),
                 robot.footForces(),
-                vision(agent));
-    }
-
-    private Optional<Vision> vision(ConnectedAgent agent) {
-        return agent.camera()
-                .filter(camera -> agent.seesInThisCycle())
-                .map(camera -> camera.look(
-                        agent.robot().orElseThrow(),
-                        world,
-                        visiblePlayers,
-                        agent.player().map(Player::side)));
+                agent.picture());
     }
 
     private GameState gameState(ConnectedAgent agent, double playSeconds) {

@@ -178,6 +178,7 @@ final class SimulationCycle {
             agent.connection().send();
         }
         for (ConnectedAgent agent : agents) {
+            agent.cycleBegins();
             effectors.prepareStep(agent);
         }
         recorder.beforeStep(participants());
@@ -185,6 +186,7 @@ final class SimulationCycle {
         recorder.afterStep();
         cycle++;
         removeVanishedAgents();
+        percepts.takePictures(agents);
         match.tick();
         recorder.cycleEnded(cycle, match, participants());
         match.clearEvents();
@@ -230,10 +232,8 @@ final class SimulationCycle {
     }
 
     private void generateMessages() {
-        percepts.prepare();
         for (ConnectedAgent agent : agents) {
-            agent.cycleEnds();
-            if (agent.robot().isPresent()) {
+            if (agent.robot().isPresent() && !agent.isNewborn()) {
                 generateMessage(agent, agent.robot().get());
             }
         }

@@ -16,7 +16,7 @@ final class BeforeKickOffRule implements PlayModeRule {
 
     @Override
     public void apply() {
-        if (match.players().isEmpty()) {
+        if (!match.isAnybodyThere()) {
             return;
         }
         match.ball().place(match.centreSpot());

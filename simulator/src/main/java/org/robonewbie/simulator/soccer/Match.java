@@ -219,11 +219,16 @@ public final class Match {
     /** Advances the game by one cycle of 20 ms, after the world has moved. */
     public void tick() {
         tick++;
-        state.tick(!teams.players().isEmpty());
+        state.tick(isAnybodyThere());
         ball.update(tick, teams.players());
         if (!checkTime()) {
             rules.of(state.playMode()).apply();
         }
+    }
+
+    /** Tells whether there is any robot, also one without a team. */
+    boolean isAnybodyThere() {
+        return !world.robots().isEmpty();
     }
 
     SoccerField field() {
