@@ -1,0 +1,277 @@
+package org.robonewbie.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Starts the real launcher with a Java and a Maven that only say what they were asked. */
+@DisabledOnOs(OS.WINDOWS)
+@Timeout(60)
+class LauncherTest {
+
+    private static final List<String> TOOLS = List.of(
+            "sh",
+            "dirname",
+            "readlink",
+            "sed",
+            "head",
+            "find",
+            "mkdir",
+            "cat",
+            "rm",
+            "sleep",
+            "touch",
+            "cp",
+            "mv",
+            "grep",
+            "tail");
+
+    @TempDir
+    Path temporaryFolder = Path.of("");
+
+    private Path home = Path.of("");
+    private Path jdk = Path.of("");
+    private Path tools = Path.of("");
+
+    private record Begun(Process process, Path errors) {}
+
+    private record Ended(int exitCode, String out, String err) {}
+
+    @BeforeEach
+    void makeSmallProject() throws IOException {
+        home = Files.createDirectories(temporaryFolder.resolve("Robo Newbie (1)"));
+        jdk = temporaryFolder.resolve("jdk");
+        tools = Files.createDirectories(temporaryFolder.resolve("tools"));
+        for (String tool : TOOLS) {
+            Files.createSymbolicLink(tools.resolve(tool), find(tool));
+        }
+        Files.copy(Project.ROOT.resolve("robonewbie"), home.resolve("robonewbie"));
+        write(home.resolve("pom.xml"), "<project/>");
+        write(home.resolve("app/src/main/java/Main.java"), "class Main {}");
+        maven("mkdir -p app/target; echo jar >app/target/robonewbie.jar; echo '[INFO] BUILD SUCCESS'");
+        java(jdk, "17.0.15");
+    }
+
+    @Test
+    void firstStartBuildsAndRuns() throws Exception {
+        Ended start = start("run", "my agent.java", "--seed", "3");
+
+        assertThat(start.exitCode()).isEqualTo(7);
+        assertThat(start.err()).contains("Building RoboNewbie for the first time", "RoboNewbie is built.");
+        assertThat(start.out()).contains("<-jar>", "<run>", "<my agent.java>", "<--seed>", "<3>");
+    }
+
+    @Test
+    void secondStartDoesNotBuild() throws Exception {
+        start("--help");
+
+        Ended second = start("--help");
+
+        assertThat(second.err()).isEmpty();
+        assertThat(builds()).isEqualTo(1);
+    }
+
+    @Test
+    void changedSourceIsBuilt() throws Exception {
+        start("--help");
+        changeSource();
+
+        Ended second = start("--help");
+
+        assertThat(second.err()).contains("Sources have changed");
+        assertThat(builds()).isEqualTo(2);
+    }
+
+    @Test
+    void userStaysInTheOwnFolder() throws Exception {
+        Ended start = start("--help");
+
+        assertThat(start.out()).contains("in " + temporaryFolder.toRealPath());
+    }
+
+    @Test
+    void linkToTheLauncherWorks() throws Exception {
+        Path link = Files.createSymbolicLink(temporaryFolder.resolve("rn"), home.resolve("robonewbie"));
+
+        Ended start = end(begin(link, "--help"));
+
+        assertThat(start.exitCode()).isEqualTo(7);
+    }
+
+    @Test
+    void mistakeInASourceIsShownInFull() throws Exception {
+        maven("echo '[INFO] Scanning'; echo '[ERROR] COMPILATION ERROR :'; echo '[ERROR] Main.java:[3,1] no'; exit 1");
+
+        Ended start = start("--help");
+
+        assertThat(start.exitCode()).isEqualTo(1);
+        assertThat(start.out()).isEmpty();
+        assertThat(start.err())
+                .contains("The build of RoboNewbie failed:", "Main.java:[3,1] no", "What to do: correct the Java file")
+                .doesNotContain("Scanning");
+    }
+
+    @Test
+    void missingInternetIsExplained() throws Exception {
+        maven("echo 'Downloading from central: x'; echo '[ERROR] Could not transfer artifact a:b'; exit 1");
+
+        Ended start = start("--help");
+
+        assertThat(start.exitCode()).isEqualTo(1);
+        assertThat(start.err()).contains("the first build needs the internet");
+    }
+
+    @Test
+    void failedBuildIsTriedAgain() throws Exception {
+        maven("exit 1");
+        start("--help");
+        maven("mkdir -p app/target; echo jar >app/target/robonewbie.jar");
+
+        Ended second = start("--help");
+
+        assertThat(second.exitCode()).isEqualTo(7);
+    }
+
+    @Test
+    void oldJavaIsRefusedWithAdvice() throws Exception {
+        java(jdk, "1.8.0_401");
+
+        Ended start = start("--help");
+
+        assertThat(start.exitCode()).isEqualTo(1);
+        assertThat(start.err()).contains("Java 17 or newer is needed. Found: ", "/java (8)", "Install a JDK");
+    }
+
+    @Test
+    void newerJavaOfThePathIsTakenInsteadOfAnOldOne() throws Exception {
+        java(jdk, "11.0.2");
+        java(tools.resolve("newer"), "26-ea");
+        Files.createSymbolicLink(tools.resolve("java"), tools.resolve("newer/bin/java"));
+
+        assertThat(start("--help").exitCode()).isEqualTo(7);
+    }
+
+    @Test
+    void javaWithoutCompilerIsRefusedWithAdvice() throws Exception {
+        Files.delete(jdk.resolve("bin/javac"));
+
+        Ended start = start("--help");
+
+        assertThat(start.exitCode()).isEqualTo(1);
+        assertThat(start.err()).contains("has no compiler (javac)", "Install a JDK 17");
+    }
+
+    @Test
+    void twoStartsAtOnceBuildOnce() throws Exception {
+        maven("sleep 1; mkdir -p app/target; echo jar >app/target/robonewbie.jar");
+
+        Begun first = begin(home.resolve("robonewbie"), "--help");
+        Begun second = begin(home.resolve("robonewbie"), "--help");
+
+        assertThat(end(first).exitCode()).isEqualTo(7);
+        assertThat(end(second).exitCode()).isEqualTo(7);
+        assertThat(builds()).isEqualTo(1);
+    }
+
+    @Test
+    void lockOfAKilledBuildIsTakenOver() throws Exception {
+        Process dead = new ProcessBuilder("true").start();
+        dead.waitFor();
+        write(home.resolve("app/target/launch/lock/process"), Long.toString(dead.pid()));
+
+        assertThat(start("--help").exitCode()).isEqualTo(7);
+    }
+
+    @Test
+    void stoppedBuildLeavesNothingBehind() throws Exception {
+        maven("kill -TERM $PPID; exec sleep 30");
+
+        Ended start = start("--help");
+
+        assertThat(start.exitCode()).isEqualTo(130);
+        assertThat(start.err()).contains("The build was stopped.");
+        assertThat(home.resolve("app/target/launch/lock")).doesNotExist();
+    }
+
+    private Ended start(String... arguments) throws Exception {
+        return end(begin(home.resolve("robonewbie"), arguments));
+    }
+
+    private Begun begin(Path launcher, String... arguments) throws IOException {
+        List<String> command = new ArrayList<>(List.of("sh", launcher.toString()));
+        command.addAll(List.of(arguments));
+        Path errors = Files.createTempFile(temporaryFolder, "errors", ".txt");
+        ProcessBuilder builder =
+                new ProcessBuilder(command).directory(temporaryFolder.toFile()).redirectError(errors.toFile());
+        builder.environment().put("JAVA_HOME", jdk.toString());
+        builder.environment().put("PATH", tools.toString());
+        return new Begun(builder.start(), errors);
+    }
+
+    private static Ended end(Begun begun) throws Exception {
+        String out = new String(begun.process().getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        int exitCode = begun.process().waitFor();
+        return new Ended(exitCode, out, Files.readString(begun.errors()));
+    }
+
+    /** A Java that tells its version, its home, and else its arguments; it ends with 7. */
+    private static void java(Path folder, String version) throws IOException {
+        executable(folder.resolve("bin/javac"), "exit 1");
+        executable(folder.resolve("bin/java"), """
+                case "$1" in
+                  -version) echo 'openjdk version "%s" 2025-04-15' >&2; exit 0 ;;
+                  -XshowSettings*) echo '    java.home = %s' >&2; exit 0 ;;
+                esac
+                echo "in $PWD"
+                for argument in "$@"; do echo "<$argument>"; done
+                exit 7
+                """.formatted(version, folder));
+    }
+
+    /** A Maven that counts how often it is called and then does what the test wants. */
+    private void maven(String script) throws IOException {
+        executable(home.resolve("mvnw"), "echo build >>../builds.txt\n" + script);
+    }
+
+    private int builds() throws IOException {
+        return Files.readAllLines(temporaryFolder.resolve("builds.txt")).size();
+    }
+
+    private void changeSource() throws IOException {
+        Files.setLastModifiedTime(
+                home.resolve("app/src/main/java/Main.java"),
+                FileTime.from(Instant.now().plusSeconds(5)));
+    }
+
+    private static void executable(Path file, String script) throws IOException {
+        write(file, "#!/bin/sh\n" + script + "\n");
+        assertThat(file.toFile().setExecutable(true)).isTrue();
+    }
+
+    private static void write(Path file, String text) throws IOException {
+        Files.createDirectories(file.getParent());
+        Files.writeString(file, text);
+    }
+
+    private static Path find(String tool) {
+        return Stream.of("/bin", "/usr/bin")
+                .map(folder -> Path.of(folder, tool))
+                .filter(Files::exists)
+                .findFirst()
+                .orElseThrow();
+    }
+}
