@@ -4,11 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
-import org.robonewbie.nao.kinematics.Pose;
-import org.robonewbie.nao.kinematics.Rotation;
-import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Posture;
 
@@ -25,13 +21,10 @@ import org.robonewbie.nao.motion.Posture;
  */
 public final class Footsteps {
 
-    private static final double HIP_BELOW_TORSO = 0.115;
     private static final double ANKLE_BEHIND_TORSO = 0.005;
-    private static final Vector3 ANKLE_TO_FOOT_CENTRE = new Vector3(0.03, 0, 0.01);
     private static final double MOST_ARM_DEGREES = 45;
 
     private final Gait gait;
-    private final InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
     private final List<Keyframe> keyframes = new ArrayList<>();
     private FootPlace left;
     private FootPlace right;
@@ -125,31 +118,24 @@ public final class Footsteps {
     }
 
     private void add(StepMoment moment, FootPlace middle) {
-        Posture posture =
+        Posture arms =
                 armsSwinging(left.seenFrom(middle).x() - right.seenFrom(middle).x());
-        for (Leg leg : Leg.values()) {
-            posture = kinematics
-                    .solve(leg, footFromTorso(moment, leg, middle), posture)
-                    .applyTo(posture);
-        }
-        posture = moment.withLiftedHip(posture);
-        keyframes.add(new Keyframe(gait.stepMillis() / gait.keyframesPerStep(), rounded(posture)));
+        TorsoPose torso = new TorsoPose(gait.torsoHeight() + moment.bounce(), gait.leanDegrees(), moment.rollDegrees());
+        Posture posture = torso.above(arms, foot(moment, Leg.LEFT, middle), foot(moment, Leg.RIGHT, middle));
+        keyframes.add(
+                new Keyframe(gait.stepMillis() / gait.keyframesPerStep(), rounded(moment.withLiftedHip(posture))));
     }
 
-    private Pose footFromTorso(StepMoment moment, Leg leg, FootPlace middle) {
+    private FootPose foot(StepMoment moment, Leg leg, FootPlace middle) {
         Vector3 place = place(leg).seenFrom(middle);
         double outward = leg == Leg.LEFT ? gait.feetApart() : -gait.feetApart();
         boolean swings = leg == moment.leg();
-        Vector3 fromHips = new Vector3(
+        return new FootPose(
                 place.x() + gait.feetForward() - ANKLE_BEHIND_TORSO,
                 place.y() + outward - moment.sway(),
-                HIP_BELOW_TORSO - gait.torsoHeight() - moment.bounce() + (swings ? moment.lift() : 0));
-        Rotation level = Rotation.ofYawPitchRoll(0, gait.leanDegrees(), moment.rollDegrees())
-                .inverse();
-        double yaw = place(leg).yawDegrees() - middle.yawDegrees();
-        Rotation turn = level.times(Rotation.ofYawPitchRoll(yaw, swings ? -moment.toeDegrees() : 0, 0));
-        Vector3 sole = level.apply(fromHips).minus(new Vector3(0, 0, HIP_BELOW_TORSO));
-        return new Pose(sole.plus(turn.apply(ANKLE_TO_FOOT_CENTRE)), turn);
+                swings ? moment.lift() : 0,
+                place(leg).yawDegrees() - middle.yawDegrees(),
+                swings ? moment.toeDegrees() : 0);
     }
 
     private Posture armsSwinging(double leftAhead) {

@@ -1,0 +1,23 @@
+package org.robonewbie.learning.design;
+
+import java.util.Arrays;
+import org.robonewbie.learning.trial.Watch;
+
+/** Costs that several designs have in common. */
+final class Costs {
+
+    private Costs() {}
+
+    /** Likes a torso that stays upright and calm, and motors that are not asked for all they can do. */
+    static double roughness(Watch watch) {
+        return 2 * watch.meanTilt() + 0.01 * watch.meanRocking() + 0.3 * watch.meanJointsAtLimit();
+    }
+
+    /** Keeps a search near its first guess: a tenth for each unit that a coordinate is beyond a limit. */
+    static double beyond(double[] coordinates, double limit) {
+        return 0.1
+                * Arrays.stream(coordinates)
+                        .map(x -> Math.max(0, Math.abs(x) - limit))
+                        .sum();
+    }
+}

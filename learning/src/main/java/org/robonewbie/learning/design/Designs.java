@@ -1,0 +1,98 @@
+package org.robonewbie.learning.design;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.robonewbie.learning.gait.Gait;
+import org.robonewbie.learning.search.SearchPlan;
+import org.robonewbie.learning.trial.Lying;
+
+/** All designs of the library, with the first guesses and plans that led to the shipped files. */
+public final class Designs {
+
+    private static final double[] WALK = {
+        -0.32, -1.62, 0.87, -0.5, 0.65, -0.39, 1.02, 0.18, 1.26, 0.03, 0.29, -0.99, 1.26, -1.19, 3.3
+    };
+    private static final double[] FAST = {-0.3, -1.6, 0.9, -0.5, 0.6, -0.4, 0.5, 0.2, 1.3, 0, 0.3, -1, 1.3, -1.2, 5.5};
+    private static final Gait GAIT = Gait.of(320, 8, WALK);
+    private static final Map<String, Supplier<MotionDesign>> ALL = new TreeMap<>(Map.ofEntries(
+            Map.entry(
+                    "walk-forward",
+                    () -> new WalkDesign(
+                            "walk-forward", false, 320, 8, 0.2, WALK, new SearchPlan(1, 0.2, 12, 30, 4, 3))),
+            Map.entry(
+                    "walk-forward-fast",
+                    () -> new WalkDesign(
+                            "walk-forward-fast", true, 320, 8, 0.4, FAST, new SearchPlan(1, 0.3, 10, 60, 3, 4))),
+            Map.entry(
+                    "turn-left",
+                    () -> new FootworkDesign(
+                            "turn-left",
+                            "turns by 30 degrees to the left on the spot",
+                            GAIT,
+                            foot -> foot.turned(10.5),
+                            3)),
+            Map.entry(
+                    "turn-left-small",
+                    () -> new FootworkDesign(
+                            "turn-left-small",
+                            "turns by 7 degrees to the left on the spot",
+                            GAIT,
+                            foot -> foot.turned(7.2),
+                            1)),
+            Map.entry(
+                    "side-step-left",
+                    () -> new FootworkDesign(
+                            "side-step-left", "steps 9 cm to the left", GAIT, foot -> foot.moved(0, 0.05), 2)),
+            Map.entry(
+                    "kick-right",
+                    () -> new KickDesign(
+                            "kick-right",
+                            "kicks the ball hard with the right foot",
+                            6,
+                            new double[19],
+                            new SearchPlan(1, 0.6, 14, 80, 3, 4))),
+            Map.entry("stand-up-from-left-side", SideGetUpDesign::new),
+            Map.entry("dive-left", () -> new DiveDesign("dive-left", new SearchPlan(1, 0.8, 14, 60, 3, 4))),
+            Map.entry(
+                    "roll-over-to-back",
+                    () -> new RollOverDesign(
+                            "roll-over-to-back",
+                            "rolls over from the front to the back",
+                            Lying.ON_FRONT,
+                            new SearchPlan(1, 0.8, 14, 50, 3, 4))),
+            Map.entry(
+                    "stand-up-from-back",
+                    () -> new GetUpDesign("stand-up-from-back", Lying.ON_BACK, new SearchPlan(1, 0.4, 14, 50, 4, 3))),
+            Map.entry(
+                    "stand-up-from-front",
+                    () -> new GetUpDesign(
+                            "stand-up-from-front", Lying.ON_FRONT, new SearchPlan(1, 0.4, 14, 50, 4, 3)))));
+
+    private Designs() {}
+
+    /**
+     * Lists the designs.
+     *
+     * @return their names in alphabetical order
+     */
+    public static List<String> names() {
+        return List.copyOf(ALL.keySet());
+    }
+
+    /**
+     * Looks up a design.
+     *
+     * @param name its name, that of its first motion
+     * @return the design
+     * @throws IllegalArgumentException if there is none of this name
+     */
+    public static MotionDesign named(String name) {
+        Supplier<MotionDesign> design = ALL.get(name);
+        if (design == null) {
+            throw new IllegalArgumentException("There is no design \"" + name + "\". Known are: " + names());
+        }
+        return design.get();
+    }
+}

@@ -1,0 +1,74 @@
+package org.robonewbie.learning.design;
+
+import java.util.List;
+import java.util.function.UnaryOperator;
+import org.robonewbie.learning.gait.FootPlace;
+import org.robonewbie.learning.gait.Footsteps;
+import org.robonewbie.learning.gait.Gait;
+import org.robonewbie.learning.gait.Stance;
+import org.robonewbie.learning.search.SearchPlan;
+import org.robonewbie.nao.kinematics.Leg;
+import org.robonewbie.nao.motion.Motion;
+
+/**
+ * Steps on the spot or to the left, from stance to stance, with the gait of the walk; the right-hand motion is its mirror image.
+ * Nothing is searched for: how far the feet are set follows from trials.
+ */
+public final class FootworkDesign implements MotionDesign {
+
+    private static final double FIRST_VIGOUR = 0.7;
+    private static final int END_MILLIS = 300;
+
+    private final String name;
+    private final String does;
+    private final Gait gait;
+    private final UnaryOperator<FootPlace> way;
+    private final int rounds;
+
+    /**
+     * Describes footwork to the left.
+     *
+     * @param name name of the motion; "left" in it becomes "right" in its mirror image
+     * @param does what the robot does
+     * @param gait how it steps
+     * @param way where a foot is set in each round, seen from where it stands at first
+     * @param rounds how often each foot is set
+     */
+    public FootworkDesign(String name, String does, Gait gait, UnaryOperator<FootPlace> way, int rounds) {
+        this.name = name;
+        this.does = does;
+        this.gait = gait;
+        this.way = way;
+        this.rounds = rounds;
+    }
+
+    @Override
+    public double[] start() {
+        return new double[] {0};
+    }
+
+    @Override
+    public SearchPlan plan() {
+        return SearchPlan.NONE;
+    }
+
+    @Override
+    public double cost(double[] candidate, long seed) {
+        return 0;
+    }
+
+    @Override
+    public List<DescribedMotion> motions(double[] coordinates) {
+        Footsteps steps = new Footsteps(gait, FootPlace.LEFT, FootPlace.RIGHT);
+        FootPlace left = FootPlace.LEFT;
+        FootPlace right = FootPlace.RIGHT;
+        for (int i = 0; i < rounds; i++) {
+            left = way.apply(left);
+            right = way.apply(right);
+            steps.step(Leg.LEFT, left, i == 0 ? FIRST_VIGOUR : 1).step(Leg.RIGHT, right);
+        }
+        steps.end(END_MILLIS, Stance.POSTURE);
+        var motion = new DescribedMotion(new Motion(name, steps.keyframes()), does, "stance", "stance");
+        return List.of(motion, motion.mirrored());
+    }
+}

@@ -1,0 +1,34 @@
+package org.robonewbie.learning.design;
+
+import java.util.List;
+import org.robonewbie.learning.search.SearchPlan;
+import org.robonewbie.learning.search.Trial;
+
+/**
+ * A motion, or some that belong together, as coordinates that can be searched for. {@link MotionWorkshop} runs the search and
+ * writes the files.
+ */
+public interface MotionDesign extends Trial {
+
+    /**
+     * Gives the first guess.
+     *
+     * @return coordinates from which the search begins
+     */
+    double[] start();
+
+    /**
+     * Tells how the shipped motion was searched for.
+     *
+     * @return the plan
+     */
+    SearchPlan plan();
+
+    /**
+     * Makes the motions that belong to coordinates.
+     *
+     * @param coordinates any coordinates
+     * @return the motions with what their files say about them
+     */
+    List<DescribedMotion> motions(double[] coordinates);
+}

@@ -1,0 +1,47 @@
+package org.robonewbie.learning.design;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.robonewbie.learning.search.SearchPlan;
+import org.robonewbie.learning.trial.Library;
+import org.robonewbie.learning.trial.Lying;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.Motion;
+
+/**
+ * Getting up from the left side: a roll onto the back, drawn by hand, and then the shipped way to get up from there. From the
+ * right side it is the mirror image.
+ */
+public final class SideGetUpDesign implements MotionDesign {
+
+    private static final String NAME = "stand-up-from-left-side";
+    private static final String AFTERWARDS = "stand-up-from-back";
+
+    /** Describes how to get up from the side. */
+    public SideGetUpDesign() {}
+
+    @Override
+    public double[] start() {
+        return Sketch.load(NAME, joint -> false).coordinates();
+    }
+
+    @Override
+    public SearchPlan plan() {
+        return SearchPlan.NONE;
+    }
+
+    @Override
+    public double cost(double[] candidate, long seed) {
+        return 0;
+    }
+
+    @Override
+    public List<DescribedMotion> motions(double[] coordinates) {
+        List<Keyframe> keyframes = new ArrayList<>(
+                Sketch.load(NAME, joint -> false).motion(coordinates).keyframes());
+        keyframes.addAll(Library.motion(AFTERWARDS).keyframes());
+        var motion = new DescribedMotion(
+                new Motion(NAME, keyframes), "rolls onto the back and gets up", Lying.ON_LEFT.words(), "stance");
+        return List.of(motion, motion.mirrored());
+    }
+}

@@ -1,0 +1,138 @@
+package org.robonewbie.learning.design;
+
+import java.util.List;
+import org.robonewbie.learning.gait.FootPlace;
+import org.robonewbie.learning.gait.Footsteps;
+import org.robonewbie.learning.gait.Gait;
+import org.robonewbie.learning.gait.Stance;
+import org.robonewbie.learning.search.SearchPlan;
+import org.robonewbie.learning.trial.Course;
+import org.robonewbie.nao.kinematics.Leg;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.Motion;
+
+/**
+ * A walk forward: a cycle of two steps that begins anywhere between the stance and itself, and the stop that leads back to the
+ * stance. Searched for are the gait and the length of its steps.
+ */
+public final class WalkDesign implements MotionDesign {
+
+    private static final String STOP = "stop-walking";
+    private static final int STEP_LENGTH = Gait.PARAMETERS;
+    private static final double METRES_PER_COORDINATE = 0.02;
+    private static final double TRIAL_SECONDS = 5;
+    private static final double PUSH_NEWTONS = 8;
+    private static final int STOP_MILLIS = 400;
+
+    private final String name;
+    private final boolean withStop;
+    private final int stepMillis;
+    private final int keyframesPerStep;
+    private final double wantedSpeed;
+    private final double[] start;
+    private final SearchPlan plan;
+
+    /**
+     * Describes a walk.
+     *
+     * @param name name of the walk
+     * @param withStop whether its stop is shipped as {@code stop-walking}
+     * @param stepMillis time of one step
+     * @param keyframesPerStep postures in each step
+     * @param wantedSpeed metres per second; more brings nothing
+     * @param start first guess: coordinates of {@link Gait#of} and the length of a step in units of 2 cm
+     * @param plan how it is searched for
+     */
+    public WalkDesign(
+            String name,
+            boolean withStop,
+            int stepMillis,
+            int keyframesPerStep,
+            double wantedSpeed,
+            double[] start,
+            SearchPlan plan) {
+        this.name = name;
+        this.withStop = withStop;
+        this.stepMillis = stepMillis;
+        this.keyframesPerStep = keyframesPerStep;
+        this.wantedSpeed = wantedSpeed;
+        this.start = start.clone();
+        this.plan = plan;
+    }
+
+    @Override
+    public double[] start() {
+        return start.clone();
+    }
+
+    @Override
+    public SearchPlan plan() {
+        return plan;
+    }
+
+    @Override
+    public List<DescribedMotion> motions(double[] x) {
+        var walk = new DescribedMotion(
+                walk(x),
+                "two steps forward, left foot first; played again and again it is a walk",
+                "stance, walking",
+                "walking");
+        return withStop
+                ? List.of(
+                        walk,
+                        new DescribedMotion(stop(x), "sets the feet side by side after a walk", "walking", "stance"))
+                : List.of(walk);
+    }
+
+    @Override
+    public double cost(double[] x, long seed) {
+        Course course = new Course(seed, PUSH_NEWTONS);
+        Motion walk = walk(x);
+        while (course.watch().seconds() < TRIAL_SECONDS && course.play(walk)) {
+            // one cycle of two steps after the other
+        }
+        double seconds = course.watch().seconds();
+        double speed = course.forward() / seconds;
+        boolean good = course.play(stop(x)) && course.endsInStance();
+        if (!good) {
+            return 6 - 3 * seconds / TRIAL_SECONDS - Math.min(0.5, Math.max(0, speed));
+        }
+        return Costs.beyond(x, 6)
+                + 2 * Math.max(0, 1 - speed / wantedSpeed)
+                + 0.5 * Math.abs(course.left())
+                + Math.abs(course.turnedDegrees()) / 30
+                + Costs.roughness(course.watch());
+    }
+
+    private Gait gait(double[] x) {
+        return Gait.of(stepMillis, keyframesPerStep, x);
+    }
+
+    private static double stepLength(double[] x) {
+        return METRES_PER_COORDINATE * x[STEP_LENGTH];
+    }
+
+    private Motion walk(double[] x) {
+        double length = stepLength(x);
+        Footsteps steps = walking(x)
+                .step(Leg.LEFT, FootPlace.LEFT.moved(1.5 * length, 0))
+                .step(Leg.RIGHT, FootPlace.RIGHT.moved(2.5 * length, 0));
+        return new Motion(name, steps.keyframes());
+    }
+
+    private Motion stop(double[] x) {
+        double half = stepLength(x) / 2;
+        List<Keyframe> keyframes = walking(x)
+                .step(Leg.LEFT, FootPlace.LEFT.moved(half, 0), 0.9)
+                .step(Leg.RIGHT, FootPlace.RIGHT.moved(half, 0), 0.5)
+                .end(STOP_MILLIS, Stance.POSTURE)
+                .keyframes();
+        return new Motion(STOP, keyframes);
+    }
+
+    /** In the middle of a walk the left foot is behind and about to swing. */
+    private Footsteps walking(double[] x) {
+        double half = stepLength(x) / 2;
+        return new Footsteps(gait(x), FootPlace.LEFT.moved(-half, 0), FootPlace.RIGHT.moved(half, 0));
+    }
+}

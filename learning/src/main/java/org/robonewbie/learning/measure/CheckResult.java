@@ -1,0 +1,54 @@
+package org.robonewbie.learning.measure;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.LongStream;
+
+/**
+ * The answer to a check.
+ *
+ * @param check the question
+ * @param outcomes one for each trial
+ */
+public record CheckResult(MotionCheck check, List<Outcome> outcomes) {
+
+    /** Makes the list unmodifiable. */
+    public CheckResult {
+        outcomes = List.copyOf(outcomes);
+    }
+
+    /**
+     * Carries out trials, several at a time.
+     *
+     * @param check the question
+     * @param trials how many
+     * @return the answer, the same each time
+     */
+    public static CheckResult of(MotionCheck check, int trials) {
+        Outcome[] outcomes =
+                LongStream.range(0, trials).parallel().mapToObj(check.trial()).toArray(Outcome[]::new);
+        return new CheckResult(check, Arrays.asList(outcomes));
+    }
+
+    /**
+     * Counts the successes.
+     *
+     * @return how many trials kept to the rule
+     */
+    public int successes() {
+        return (int) outcomes.stream().filter(Outcome::success).count();
+    }
+
+    /**
+     * Averages what was measured.
+     *
+     * @return the mean over the successful trials, in the unit of the check; 0 if there are none
+     */
+    public double mean() {
+        return outcomes.stream()
+                .filter(Outcome::success)
+                .mapToDouble(Outcome::value)
+                .average()
+                .orElse(0);
+    }
+}

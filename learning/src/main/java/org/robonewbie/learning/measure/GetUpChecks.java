@@ -1,0 +1,32 @@
+package org.robonewbie.learning.measure;
+
+import java.util.List;
+import org.robonewbie.learning.trial.GetUpTrial;
+import org.robonewbie.learning.trial.Library;
+import org.robonewbie.learning.trial.Lying;
+import org.robonewbie.learning.trial.TrialObserver;
+
+/** Checks of the motions that bring a fallen robot to its feet. */
+final class GetUpChecks {
+
+    private static final double MOST_SECONDS = 10;
+
+    private GetUpChecks() {}
+
+    static List<MotionCheck> all() {
+        return List.of(
+                getUp("stand-up-from-back", Lying.ON_BACK),
+                getUp("stand-up-from-front", Lying.ON_FRONT),
+                getUp("stand-up-from-left-side", Lying.ON_LEFT),
+                getUp("stand-up-from-right-side", Lying.ON_RIGHT));
+    }
+
+    private static MotionCheck getUp(String name, Lying lying) {
+        return new MotionCheck(
+                name, lying.words() + " after a fall, arms anywhere", "stands in the stance within 10 s", "s", seed -> {
+                    GetUpTrial trial =
+                            GetUpTrial.run(lying.fallen(seed), List.of(Library.motion(name)), TrialObserver.NONE);
+                    return new Outcome(trial.success() && trial.seconds() <= MOST_SECONDS, trial.seconds());
+                });
+    }
+}

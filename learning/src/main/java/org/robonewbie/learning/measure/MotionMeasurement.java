@@ -1,0 +1,117 @@
+package org.robonewbie.learning.measure;
+
+import com.google.gson.GsonBuilder;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * Measures all shipped motions in the simulated world and prints a table: how often each works, and how well.
+ *
+ * <pre>{@code
+ * new MotionMeasurement(20, System.out).run(Optional.empty());
+ * }</pre>
+ */
+public final class MotionMeasurement {
+
+    private final int seeds;
+    private final PrintStream out;
+
+    /**
+     * Prepares a measurement.
+     *
+     * @param seeds trials of each motion, at least 1
+     * @param out where the table goes
+     */
+    public MotionMeasurement(int seeds, PrintStream out) {
+        if (seeds < 1) {
+            throw new IllegalArgumentException("Cannot measure with " + seeds + " seeds. Use at least 1.");
+        }
+        this.seeds = seeds;
+        this.out = out;
+    }
+
+    /**
+     * Lists what is measured.
+     *
+     * @return all checks in the order of the table
+     */
+    public static List<MotionCheck> checks() {
+        return Stream.of(WalkChecks.all(), GetUpChecks.all())
+                .flatMap(List::stream)
+                .toList();
+    }
+
+    /**
+     * Carries out all checks, printing each line as soon as it is known.
+     *
+     * @param json file for the results as well
+     * @return the results in the order of the table
+     * @throws IOException if the file cannot be written
+     */
+    public List<CheckResult> run(Optional<Path> json) throws IOException {
+        List<CheckResult> results = new ArrayList<>();
+        out.printf("%-28s %9s %10s  %s%n", "motion", "successes", "mean", "unit | start | rule of success");
+        for (MotionCheck check : checks()) {
+            CheckResult result = CheckResult.of(check, seeds);
+            results.add(result);
+            out.println(line(result));
+        }
+        if (json.isPresent()) {
+            write(json.get(), results);
+        }
+        return results;
+    }
+
+    private static String line(CheckResult result) {
+        MotionCheck check = result.check();
+        return String.format(
+                Locale.ROOT,
+                "%-28s %4d / %-3d %10.3f  %s | %s | %s",
+                check.name(),
+                result.successes(),
+                result.outcomes().size(),
+                result.mean(),
+                check.unit(),
+                check.start(),
+                check.rule());
+    }
+
+    private static void write(Path file, List<CheckResult> results) throws IOException {
+        List<Row> rows = results.stream().map(Row::of).toList();
+        String text = new GsonBuilder().setPrettyPrinting().create().toJson(Map.of("motions", rows)) + "\n";
+        Path target = file.toAbsolutePath();
+        Path temporary = Files.createTempFile(target.getParent(), target.getFileName() + ".", ".tmp");
+        try {
+            Files.writeString(temporary, text, StandardCharsets.UTF_8);
+            Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+        } finally {
+            Files.deleteIfExists(temporary);
+        }
+    }
+
+    /** One object of the file. */
+    private record Row(String name, int trials, int successes, double mean, String unit, String start, String rule) {
+
+        static Row of(CheckResult result) {
+            MotionCheck check = result.check();
+            return new Row(
+                    check.name(),
+                    result.outcomes().size(),
+                    result.successes(),
+                    result.mean(),
+                    check.unit(),
+                    check.start(),
+                    check.rule());
+        }
+    }
+}

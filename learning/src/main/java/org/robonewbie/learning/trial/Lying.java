@@ -1,0 +1,112 @@
+package org.robonewbie.learning.trial;
+
+import java.util.Random;
+import org.robonewbie.learning.gait.Stance;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.Posture;
+
+/** The sides on which a robot can lie, and robots that have fallen on them. */
+public enum Lying {
+    /** Chest up. */
+    ON_BACK("lying on back"),
+    /** Chest down. */
+    ON_FRONT("lying on front"),
+    /** Left side down. */
+    ON_LEFT("lying on left side"),
+    /** Right side down. */
+    ON_RIGHT("lying on right side");
+
+    private static final double DOWN = 0.7;
+    private static final double ARM_NOISE_DEGREES = 30;
+    private static final double LEG_NOISE_DEGREES = 8;
+    private static final int MOST_TRIES = 20;
+
+    private final String words;
+
+    Lying(String words) {
+        this.words = words;
+    }
+
+    /**
+     * Names the posture as motion files do.
+     *
+     * @return such as {@code lying on back}
+     */
+    public String words() {
+        return words;
+    }
+
+    /**
+     * Finds out how a robot lies.
+     *
+     * @param robot a robot
+     * @return whether it lies on this side
+     */
+    public boolean isTrueOf(TrialRobot robot) {
+        boolean tilted = robot.uprightness() < DOWN;
+        return tilted
+                && switch (this) {
+                    case ON_BACK -> robot.chestUp() > DOWN;
+                    case ON_FRONT -> robot.chestUp() < -DOWN;
+                    case ON_LEFT -> robot.leftSideUp() < -DOWN;
+                    case ON_RIGHT -> robot.leftSideUp() > DOWN;
+                };
+    }
+
+    /**
+     * Lets robots fall until one lies on this side: it stands with its arms wherever they happen to be, is pushed over, and
+     * comes to rest with its motors holding.
+     *
+     * @param seed chooses the fall
+     * @return a robot that lies on this side
+     * @throws IllegalStateException if no fall ends that way
+     */
+    public TrialRobot fallen(long seed) {
+        Random random = new Random(31 * seed + ordinal());
+        random.nextLong();
+        for (int i = 0; i < MOST_TRIES; i++) {
+            TrialRobot robot = fall(random);
+            if (isTrueOf(robot)) {
+                return robot;
+            }
+        }
+        throw new IllegalStateException("No fall of " + MOST_TRIES + " with seed " + seed + " ended " + this + ".");
+    }
+
+    private TrialRobot fall(Random random) {
+        TrialRobot robot = new TrialRobot();
+        robot.moveTo(anyPosture(random), 700, TrialObserver.NONE);
+        Vector3 push = push(random);
+        for (int tries = 0; robot.uprightness() > DOWN && tries < 5; tries++) {
+            robot.hold(0.16 + 0.04 * tries, pushed -> {
+                pushed.push(push);
+                return true;
+            });
+            robot.hold(1.6, TrialObserver.NONE);
+        }
+        return robot;
+    }
+
+    private Vector3 push(Random random) {
+        double strength = 30 + 20 * random.nextDouble();
+        double aside = 8 * random.nextGaussian();
+        return switch (this) {
+            case ON_BACK -> new Vector3(-strength, aside, 0);
+            case ON_FRONT -> new Vector3(strength, aside, 0);
+            case ON_LEFT -> new Vector3(aside, strength, 0);
+            case ON_RIGHT -> new Vector3(aside, -strength, 0);
+        };
+    }
+
+    private static Posture anyPosture(Random random) {
+        double[] degrees = Stance.POSTURE.toArray();
+        for (Joint joint : Joint.values()) {
+            boolean leg = joint.name().contains("HIP")
+                    || joint.name().contains("KNEE")
+                    || joint.name().contains("FOOT");
+            degrees[joint.ordinal()] += random.nextGaussian() * (leg ? LEG_NOISE_DEGREES : ARM_NOISE_DEGREES);
+        }
+        return Posture.of(degrees).clamped();
+    }
+}

@@ -1,0 +1,258 @@
+package org.robonewbie.learning.trial;
+
+import java.util.List;
+import org.robonewbie.agent.motion.MotionPlayer;
+import org.robonewbie.agent.motion.Motors;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.Link;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.Interpolation;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.world.Ball;
+import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+/**
+ * A robot alone in a world of its own, without server and sockets, that lives through the same cycle as with an agent: it
+ * senses its joints in hundredths of a degree, and a speed that answers the state after step k acts in step k + 2.
+ *
+ * <p>It begins on the left half of the pitch and looks along the world's x axis to the right goal; the ball lies far aside.
+ *
+ * <pre>{@code
+ * TrialRobot robot = new TrialRobot();
+ * robot.play(walk, TrialObserver.NONE);
+ * double metres = robot.torso().x() - TrialRobot.START.x();
+ * }</pre>
+ */
+public final class TrialRobot {
+
+    /** Where the centre of the torso is at first, in metres in the world frame. */
+    public static final Vector3 START = new Vector3(-4.5, 1.5, 0.39);
+
+    private static final Vector3 BALL_ASIDE = new Vector3(0, -3.5, 0.042);
+    private static final Joint[] JOINTS = Joint.values();
+
+    private final SoccerWorld world = new SoccerWorld(SoccerField.BEGINNER);
+    private final Robot robot = world.addRobot(RobotType.TYPE_0);
+    private final Motors motors = new Motors();
+    private final double[] onTheWay = new double[Joint.COUNT];
+    private long cycles;
+
+    /** Puts a robot down with all joints at 0. */
+    public TrialRobot() {
+        robot.moveUpright(START, -90);
+        world.ball().place(BALL_ASIDE);
+        sense();
+    }
+
+    /**
+     * Plays a motion to its end.
+     *
+     * @param motion the motion
+     * @param observer sees each cycle and can break off
+     * @return whether the observer let it play to the end
+     */
+    public boolean play(Motion motion, TrialObserver observer) {
+        MotionPlayer player = new MotionPlayer(motion, Interpolation.LINEAR);
+        while (!player.isFinished()) {
+            player.step(motors);
+            if (!cycle(observer)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * Moves to a posture.
+     *
+     * @param posture where to go
+     * @param millis how long it takes
+     * @param observer sees each cycle and can break off
+     * @return whether the observer let it move to the end
+     */
+    public boolean moveTo(Posture posture, int millis, TrialObserver observer) {
+        return play(new Motion("move", List.of(new Keyframe(millis, posture))), observer);
+    }
+
+    /**
+     * Waits with motors that hold their joints, as between two motions.
+     *
+     * @param seconds how long
+     * @param observer sees each cycle and can break off
+     * @return whether the observer let it wait to the end
+     */
+    public boolean hold(double seconds, TrialObserver observer) {
+        MotionPlayer nothing = new MotionPlayer(new Motion("hold", List.of()), Interpolation.LINEAR);
+        for (long i = Math.round(seconds / Motors.CYCLE_SECONDS); i > 0; i--) {
+            nothing.step(motors);
+            if (!cycle(observer)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * Pushes the torso during the next cycle.
+     *
+     * @param newtons force in the world frame
+     */
+    public void push(Vector3 newtons) {
+        robot.push(newtons);
+    }
+
+    /**
+     * Gives access to the ball.
+     *
+     * @return the ball of this robot's world
+     */
+    public Ball ball() {
+        return world.ball();
+    }
+
+    /**
+     * Tells how long the robot lives.
+     *
+     * @return simulated seconds since it was put down
+     */
+    public double seconds() {
+        return cycles * Motors.CYCLE_SECONDS;
+    }
+
+    /**
+     * Tells where the torso is.
+     *
+     * @return its centre in the world frame, metres
+     */
+    public Vector3 torso() {
+        return robot.torso().position();
+    }
+
+    /**
+     * Tells how upright the torso is.
+     *
+     * @return the cosine of its tilt: 1 upright, 0 lying, -1 upside down
+     */
+    public double uprightness() {
+        return robot.torso().rotation().zz();
+    }
+
+    /**
+     * Tells where the chest points.
+     *
+     * @return 1 straight up, as when it lies on its back, -1 straight down
+     */
+    public double chestUp() {
+        return robot.torso().rotation().axisY().z();
+    }
+
+    /**
+     * Tells where the robot's left side points.
+     *
+     * @return 1 straight up, as when it lies on its right side, -1 straight down
+     */
+    public double leftSideUp() {
+        return -robot.torso().rotation().axisX().z();
+    }
+
+    /**
+     * Tells where the robot looks.
+     *
+     * @return angle of the torso's forward axis in the world frame, degrees, -180 to 180; 0 at first, positive to the left
+     */
+    public double headingDegrees() {
+        Vector3 forward = robot.torso().rotation().axisY();
+        return Math.toDegrees(Math.atan2(forward.y(), forward.x()));
+    }
+
+    /**
+     * Tells how fast the torso moves.
+     *
+     * @return metres per second in the world frame
+     */
+    public Vector3 velocity() {
+        return robot.torsoVelocity();
+    }
+
+    /**
+     * Tells how fast the torso turns.
+     *
+     * @return degrees per second about its own axes
+     */
+    public Vector3 turning() {
+        return robot.gyroDegreesPerSecond();
+    }
+
+    /**
+     * Tells where a limb is.
+     *
+     * @param link name of a link of the robot's model
+     * @return its pose in the world frame
+     */
+    public Pose link(String link) {
+        return robot.linkPose(robot.model().linkIndex(link));
+    }
+
+    /**
+     * Adds up where the robot's mass is.
+     *
+     * @return its centre of mass in the world frame, metres
+     */
+    public Vector3 centreOfMass() {
+        Vector3 sum = Vector3.ZERO;
+        double mass = 0;
+        List<Link> links = robot.model().links();
+        for (int i = 0; i < links.size(); i++) {
+            sum = sum.plus(robot.linkPose(i).position().times(links.get(i).massKg()));
+            mass += links.get(i).massKg();
+        }
+        return sum.times(1 / mass);
+    }
+
+    /**
+     * Tells what the last cycle asked of a joint.
+     *
+     * @param joint a joint
+     * @return its commanded speed in degrees per second
+     */
+    public double commandedDegreesPerSecond(Joint joint) {
+        return motors.sentDegreesPerSecond(joint);
+    }
+
+    /**
+     * Tells where the joints are.
+     *
+     * @return the sensed angles
+     */
+    public Posture posture() {
+        double[] degrees = new double[Joint.COUNT];
+        for (Joint joint : JOINTS) {
+            degrees[joint.ordinal()] = motors.degrees(joint);
+        }
+        return Posture.of(degrees);
+    }
+
+    private boolean cycle(TrialObserver observer) {
+        motors.endCycle();
+        for (Joint joint : JOINTS) {
+            robot.setMotorSpeed(joint, Math.toRadians(onTheWay[joint.ordinal()]));
+            onTheWay[joint.ordinal()] = motors.sentDegreesPerSecond(joint);
+        }
+        world.step();
+        cycles++;
+        sense();
+        return observer.goOn(this);
+    }
+
+    private void sense() {
+        for (Joint joint : JOINTS) {
+            motors.sense(joint, Math.round(robot.jointDegrees(joint) * 100) / 100.0);
+        }
+    }
+}
