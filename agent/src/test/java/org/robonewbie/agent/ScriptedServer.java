@@ -13,16 +13,29 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
 
-/** A server for one client on a real port, which answers each message with the next of its script and then closes. */
+/**
+ * A server for one client on a real port. It answers each message with the next of its script, or in real time sends its
+ * script whether the client answers or not; then it closes.
+ */
 final class ScriptedServer implements AutoCloseable {
 
     private final ServerSocket socket = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
     private final List<PerceptorMessage> script;
+    private final boolean waiting;
     private final List<String> received = Collections.synchronizedList(new ArrayList<>());
     private final Thread thread = new Thread(this::serve, "scripted server");
 
     ScriptedServer(List<PerceptorMessage> script) throws IOException {
+        this(script, true);
+    }
+
+    static ScriptedServer inRealTime(List<PerceptorMessage> script) throws IOException {
+        return new ScriptedServer(script, false);
+    }
+
+    private ScriptedServer(List<PerceptorMessage> script, boolean waiting) throws IOException {
         this.script = script;
+        this.waiting = waiting;
         thread.setDaemon(true);
         thread.start();
     }
@@ -59,16 +72,20 @@ final class ScriptedServer implements AutoCloseable {
         FrameOutput output = new FrameOutput(client.getOutputStream());
         MessageBuffer buffer = new MessageBuffer();
         for (PerceptorMessage message : script) {
-            if (!input.read(buffer)) {
-                return;
+            if (waiting || received.isEmpty()) {
+                if (!input.read(buffer)) {
+                    return;
+                }
+                received.add(buffer.toString());
             }
-            received.add(buffer.toString());
             buffer.clear();
             new PerceptorMessageWriter(buffer).write(message);
             output.write(buffer);
         }
-        if (input.read(buffer)) {
+        boolean open = input.read(buffer);
+        while (open) {
             received.add(buffer.toString());
+            open = !waiting && input.read(buffer);
         }
     }
 }

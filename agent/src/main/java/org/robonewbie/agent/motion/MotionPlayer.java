@@ -144,11 +144,13 @@ public final class MotionPlayer {
      * Finds what the motors cannot do in time.
      *
      * @param motors tell from where the robot starts
+     * @param fromKeyframe index of the first keyframe that counts; 1 if the way from where the robot happens to be to the
+     *     beginning of the motion may take longer
      * @return one sentence for each joint and keyframe that asks for too much
      */
-    public List<String> problems(Motors motors) {
+    public List<String> problems(Motors motors, int fromKeyframe) {
         List<String> problems = new ArrayList<>();
-        for (int i = 0; i < keyframeEnds.length; i++) {
+        for (int i = fromKeyframe; i < keyframeEnds.length; i++) {
             MotionSection section = new MotionSection(expected(motors), motion, i);
             double seconds = cyclesOf(i) * Motors.CYCLE_SECONDS;
             for (Joint joint : JOINTS) {

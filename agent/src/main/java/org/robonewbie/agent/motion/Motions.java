@@ -24,6 +24,9 @@ import org.robonewbie.nao.motion.MotionFormatException;
  * }
  * }</pre>
  *
+ * <p>A file says in the comments {@code // start: stance} and {@code // end: stance} between which postures it leads; from
+ * {@code // end: walking} the robot stops before it turns. Without a comment a motion starts when the robot stands still.
+ *
  * <p>A joint that you command while a motion runs is yours until the next motion starts.
  */
 public final class Motions {
@@ -210,7 +213,8 @@ public final class Motions {
         Motion motion = speed == 1 ? file.motion() : file.motion().stretched(1 / speed);
         MotionPlayer next = new MotionPlayer(motion, interpolation);
         next.setLooping(looping && queue.isEmpty());
-        for (String problem : next.problems(motors)) {
+        int fromKeyframe = file.property("start").isPresent() ? 1 : 0;
+        for (String problem : next.problems(motors, fromKeyframe)) {
             mistakes.reportAt("", "too fast " + motion.name() + problem.replaceAll("[0-9]+", ""), () -> problem);
         }
         player = Optional.of(next);

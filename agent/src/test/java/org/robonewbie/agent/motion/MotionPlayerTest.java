@@ -118,7 +118,7 @@ class MotionPlayerTest {
     void saysWhichKeyframeIsTooFastAndHowLongItNeeds() {
         MotionPlayer player = player(frame(400, 40), frame(20, 100));
 
-        List<String> problems = player.problems(motors);
+        List<String> problems = player.problems(motors, 0);
 
         assertThat(problems)
                 .containsExactly(

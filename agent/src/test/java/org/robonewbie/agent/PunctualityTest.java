@@ -1,0 +1,69 @@
+package org.robonewbie.agent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.agent.log.LogLine;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+
+class PunctualityTest {
+
+    @Test
+    void reportsACycleForWhichAServerInRealTimeDidNotWait() throws Exception {
+        try (ScriptedServer server = ScriptedServer.inRealTime(script(100))) {
+            Nao nao = Nao.connect(options(server));
+            while (nao.getTime() < 1.5 && nao.sense()) {
+                nao.act();
+            }
+            nao.sense();
+            thinkForMilliseconds(30);
+            nao.act();
+            List<String> lines = nao.log().lines().stream().map(LogLine::text).toList();
+            nao.close();
+
+            assertThat(nao.mistakes().reported())
+                    .singleElement()
+                    .asString()
+                    .contains("ms, but the simulator waits only 20 ms and has gone on; compute less in a cycle, and log"
+                            + " instead of printing.");
+            assertThat(lines).anyMatch(line -> line.matches("cycle \\d+ came late: it took \\d+ ms"));
+        }
+    }
+
+    @Test
+    void neverCallsAnAgentLateForWhichTheServerWaits() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(100))) {
+            Nao nao = Nao.connect(options(server));
+            while (nao.getTime() < 1.5 && nao.sense()) {
+                nao.act();
+            }
+            nao.sense();
+            thinkForMilliseconds(30);
+            nao.act();
+            nao.close();
+
+            assertThat(nao.mistakes().reported()).isEmpty();
+        }
+    }
+
+    private static Options options(ScriptedServer server) {
+        return Options.none().with("host", "127.0.0.1").with("port", Integer.toString(server.port()));
+    }
+
+    private static void thinkForMilliseconds(int milliseconds) {
+        long end = System.nanoTime() + milliseconds * 1_000_000L;
+        while (System.nanoTime() < end) {
+            Thread.onSpinWait();
+        }
+    }
+
+    private static List<PerceptorMessage> script(int length) {
+        List<PerceptorMessage> script = new ArrayList<>();
+        for (int i = 0; i < length; i++) {
+            script.add(Messages.standing().at(0.02 * i).build());
+        }
+        return script;
+    }
+}

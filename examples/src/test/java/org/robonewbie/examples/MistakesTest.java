@@ -1,0 +1,89 @@
+package org.robonewbie.examples;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import student.DivideByZero;
+import student.EndlessLoop;
+import student.Patient;
+
+/** What a whole program does when something goes wrong. */
+class MistakesTest {
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void anExceptionInThinkIsReportedOnceAndTheRobotGoesOnToTheEndWithExitCode1() throws Exception {
+        try (ChildProgram program = run(DivideByZero.class, "--headless", "--seed", "1", "--fast", "--seconds", "2")) {
+            int exitCode = program.exitCode();
+
+            assertThat(exitCode).isEqualTo(1);
+            assertThat(program.lines())
+                    .filteredOn(line -> line.contains("the robot goes on"))
+                    .singleElement()
+                    .asString()
+                    .endsWith("think() failed with java.lang.ArithmeticException: / by zero; the robot goes on with the"
+                            + " next step. (DivideByZero.java:23)");
+            assertThat(program.lines()).anyMatch(line -> line.contains("cycle at 1.98"));
+        }
+    }
+
+    @Test
+    void anEndlessLoopInThinkEndsAHeadlessRunWithItsLineItsLogAndExitCode1() throws Exception {
+        try (ChildProgram program = run(EndlessLoop.class, "--headless", "--seed", "1", "--fast")) {
+            int exitCode = program.exitCode();
+
+            assertThat(exitCode).isEqualTo(1);
+            assertThat(program.lines())
+                    .anyMatch(
+                            line -> line.contains("think() has not returned for 1 s; the robot waits for it. Is this an"
+                                    + " endless loop? (EndlessLoop.java:2"))
+                    .anyMatch(line -> line.contains("think() has not returned for 5 s; the run ends here."))
+                    .anyMatch(line -> line.contains("I think"));
+        }
+    }
+
+    @Test
+    void aHostWithoutServerEndsWithOneSentenceAndExitCode2() throws Exception {
+        try (ChildProgram program = run(Agent_BasicStructure.class, "--host", "127.0.0.1", "--port", "9")) {
+            int exitCode = program.exitCode();
+
+            assertThat(exitCode).isEqualTo(2);
+            assertThat(program.lines())
+                    .containsExactly("No simulator answers at 127.0.0.1:9. Start one with \"robonewbie simulator\", or"
+                            + " leave the host out to have one started for you.");
+        }
+    }
+
+    @Test
+    void anUnknownOptionEndsWithOneSentenceAndExitCode2() throws Exception {
+        try (ChildProgram program = run(Agent_Wave.class, "--headles")) {
+            int exitCode = program.exitCode();
+
+            assertThat(exitCode).isEqualTo(2);
+            assertThat(program.lines())
+                    .containsExactly("The option \"headles\" on the command line is unknown. Did you mean --headless?");
+        }
+    }
+
+    @Test
+    void theLogIsPrintedWhenTheProgramIsInterrupted() throws Exception {
+        try (ChildProgram program = run(Patient.class, "--headless", "--seed", "1")) {
+            assumeThat(program.canBeInterrupted()).isTrue();
+            program.awaitLine("thinking");
+
+            program.interrupt();
+            program.exitCode();
+
+            assertThat(program.lines()).anyMatch(line -> line.contains("I am here"));
+        }
+    }
+
+    private ChildProgram run(Class<?> program, String... args) throws Exception {
+        return new ChildProgram(folder, program, args);
+    }
+}
