@@ -28,7 +28,9 @@ final class WalkChecks {
                 sideStep("side-step-left", 1),
                 sideStep("side-step-right", -1),
                 onTheSpot("stand"),
-                onTheSpot("wave"));
+                onTheSpot("wave"),
+                onTheSpot("bow"),
+                onTheSpot("dance"));
     }
 
     private static MotionCheck walk(String name) {
