@@ -119,9 +119,13 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
-    /** Tells whether nothing is left to do: the last messages of agents that have ended still count. */
+    /** Tells whether nothing is left to do: the last messages of agents that have ended still count, unless paused. */
     private boolean isFinished() {
-        return !settings.synchronous() || settings.awaitedAgents() == 0 || cycle.isAnybodyConnected() || !isReady();
+        return (paused && stepsLeft == 0)
+                || !settings.synchronous()
+                || settings.awaitedAgents() == 0
+                || cycle.isAnybodyConnected()
+                || !isReady();
     }
 
     private void finish() {
