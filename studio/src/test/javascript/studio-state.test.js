@@ -11,6 +11,7 @@ import {
   withConnection,
   withFrame,
   withoutConnection,
+  withRefusal,
   withScene,
 } from '../../main/resources/org/robonewbie/studio/web/state/studio-state.js';
 import { sampleFrame, sampleScene } from './sample-world.js';
@@ -35,6 +36,13 @@ test('losing the connection says that the page comes back by itself', () => {
 
 test('a page that never was connected goes on looking', () => {
   assert.match(message(withoutConnection(initialState(true)), 0)?.title ?? '', /Looking/);
+});
+
+test('a page that is not let in says why, until it is', () => {
+  const refused = withRefusal(withoutConnection(live()), 'The access token is wrong.');
+
+  assert.equal(message(refused, 0)?.text, 'The access token is wrong.');
+  assert.notEqual(message(withConnection(refused), 0)?.text, 'The access token is wrong.');
 });
 
 test('an empty field waits for a robot', () => {

@@ -10,7 +10,7 @@ public interface Viewer {
      * Starts to show a simulation.
      *
      * @param simulation what to show and steer
-     * @param port TCP port on 127.0.0.1, 0 for any free one
+     * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
      * @return the open view
      * @throws IOException if the port cannot be opened
      */
@@ -25,6 +25,13 @@ public interface Viewer {
          * @return the address for a browser, with the token that it needs
          */
         URI address();
+
+        /**
+         * Tells whether anybody looks now.
+         *
+         * @return whether a page is connected
+         */
+        boolean isWatched();
 
         /** Closes the view; browsers that look at it say so. */
         @Override

@@ -111,7 +111,7 @@ final class StudioCommandReader {
     private double numberOrNaN(String key) {
         try {
             return json.has(key) ? json.get(key).getAsDouble() : Double.NaN;
-        } catch (NumberFormatException | UnsupportedOperationException e) {
+        } catch (NumberFormatException | UnsupportedOperationException | IllegalStateException e) {
             return Double.NaN;
         }
     }

@@ -116,12 +116,17 @@ public final class StudioServer implements Viewer.View {
         return address;
     }
 
+    @Override
+    public boolean isWatched() {
+        return feed.spectators() > 0;
+    }
+
     /**
      * Counts the pages that look.
      *
      * @return how many pages are connected now
      */
-    public int spectators() {
+    int spectators() {
         return feed.spectators();
     }
 

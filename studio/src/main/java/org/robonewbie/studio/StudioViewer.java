@@ -4,11 +4,26 @@ import java.io.IOException;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.Viewer;
 
-/** Shows simulations in the browser; found by {@link java.util.ServiceLoader}. */
+/**
+ * Shows simulations in the browser; found by {@link java.util.ServiceLoader}.
+ *
+ * <p>If any port will do it takes the same one in each run, so that a page that is still open finds back.
+ */
 public final class StudioViewer implements Viewer {
+
+    /** The port that is taken if it is free and no other is asked for. */
+    public static final int USUAL_PORT = 3300;
 
     @Override
     public View open(SimulationControl simulation, int port) throws IOException {
-        return StudioServer.start(simulation, port, AccessToken.ofUser());
+        AccessToken token = AccessToken.ofUser();
+        if (port != 0) {
+            return StudioServer.start(simulation, port, token);
+        }
+        try {
+            return StudioServer.start(simulation, USUAL_PORT, token);
+        } catch (IOException e) {
+            return StudioServer.start(simulation, 0, token);
+        }
     }
 }

@@ -150,6 +150,21 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
         }
     }
 
+    /** Runs a script in each page before its own scripts, and returns a name for it. */
+    String runBeforePages(String source) {
+        JsonObject script = new JsonObject();
+        script.addProperty("source", source);
+        return call("Page.addScriptToEvaluateOnNewDocument", script)
+                .get("identifier")
+                .getAsString();
+    }
+
+    void forgetScript(String identifier) {
+        JsonObject script = new JsonObject();
+        script.addProperty("identifier", identifier);
+        call("Page.removeScriptToEvaluateOnNewDocument", script);
+    }
+
     void click(String selector) {
         evaluate("document.querySelector(" + quoted(selector) + ").click()");
     }

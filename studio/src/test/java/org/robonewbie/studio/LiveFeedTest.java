@@ -24,8 +24,6 @@ import org.robonewbie.simulator.WorldSnapshot;
 
 class LiveFeedTest {
 
-    private static final int CYCLE_AT = 4;
-
     private final SmallSimulation simulation = new SmallSimulation().withRobot();
     private StudioServer studio = open();
 
@@ -51,11 +49,8 @@ class LiveFeedTest {
     @Test
     void newPageLearnsWhoPlaysBeforeTheFirstFrame() throws InterruptedException {
         try (TestPage page = new TestPage(studio.address())) {
-            JsonObject scene = page.nextMessage();
-            if (scene.getAsJsonArray("robots").isEmpty()) {
-                page.seen();
-                scene = page.nextMessage();
-            }
+            JsonObject scene =
+                    page.awaitScene(any -> !any.getAsJsonArray("robots").isEmpty());
 
             assertThat(scene.get("kind").getAsString()).isEqualTo("scene");
             assertThat(scene.getAsJsonObject("field").get("length").getAsDouble())
@@ -73,9 +68,9 @@ class LiveFeedTest {
     @Test
     void framesFollowTheWorld() throws InterruptedException {
         try (TestPage page = new TestPage(studio.address())) {
-            long first = cycleOf(page.nextFrame());
+            long first = TestPage.cycleOf(page.nextFrame());
             page.seen();
-            long second = cycleOf(page.nextFrame());
+            long second = TestPage.cycleOf(page.nextFrame());
 
             assertThat(second).isGreaterThan(first);
         }
@@ -84,12 +79,12 @@ class LiveFeedTest {
     @Test
     void aboutTwentyFiveFramesComePerSecond() throws InterruptedException {
         try (TestPage page = new TestPage(studio.address())) {
-            long first = cycleOf(page.nextFrame());
+            long first = TestPage.cycleOf(page.nextFrame());
             long last = first;
             int frames = 0;
             while (last < first + 100) {
                 page.seen();
-                last = cycleOf(page.nextFrame());
+                last = TestPage.cycleOf(page.nextFrame());
                 frames++;
             }
 
@@ -115,7 +110,7 @@ class LiveFeedTest {
 
             slow.seen();
 
-            assertThat(cycleOf(slow.nextFrame())).isGreaterThanOrEqualTo(before + 20);
+            assertThat(TestPage.cycleOf(slow.nextFrame())).isGreaterThanOrEqualTo(before + 20);
         }
     }
 
@@ -128,7 +123,7 @@ class LiveFeedTest {
             long start = simulation.latest().cycle();
             long reached = 0;
             while (reached < start + 200) {
-                reached = cycleOf(lively.nextFrame());
+                reached = TestPage.cycleOf(lively.nextFrame());
                 lively.seen();
             }
 
@@ -160,11 +155,11 @@ class LiveFeedTest {
         try (TestPage page = new TestPage(studio.address())) {
             long paused = 0;
             for (int i = 0; i < 3; i++) {
-                paused = cycleOf(page.nextFrame());
+                paused = TestPage.cycleOf(page.nextFrame());
                 page.seen();
             }
             long start = System.nanoTime();
-            assertThat(cycleOf(page.nextFrame())).isEqualTo(paused);
+            assertThat(TestPage.cycleOf(page.nextFrame())).isEqualTo(paused);
 
             assertThat(TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start)).isBetween(500L, 4000L);
         }
@@ -184,12 +179,8 @@ class LiveFeedTest {
     }
 
     private static JsonArray robotsAtLeast(TestPage page, int count) throws InterruptedException {
-        JsonArray robots = page.nextMessage().getAsJsonArray("robots");
-        while (robots.size() < count) {
-            page.seen();
-            robots = page.nextMessage().getAsJsonArray("robots");
-        }
-        return robots;
+        return page.awaitScene(scene -> scene.getAsJsonArray("robots").size() >= count)
+                .getAsJsonArray("robots");
     }
 
     @Test
@@ -341,9 +332,5 @@ class LiveFeedTest {
             assertThat(System.nanoTime()).as("waited too long").isLessThan(end);
             LockSupport.parkNanos(5_000_000);
         }
-    }
-
-    private static long cycleOf(ByteBuffer frame) {
-        return Integer.toUnsignedLong(frame.getInt(frame.position() + CYCLE_AT));
     }
 }

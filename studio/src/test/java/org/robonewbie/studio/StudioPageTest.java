@@ -70,7 +70,8 @@ class StudioPageTest {
     private void openStudioWithRobot() {
         simulation.withRobot();
         openStudio();
-        browser.await("studio.state.scene.robots.length === 1 && studio.state.frame");
+        browser.await("studio.state.scene.robots.length === 1 && studio.state.frame"
+                + " && !document.querySelector('#toggle').disabled");
     }
 
     @Test
@@ -100,6 +101,37 @@ class StudioPageTest {
         browser.visit("http://127.0.0.1:" + studio.address().getPort() + "/");
 
         browser.await("document.querySelector('#banner').innerText.includes('Open the address that the simulator')");
+    }
+
+    @Test
+    void addressWithAWrongTokenSaysWhatToOpen() {
+        browser.visit("http://127.0.0.1:" + studio.address().getPort() + "/?token=wrong");
+
+        browser.await("document.querySelector('#banner').innerText.includes('The access token is missing or wrong. "
+                + "Open the address that the simulator has printed.')");
+    }
+
+    @Test
+    void browserWithoutThreeDimensionsIsToldWhatToDo() {
+        String script = browser.runBeforePages("HTMLCanvasElement.prototype.getContext = () => null");
+        try {
+            browser.visit(studio.address().toString());
+
+            browser.await("document.querySelector('#banner').innerText.includes('Switch on WebGL')");
+        } finally {
+            browser.forgetScript(script);
+        }
+    }
+
+    @Test
+    void keysFollowTheNextRobot() {
+        simulation.withRobot().withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 5, 1, 0, 180, Posture.STANDING);
+        openStudio();
+        browser.await("studio.state.scene.robots.length === 2");
+
+        browser.press("n");
+
+        browser.await("studio.desk.mode === 'follow' && studio.desk.chosen === 1");
     }
 
     @Test

@@ -13,6 +13,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 
 /** A page without a browser: talks to the studio over a real WebSocket. */
 final class TestPage implements AutoCloseable, WebSocket.Listener {
@@ -36,6 +37,45 @@ final class TestPage implements AutoCloseable, WebSocket.Listener {
     JsonObject nextMessage() throws InterruptedException {
         return Objects.requireNonNull(
                 messages.poll(PATIENCE_SECONDS, TimeUnit.SECONDS), "no message came from the studio");
+    }
+
+    /** Looks on until the scene is as wanted. */
+    JsonObject awaitScene(Predicate<JsonObject> wanted) throws InterruptedException {
+        while (true) {
+            JsonObject message = messages.poll();
+            if (message != null && message.has("robots") && wanted.test(message)) {
+                return message;
+            }
+            if (message == null) {
+                nextFrame();
+                seen();
+            }
+        }
+    }
+
+    /** Looks on until the world is paused. */
+    long nextPausedCycle() throws InterruptedException {
+        ByteBuffer frame = nextFrame();
+        while ((frame.get(1) & 1) == 0) {
+            seen();
+            frame = nextFrame();
+        }
+        seen();
+        return cycleOf(frame);
+    }
+
+    /** Looks on until the world has left a cycle and stands again. */
+    long nextCycleAfter(long cycle) throws InterruptedException {
+        long last = cycle;
+        for (long now = cycle; now == cycle || now != last; now = cycleOf(nextFrame())) {
+            last = now;
+            seen();
+        }
+        return last;
+    }
+
+    static long cycleOf(ByteBuffer frame) {
+        return Integer.toUnsignedLong(frame.getInt(4));
     }
 
     ByteBuffer nextFrame() throws InterruptedException {

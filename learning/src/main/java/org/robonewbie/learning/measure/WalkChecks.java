@@ -28,9 +28,7 @@ final class WalkChecks {
                 sideStep("side-step-left", 1),
                 sideStep("side-step-right", -1),
                 onTheSpot("stand"),
-                onTheSpot("wave"),
-                onTheSpot("bow"),
-                onTheSpot("dance"));
+                onTheSpot("wave"));
     }
 
     private static MotionCheck walk(String name) {

@@ -31,7 +31,7 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
         try {
             Optional<Viewer.View> view = request.headless() ? Optional.empty() : openView(simulator);
             if (request.openBrowser()) {
-                view.ifPresent(opened -> Browser.open(opened.address(), console));
+                view.ifPresent(opened -> Browser.openUnlessWatched(opened, console));
             }
             return new ViewedSimulator(simulator, view);
         } catch (IOException e) {

@@ -4,12 +4,38 @@ import java.io.IOException;
 import java.net.URI;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.robonewbie.simulator.Viewer;
 import org.robonewbie.simulator.server.Console;
 
 /** Opens the user's browser with the command of the operating system; where that fails, people open it themselves. */
 final class Browser {
 
+    private static final long PATIENCE_MILLISECONDS = 1200;
+    private static final long LOOK_MILLISECONDS = 50;
+
     private Browser() {}
+
+    /** Opens a view in the browser, unless a page of an earlier run is still open and comes back by itself. */
+    static void openUnlessWatched(Viewer.View view, Console console) {
+        Thread opener = new Thread(
+                () -> {
+                    if (!comesBack(view)) {
+                        open(view.address(), console);
+                    }
+                },
+                "browser-opener");
+        opener.setDaemon(true);
+        opener.start();
+    }
+
+    private static boolean comesBack(Viewer.View view) {
+        for (long waited = 0; waited < PATIENCE_MILLISECONDS && !view.isWatched(); waited += LOOK_MILLISECONDS) {
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(LOOK_MILLISECONDS));
+        }
+        return view.isWatched();
+    }
 
     static void open(URI address, Console console) {
         try {

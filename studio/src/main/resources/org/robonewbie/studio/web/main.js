@@ -6,7 +6,7 @@ import { Connection } from './live/connection.js';
 import { readFrame } from './live/state-frame.js';
 import { byId } from './panels/elements.js';
 import { deeds, listenToKeys } from './panels/keys.js';
-import { banner, notes } from './panels/messages.js';
+import { banner, notes, tell } from './panels/messages.js';
 import { roomsPanel } from './panels/rooms.js';
 import { scoreBoardPanel } from './panels/score-board.js';
 import { cameraPanel, trainerPanel } from './panels/side.js';
@@ -14,7 +14,14 @@ import { themeSwitch } from './panels/theme.js';
 import { timeActions, transportPanel } from './panels/transport.js';
 import { firstQuality, QualityChooser, QUALITIES, qualityIndex } from './state/quality.js';
 import { Smoothing } from './state/smoothing.js';
-import { initialState, withConnection, withFrame, withoutConnection, withScene } from './state/studio-state.js';
+import {
+  initialState,
+  withConnection,
+  withFrame,
+  withoutConnection,
+  withRefusal,
+  withScene,
+} from './state/studio-state.js';
 
 const options = new URLSearchParams(location.search);
 const token = options.get('token') ?? '';
@@ -25,15 +32,18 @@ let owesAnswer = false;
 let lastPicture = 0;
 let picturesInARow = 0;
 
+const note = notes();
+window.addEventListener('error', (event) => note(`This page has met an error: ${event.message}. Load it again.`));
+window.addEventListener('unhandledrejection', (event) => note(`This page has met an error: ${event.reason}. Load it again.`));
+
 const asked = qualityIndex(options.get('quality'));
-const view = new FieldView(byId('stage'), QUALITIES[asked < 0 ? 1 : asked]);
+const view = openView(QUALITIES[asked < 0 ? 1 : asked]);
 const chooser = new QualityChooser(asked < 0 ? firstQuality(view.graphics) : asked, asked >= 0);
 if (asked < 0) {
   view.setQuality(chooser.quality);
 }
 const desk = new CameraDesk(view.camera);
 const smoothing = new Smoothing();
-const note = notes();
 
 const connection = new Connection(`ws://${location.host}/live?token=${encodeURIComponent(token)}`, {
   opened() {
@@ -44,6 +54,10 @@ const connection = new Connection(`ws://${location.host}/live?token=${encodeURIC
   lost() {
     state = withoutConnection(state);
     owesAnswer = false;
+    stale = true;
+  },
+  refused(reason) {
+    state = withRefusal(state, reason);
     stale = true;
   },
   told(message) {
@@ -100,6 +114,7 @@ listenToKeys(
       turn: (right, up) => (desk.turn(right, up), touch()),
       zoom: (factor) => (desk.zoom(factor), touch()),
       camera: (index) => chooseCamera(CAMERAS[index].mode),
+      next: () => (desk.choose((desk.chosen + 1) % Math.max(1, state.scene?.robots.length ?? 1)), touch()),
     },
     time,
     send,
@@ -113,6 +128,20 @@ new ResizeObserver(() => {
   view.resize();
   touch();
 }).observe(view.stage);
+
+/** @param {import('./state/quality.js').Quality} quality */
+function openView(quality) {
+  try {
+    return new FieldView(byId('stage'), quality);
+  } catch (error) {
+    tell({
+      tone: 'trouble',
+      title: 'This browser does not draw in three dimensions',
+      text: 'Switch on WebGL (hardware acceleration) in its settings, or open this address in another browser.',
+    });
+    throw error;
+  }
+}
 
 /**
  * Draws if anything has changed. Nothing is drawn while the world and the eye stand still.

@@ -1,12 +1,13 @@
 /** The line to the simulator: opens it, opens it again when it breaks, and hands on what arrives. */
 
-const RETRY_MILLISECONDS = 700;
+const RETRY_MILLISECONDS = 400;
 const SILENCE_MILLISECONDS = 5000;
 
 /**
  * @typedef {object} Listener
  * @property {() => void} opened
  * @property {() => void} lost
+ * @property {(reason: string) => void} refused the simulator is there, but does not want this page
  * @property {(message: any) => void} told a JSON message has come
  * @property {(bytes: ArrayBuffer) => void} frameArrived a state frame has come
  */
@@ -22,12 +23,17 @@ export class Connection {
     this.lastSound = 0;
     /** @type {WebSocket | undefined} */
     this.socket = undefined;
+    document.addEventListener('visibilitychange', () => {
+      this.lastSound = performance.now();
+    });
   }
 
   open() {
     const socket = new WebSocket(this.address);
+    let wasOpen = false;
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
+      wasOpen = true;
       this.lastSound = performance.now();
       this.listener.opened();
     };
@@ -35,6 +41,9 @@ export class Connection {
     socket.onclose = () => {
       if (this.socket === socket) {
         this.#lose();
+        if (!wasOpen) {
+          this.#askWhy();
+        }
       }
     };
     this.socket = socket;
@@ -51,10 +60,10 @@ export class Connection {
     }
   }
 
-  /** Gives up a line on which nothing has come for long, as after a computer has slept. */
+  /** Gives up a line on which nothing has come for long, as after a computer has slept; a hidden page asks for nothing. */
   checkSilence() {
     const silent = performance.now() - this.lastSound > SILENCE_MILLISECONDS;
-    if (silent && this.socket?.readyState === WebSocket.OPEN) {
+    if (silent && !document.hidden && this.socket?.readyState === WebSocket.OPEN) {
       const deaf = this.socket;
       this.#lose();
       deaf.close();
@@ -68,6 +77,18 @@ export class Connection {
       this.listener.told(JSON.parse(data));
     } else {
       this.listener.frameArrived(data);
+    }
+  }
+
+  /** A browser does not tell a page why a WebSocket was refused, but it does so for a plain request. */
+  async #askWhy() {
+    try {
+      const answer = await fetch(this.address.replace(/^ws/, 'http'), { method: 'POST' });
+      if (answer.status === 403) {
+        this.listener.refused(await answer.text());
+      }
+    } catch {
+      // Nobody is there; the next attempt comes soon.
     }
   }
 

@@ -15,6 +15,7 @@ import { byId, element } from './elements.js';
  * @param {(degreesRight: number, degreesUp: number) => void} desk.turn
  * @param {(factor: number) => void} desk.zoom
  * @param {(index: number) => void} desk.camera
+ * @param {() => void} desk.next follows the next robot
  * @param {ReturnType<typeof import('./transport.js').timeActions>} time
  * @param {(command: object) => void} send
  * @returns {Deed[]}
@@ -37,6 +38,7 @@ export function deeds(desk, time, send) {
       text: `camera: ${name}`,
       act: () => desk.camera(i),
     })),
+    { keys: ['n', 'N'], shown: 'N', text: 'next robot', act: desk.next },
     { keys: ['ArrowLeft'], shown: '←', text: 'turn the view left', act: () => desk.turn(-6, 0) },
     { keys: ['ArrowRight'], shown: '→', text: 'turn the view right', act: () => desk.turn(6, 0) },
     { keys: ['ArrowUp'], shown: '↑', text: 'look from higher', act: () => desk.turn(0, 4) },

@@ -8,19 +8,30 @@ const NOTE_MILLISECONDS = 6000;
 
 /** @returns {(state: StudioState, now: number) => void} draws the banner */
 export function banner() {
-  const title = element('strong');
-  const text = element('span');
+  return (state, now) => tell(message(state, now));
+}
+
+/**
+ * Shows a message in the banner, or no banner at all.
+ *
+ * @param {import('../state/studio-state.js').Message | undefined} shown
+ */
+export function tell(shown) {
   const panel = byId('banner');
-  panel.append(element('span', { class: 'spinner', 'aria-hidden': 'true' }), element('div', {}, title, text));
-  return (state, now) => {
-    const shown = message(state, now);
-    panel.hidden = !shown;
-    if (shown) {
-      panel.dataset.tone = shown.tone;
-      setText(title, shown.title);
-      setText(text, shown.text);
-    }
-  };
+  panel.hidden = !shown;
+  if (!shown) {
+    return;
+  }
+  if (!panel.hasChildNodes()) {
+    panel.append(
+      element('span', { class: 'spinner', 'aria-hidden': 'true' }),
+      element('div', {}, element('strong'), element('span')),
+    );
+  }
+  panel.dataset.tone = shown.tone;
+  const [title, text] = panel.querySelectorAll('div > *');
+  setText(title, shown.title);
+  setText(text, shown.text);
 }
 
 /** @returns {(text: string) => void} shows a note for some seconds */

@@ -11,6 +11,7 @@ import { playModeText } from './play-mode.js';
  * @typedef {object} StudioState
  * @property {'opening' | 'live' | 'lost'} connection
  * @property {boolean} hasToken whether the page was opened with an access token
+ * @property {string} refusal why the simulator does not want this page, empty if it does
  * @property {Scene | undefined} scene
  * @property {Frame | undefined} frame
  * @property {number} movedMilliseconds when the cycle changed last, on the page's clock
@@ -27,7 +28,7 @@ export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 'fastest'];
  * @returns {StudioState}
  */
 export function initialState(hasToken) {
-  return { connection: 'opening', hasToken, scene: undefined, frame: undefined, movedMilliseconds: 0 };
+  return { connection: 'opening', hasToken, refusal: '', scene: undefined, frame: undefined, movedMilliseconds: 0 };
 }
 
 /**
@@ -35,7 +36,7 @@ export function initialState(hasToken) {
  * @returns {StudioState}
  */
 export function withConnection(state) {
-  return { ...state, connection: 'live', scene: undefined, frame: undefined };
+  return { ...state, connection: 'live', refusal: '', scene: undefined, frame: undefined };
 }
 
 /**
@@ -44,6 +45,15 @@ export function withConnection(state) {
  */
 export function withoutConnection(state) {
   return { ...state, connection: state.connection === 'opening' ? 'opening' : 'lost' };
+}
+
+/**
+ * @param {StudioState} state
+ * @param {string} refusal why the simulator does not want this page
+ * @returns {StudioState}
+ */
+export function withRefusal(state, refusal) {
+  return { ...state, refusal };
 }
 
 /**
@@ -83,6 +93,9 @@ export function withFrame(state, frame, now) {
 export function message(state, now) {
   if (!state.hasToken) {
     return trouble('This address is not complete', 'Open the address that the simulator has printed, with its token.');
+  }
+  if (state.refusal) {
+    return trouble('The simulator does not let this page in', state.refusal);
   }
   if (state.connection === 'lost') {
     return trouble('The simulator has ended', 'Start it again; this page comes back by itself.');
