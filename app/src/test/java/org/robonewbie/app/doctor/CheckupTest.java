@@ -1,0 +1,131 @@
+package org.robonewbie.app.doctor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.stream.StreamSupport;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+
+class CheckupTest {
+
+    @Test
+    void healthyComputerHasNothingToMend() {
+        List<Finding> findings = StreamSupport.stream(
+                        Checkup.of(false).findings().spliterator(), false)
+                .toList();
+
+        assertThat(findings).hasSize(10).noneMatch(finding -> finding.verdict() == Verdict.BROKEN);
+    }
+
+    @Test
+    void withoutScreenStudioAndBrowserAreLeftOut() {
+        assertThat(Checkup.of(true).findings())
+                .extracting(Finding::subject)
+                .contains("Simulator")
+                .doesNotContain("Studio", "Browser");
+    }
+
+    @Test
+    void robotStandsForOneSecond() {
+        Finding finding = SimulatorCheck.oneSecond();
+
+        assertThat(finding.verdict()).isEqualTo(Verdict.WELL);
+        assertThat(finding.found()).contains("a robot stood for 1 s");
+    }
+
+    @Test
+    void freePortIsWell() throws IOException {
+        int port = freePort();
+
+        assertThat(PortCheck.of("Agent port", port).found()).isEqualTo(port + " is free");
+    }
+
+    @Test
+    void simulatorAtTheMonitorPortIsRecognised() throws IOException {
+        SimulatorSettings settings = SimulatorSettings.beginner()
+                .agentPort(0)
+                .monitorPort(OptionalInt.of(0))
+                .build();
+        try (Simulator simulator = Simulator.start(settings, Console.silent())) {
+            Finding finding =
+                    PortCheck.of("Monitor port", simulator.monitorPort().orElseThrow());
+
+            assertThat(finding.verdict()).isEqualTo(Verdict.NOTABLE);
+            assertThat(finding.found()).endsWith("is in use by a soccer simulator");
+        }
+    }
+
+    @Test
+    void silentProgramAtAPortIsTold() throws IOException {
+        try (ServerSocket silent = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
+            Finding finding = PortCheck.of("Agent port", silent.getLocalPort());
+
+            assertThat(finding.found()).contains("waits for others to speak");
+            assertThat(finding.advice()).contains("end that program or use another port");
+        }
+    }
+
+    @Test
+    void folderThatIsMissingCannotBeWritten(@TempDir Path folder) {
+        Finding finding = FolderCheck.of("This folder", folder.resolve("missing"));
+
+        assertThat(finding.verdict()).isEqualTo(Verdict.NOTABLE);
+        assertThat(finding.found()).endsWith("missing cannot be written");
+    }
+
+    @Test
+    void lookAtAFolderLeavesNothingThere(@TempDir Path folder) throws IOException {
+        FolderCheck.of("This folder", folder);
+
+        try (var files = Files.list(folder)) {
+            assertThat(files).isEmpty();
+        }
+    }
+
+    @Test
+    void littleMemoryIsTold() {
+        assertThat(JavaCheck.memory(0.1, 1).verdict()).isEqualTo(Verdict.NOTABLE);
+        assertThat(JavaCheck.memory(4, 2).found()).isEqualTo("Java may use 4.0 GB; 2 processors");
+    }
+
+    @Test
+    void missingBrowserCommandIsTold(@TempDir Path empty) {
+        Finding finding = BrowserCheck.command("Linux", empty.toString());
+
+        assertThat(finding.verdict()).isEqualTo(Verdict.NOTABLE);
+        assertThat(finding.advice()).contains("Open the printed address");
+    }
+
+    @Test
+    void windowsAndMacAlwaysOpenPages() {
+        assertThat(List.of("Windows 11", "Mac OS X"))
+                .allMatch(system -> BrowserCheck.command(system, "").verdict() == Verdict.WELL);
+    }
+
+    @Test
+    void adviceStandsBelowTheFinding() {
+        String text = Finding.broken("Studio", "its page answers 500", "Please report this.")
+                .toText();
+
+        assertThat(text.lines())
+                .containsExactly(
+                        "FAIL  Studio         its page answers 500", " ".repeat(21) + "-> Please report this.");
+        assertThat(Finding.well("Java", "17").toText()).isEqualTo("ok    Java           17");
+    }
+
+    private static int freePort() throws IOException {
+        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            return socket.getLocalPort();
+        }
+    }
+}
