@@ -1,0 +1,180 @@
+package org.robonewbie.simulator.recording;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.soccer.JoinRefusedException;
+import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.Player;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+class RecordingTest {
+
+    @TempDir
+    private Path folder;
+
+    private final SoccerWorld world = new SoccerWorld(SoccerParameters.league().field());
+    private final Match match = new Match(world, SoccerParameters.league(), 1);
+
+    /** The robot falls: its joints, which are not quite stiff, give way by some millimetres. */
+    @Test
+    void showsEachCycleAsItWas() throws Exception {
+        Path file = folder.resolve("run.rec");
+        Player player = match.teams().join("Stars", 7, world.addRobot(RobotType.TYPE_4));
+        player.robot().moveUpright(new Vector3(-3, 1, 0.5), -60);
+        List<Vector3> torsos = new ArrayList<>();
+        List<Vector3> feet = new ArrayList<>();
+        record(file, player, 100, torsos, feet);
+
+        List<RecordedCycle> cycles = read(file);
+
+        assertThat(cycles).hasSize(100);
+        for (int i = 0; i < 100; i++) {
+            RobotSnapshot robot = cycles.get(i).snapshot().robots().get(0);
+            assertThat(position(robot, "body")).satisfies(near(torsos.get(i), 0.0001));
+            assertThat(position(robot, "rfoot")).satisfies(near(feet.get(i), 0.01));
+        }
+    }
+
+    @Test
+    void keepsGameCommandsAndEvents() throws Exception {
+        Path file = folder.resolve("run.rec");
+        Player player = match.teams().join("Stars", 7, world.addRobot(RobotType.TYPE_0));
+        record(file, player, 2, new ArrayList<>(), new ArrayList<>());
+
+        List<RecordedCycle> cycles = read(file);
+
+        RecordedCycle first = cycles.get(0);
+        assertThat(first.snapshot().teamLeft()).isEqualTo("Stars");
+        assertThat(first.snapshot().playMode()).isEqualTo(PlayMode.PLAY_ON);
+        assertThat(first.snapshot().robots().get(0).number()).isEqualTo(7);
+        assertThat(first.snapshot().robots().get(0).side()).contains(TeamSide.LEFT);
+        assertThat(first.events()).containsExactly("playmode PlayOn");
+        assertThat(first.commands().get(0).others()).containsExactly("Say[text=hello]");
+        assertThat(first.commands().get(0).hingeSpeeds()).hasSize(1);
+        assertThat(first.commands().get(0).hingeSpeeds().get(0).radiansPerSecond())
+                .isCloseTo(-1.5, within(1e-4));
+        assertThat(cycles.get(1).commands().get(0).hingeSpeeds()).isEmpty();
+        assertThat(cycles.get(1).events()).isEmpty();
+    }
+
+    @Test
+    void headerTellsSeedAndParameters() throws Exception {
+        Path file = folder.resolve("run.rec");
+        record(file, match.teams().join("Stars", 1, world.addRobot(RobotType.TYPE_0)), 1, new ArrayList<>(), new ArrayList<>());
+
+        try (RecordingReader reader = RecordingReader.open(file)) {
+            assertThat(reader.header()).containsEntry("seed", "5").containsEntry("FieldLength", "30");
+        }
+    }
+
+    @Test
+    void cutRecordingCanBeReadUpToTheCut() throws Exception {
+        Path file = folder.resolve("run.rec");
+        Player player = match.teams().join("Stars", 1, world.addRobot(RobotType.TYPE_0));
+        record(file, player, 300, new ArrayList<>(), new ArrayList<>());
+        byte[] bytes = Files.readAllBytes(file);
+        Files.write(file, Arrays.copyOf(bytes, bytes.length * 2 / 3));
+
+        List<RecordedCycle> cycles = read(file);
+
+        assertThat(cycles.size()).isBetween(50, 280);
+    }
+
+    @Test
+    void runningRecordingIsKeptAsPart() throws Exception {
+        Path file = folder.resolve("run.rec");
+        RecordingWriter writer = RecordingWriter.open(Optional.of(file), List.of(), sentence -> {});
+        writer.write(50, match, world.ball(), List.of());
+
+        List<RecordedCycle> cycles = read(folder.resolve("run.rec.part"));
+
+        assertThat(Files.exists(file)).isFalse();
+        assertThat(cycles).hasSize(1);
+        writer.close();
+        assertThat(Files.exists(file)).isTrue();
+    }
+
+    @Test
+    void otherFilesAreRefused() throws IOException {
+        Path file = Files.writeString(folder.resolve("motion.txt"), "no recording");
+
+        assertThatThrownBy(() -> RecordingReader.open(file))
+                .isInstanceOf(IOException.class)
+                .hasMessage("\"" + file + "\" is not a recording of RoboNewbie, or it is damaged.");
+    }
+
+    @Test
+    void missingFolderIsExplained() {
+        Path file = folder.resolve("missing").resolve("run.rec");
+
+        assertThatThrownBy(() -> RecordingWriter.open(Optional.of(file), List.of(), sentence -> {}))
+                .isInstanceOf(IOException.class)
+                .hasMessageStartingWith("Recording \"" + file + "\" cannot be written")
+                .hasMessageEndingWith("Choose a file in a folder that exists and in which you may write.");
+    }
+
+    private void record(Path file, Player player, int cycles, List<Vector3> torsos, List<Vector3> feet)
+            throws IOException, JoinRefusedException {
+        Robot robot = player.robot();
+        int foot = robot.model().linkIndex("rfoot");
+        match.setPlayMode(PlayMode.PLAY_ON);
+        List<String> header = new ArrayList<>(List.of("seed=5"));
+        header.addAll(SoccerParameters.league().assignments());
+        try (RecordingWriter writer = RecordingWriter.open(Optional.of(file), header, sentence -> {})) {
+            for (int i = 1; i <= cycles; i++) {
+                robot.setMotorSpeed(Joint.RIGHT_KNEE_PITCH, -1.5);
+                world.step();
+                match.tick();
+                List<EffectorCommand> commands =
+                        List.of(new EffectorCommand.SetHingeSpeed("rle4", -1.5), new EffectorCommand.Say("hello"));
+                writer.write(
+                        i, match, world.ball(), List.of(new Participant(1, Optional.of(player), robot, commands, 0)));
+                match.clearEvents();
+                torsos.add(robot.torso().position());
+                feet.add(robot.linkPose(foot).position());
+            }
+        }
+    }
+
+    private static List<RecordedCycle> read(Path file) throws IOException {
+        List<RecordedCycle> cycles = new ArrayList<>();
+        try (RecordingReader reader = RecordingReader.open(file)) {
+            for (Optional<RecordedCycle> cycle = reader.next(); cycle.isPresent(); cycle = reader.next()) {
+                cycles.add(cycle.get());
+            }
+        }
+        return cycles;
+    }
+
+    private static Vector3 position(RobotSnapshot robot, String link) {
+        int index = 7 * NaoModel.of(robot.type()).linkIndex(link);
+        float[] poses = robot.linkPoses();
+        return new Vector3(poses[index], poses[index + 1], poses[index + 2]);
+    }
+
+    private static Consumer<Vector3> near(Vector3 expected, double metres) {
+        return actual -> assertThat(actual.distanceTo(expected)).isLessThan(metres);
+    }
+}
