@@ -13,6 +13,7 @@ import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
 import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
+import org.robonewbie.protocol.effector.EffectorCommand.RequestPass;
 import org.robonewbie.protocol.effector.EffectorCommand.Say;
 import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
 import org.robonewbie.simulator.sensing.Camera;
@@ -107,6 +108,8 @@ final class Effectors {
             agent.want(beam);
         } else if (command instanceof Say say) {
             agent.player().ifPresent(speaker -> say(agent, speaker, say.text(), everybody));
+        } else if (command instanceof RequestPass) {
+            agent.player().ifPresent(match::requestPass);
         }
     }
 
@@ -118,7 +121,7 @@ final class Effectors {
         }
     }
 
-    private static void setSpeed(ConnectedAgent agent, Robot robot, SetHingeSpeed command) {
+    private void setSpeed(ConnectedAgent agent, Robot robot, SetHingeSpeed command) {
         List<Hinge> hinges = robot.model().hinges();
         for (int i = 0; i < hinges.size(); i++) {
             if (hinges.get(i).effectorName().equals(command.effectorName())) {
@@ -129,7 +132,7 @@ final class Effectors {
                                     "sent speed NaN for hinge " + command.effectorName()
                                             + ", which is ignored. Was something divided by zero?");
                 }
-                robot.setMotorSpeed(i, command.radiansPerSecond());
+                robot.setMotorSpeed(i, isFrozen(agent, i) ? 0 : command.radiansPerSecond());
                 return;
             }
         }
@@ -138,6 +141,10 @@ final class Effectors {
                         command.effectorName(),
                         "moves hinge " + command.effectorName() + ", which a robot of type "
                                 + robot.model().type().ordinal() + " does not have.");
+    }
+
+    private boolean isFrozen(ConnectedAgent agent, int hinge) {
+        return agent.player().isPresent() && match.isFrozen(agent.player().get(), hinge);
     }
 
     private static void say(ConnectedAgent agent, Player speaker, String text, List<ConnectedAgent> everybody) {

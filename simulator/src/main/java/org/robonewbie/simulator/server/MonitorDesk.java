@@ -99,7 +99,8 @@ final class MonitorDesk {
                     .ifPresent(robot -> robots.add(MonitoredRobotState.of(
                             agent.id(), robot, agent.player().map(MonitorDesk::number), isSelected)));
         }
-        return MonitorSnapshot.of(game(cycle.match()), List.of(), cycle.world().ball(), robots);
+        return MonitorSnapshot.of(
+                game(cycle.match()), cycle.match().fouls(), cycle.world().ball(), robots);
     }
 
     private static PlayerNumber number(Player player) {
@@ -116,8 +117,8 @@ final class MonitorDesk {
                 state.score(TeamSide.LEFT),
                 state.score(TeamSide.RIGHT),
                 Optional.of(state.playMode()),
-                0,
-                0);
+                match.scoreWaitSeconds(TeamSide.LEFT),
+                match.scoreWaitSeconds(TeamSide.RIGHT));
     }
 
     private static Optional<String> name(Match match, TeamSide side) {

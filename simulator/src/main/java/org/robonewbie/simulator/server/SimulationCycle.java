@@ -8,11 +8,13 @@ import java.util.Optional;
 import java.util.Random;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
 import org.robonewbie.simulator.recording.Participant;
 import org.robonewbie.simulator.recording.RunRecorder;
 import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
@@ -189,8 +191,20 @@ final class SimulationCycle {
         percepts.takePictures(agents);
         match.tick();
         recorder.cycleEnded(cycle, match, participants());
+        tellSelfCollisions();
         match.clearEvents();
         generateMessages();
+    }
+
+    private void tellSelfCollisions() {
+        if (match.parameters().isOn(SoccerParameter.PRINT_SELF_COLLISIONS)) {
+            for (MatchEvent event : match.events()) {
+                if (event instanceof MatchEvent.FoulCalled called && called.foul() == FoulType.SELF_COLLISION) {
+                    console.say("Limbs of player " + called.number() + " of "
+                            + match.teams().name(called.side()) + " ran into each other.");
+                }
+            }
+        }
     }
 
     private List<Participant> participants() {

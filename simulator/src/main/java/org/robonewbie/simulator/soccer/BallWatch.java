@@ -36,6 +36,7 @@ final class BallWatch {
             for (Player player : players) {
                 if (player.robot() == part.robot()) {
                     lastTouch = Optional.of(new Touch(player, tick));
+                    player.conduct().touchedBall(tick);
                 }
             }
         }

@@ -2,18 +2,26 @@ package org.robonewbie.simulator.soccer;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.monitor.Foul;
 import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.RobotContact;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /** The game on the pitch: everything that the rules read and change. */
 public final class Match {
+
+    static final double TICK_SECONDS = 0.02;
+
+    private static final Set<PlayMode> IN_PLAY = EnumSet.of(PlayMode.PLAY_ON, PlayMode.PASS_LEFT, PlayMode.PASS_RIGHT);
 
     private static final double HEIGHT_OF_TRAINERS_HAND = 1;
 
@@ -25,10 +33,15 @@ public final class Match {
     private final BallWatch ball;
     private final Repositioning repositioning;
     private final PlayModeRules rules;
+    private final Referee referee;
+    private final KeepawayRule keepaway;
+    private final PassMode leftPassMode;
+    private final PassMode rightPassMode;
     private final List<MatchEvent> events = new ArrayList<>();
     private Optional<SetPiece> setPiece = Optional.empty();
     private Optional<TeamSide> nextFirstKickOff;
     private boolean halfBegun;
+    private boolean shootout;
     private long tick;
 
     /**
@@ -46,7 +59,12 @@ public final class Match {
         this.ball = new BallWatch(world);
         this.repositioning = new Repositioning(this);
         this.rules = new PlayModeRules(this);
+        this.referee = new Referee(this);
+        this.keepaway = new KeepawayRule(this);
+        this.leftPassMode = new PassMode(this, TeamSide.LEFT);
+        this.rightPassMode = new PassMode(this, TeamSide.RIGHT);
         this.nextFirstKickOff = presetKickOff();
+        this.shootout = parameters.isOn(SoccerParameter.PENALTY_SHOOTOUT);
     }
 
     /**
@@ -120,6 +138,10 @@ public final class Match {
     public void setPlayMode(PlayMode playMode) {
         state.setPlayMode(playMode);
         events.add(new MatchEvent.PlayModeChanged(playMode));
+        if (!IN_PLAY.contains(playMode)) {
+            leftPassMode.unlock();
+            rightPassMode.unlock();
+        }
         rules.of(playMode).begin();
     }
 
@@ -222,13 +244,81 @@ public final class Match {
         state.tick(isAnybodyThere());
         ball.update(tick, teams.players());
         if (!checkTime()) {
+            if (state.playMode() != PlayMode.GAME_OVER && keepaway.isGameLost()) {
+                setPlayMode(PlayMode.GAME_OVER);
+            }
             rules.of(state.playMode()).apply();
         }
+        referee.judge(mayBeam());
+    }
+
+    /**
+     * Lists the fouls that the referee has seen, the newest ones at least.
+     *
+     * @return the fouls in their order, unmodifiable; a penalty counts once for each cycle that it takes
+     */
+    public List<Foul> fouls() {
+        return referee.fouls();
+    }
+
+    /**
+     * Asks for the right to pass undisturbed; nothing happens unless all conditions hold.
+     *
+     * @param player who asks
+     */
+    public void requestPass(Player player) {
+        passMode(player.side()).request(player);
+    }
+
+    /**
+     * Tells for how long a team may not score after it was given the right to pass.
+     *
+     * @param side the team
+     * @return seconds, 0 if it may score
+     */
+    public double scoreWaitSeconds(TeamSide side) {
+        return state.playMode() == PlayMode.PLAY_ON ? passMode(side).lockedSeconds() : 0;
+    }
+
+    /**
+     * Tells whether the referee has frozen a hinge, so that its motor must stand still.
+     *
+     * @param player the player
+     * @param hinge index of the hinge
+     * @return whether it is frozen
+     */
+    public boolean isFrozen(Player player, int hinge) {
+        return player.conduct().isFrozen(hinge, tick);
     }
 
     /** Tells whether there is any robot, also one without a team. */
     boolean isAnybodyThere() {
         return !world.robots().isEmpty();
+    }
+
+    Referee referee() {
+        return referee;
+    }
+
+    PassMode passMode(TeamSide side) {
+        return side == TeamSide.LEFT ? leftPassMode : rightPassMode;
+    }
+
+    void note(MatchEvent event) {
+        events.add(event);
+    }
+
+    /** Lists where robots touched each other in this tick. */
+    List<RobotContact> robotContacts() {
+        return world.robotContacts();
+    }
+
+    Optional<Player> playerOf(Robot robot) {
+        return players().stream().filter(player -> player.robot() == robot).findFirst();
+    }
+
+    Vector3 ballVelocity() {
+        return world.ball().velocity();
     }
 
     SoccerField field() {
@@ -283,11 +373,17 @@ public final class Match {
     /** Tells whether the restrictions of who takes a kick hold: in a real game, not for a lonely robot. */
     boolean hasKickRules() {
         return parameters.isOn(SoccerParameter.FREE_KICK_RULES)
-                && !parameters.isOn(SoccerParameter.PENALTY_SHOOTOUT)
+                && !shootout
                 && players().size() > 2;
     }
 
+    /** Tells whether the left team shoots at a lone goalkeeper; it is over with the first goal. */
+    boolean isShootout() {
+        return shootout;
+    }
+
     void scoreGoal(TeamSide scorer) {
+        shootout = false;
         state.addGoal(scorer);
         events.add(new MatchEvent.GoalScored(scorer, teams.name(scorer)));
         setPlayMode(scorer == TeamSide.LEFT ? PlayMode.GOAL_LEFT : PlayMode.GOAL_RIGHT);

@@ -2,6 +2,7 @@ package org.robonewbie.simulator.soccer;
 
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.protocol.monitor.FoulType;
 
 /** Something that happened in the game within one cycle. */
 public sealed interface MatchEvent {
@@ -37,6 +38,21 @@ public sealed interface MatchEvent {
         @Override
         public String text() {
             return "goal " + (side == TeamSide.LEFT ? "left " : "right ") + team;
+        }
+    }
+
+    /**
+     * The referee has seen a foul.
+     *
+     * @param foul its kind
+     * @param side the team of the robot
+     * @param number the robot's number
+     */
+    record FoulCalled(FoulType foul, TeamSide side, int number) implements MatchEvent {
+
+        @Override
+        public String text() {
+            return "foul " + foul + (side == TeamSide.LEFT ? " left " : " right ") + number;
         }
     }
 }

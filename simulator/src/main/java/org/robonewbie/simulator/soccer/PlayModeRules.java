@@ -23,6 +23,7 @@ final class PlayModeRules {
             rules.put(of(side, PlayMode.KICK_OFF_LEFT, PlayMode.KICK_OFF_RIGHT), new KickOffRule(match, side));
             rules.put(of(side, PlayMode.GOAL_LEFT, PlayMode.GOAL_RIGHT), new GoalRule(match, side));
             rules.put(of(side, PlayMode.GOAL_KICK_LEFT, PlayMode.GOAL_KICK_RIGHT), new GoalKickRule(match, side));
+            rules.put(of(side, PlayMode.PASS_LEFT, PlayMode.PASS_RIGHT), new PassRule(match, side, playOn));
             addFreeKicks(match, side);
         }
     }

@@ -18,6 +18,8 @@ final class PlayOnRule implements PlayModeRule {
 
     @Override
     public void apply() {
+        match.passMode(TeamSide.LEFT).watch();
+        match.passMode(TeamSide.RIGHT).watch();
         forgetSetPieceAfterOthersTouch();
         if (isDoubleTouch()) {
             TeamSide side = match.setPiece().orElseThrow().side().opponent();
@@ -25,7 +27,9 @@ final class PlayOnRule implements PlayModeRule {
             return;
         }
         Optional<TeamSide> goal = match.ball().goal();
-        if (goal.isPresent()) {
+        if (hasKeeperLeftDuringShootout()) {
+            match.scoreGoal(TeamSide.LEFT);
+        } else if (goal.isPresent()) {
             judgeGoal(goal.get());
         } else if (!match.ball().isOnField()) {
             judgeOut();
@@ -72,13 +76,24 @@ final class PlayOnRule implements PlayModeRule {
                         .isPresent();
     }
 
+    /** In a penalty shoot-out the right team must stay in its penalty area. */
+    private boolean hasKeeperLeftDuringShootout() {
+        Area area = match.penaltyArea(TeamSide.RIGHT);
+        return match.isShootout()
+                && match.players(TeamSide.RIGHT).stream()
+                        .map(Player::position)
+                        .anyMatch(
+                                place -> place.x() < area.minX() || place.y() < area.minY() || place.y() > area.maxY());
+    }
+
     private void judgeGoal(TeamSide goal) {
         TeamSide scorer = goal.opponent();
         Optional<SetPiece> piece = match.setPiece().filter(candidate -> match.hasKickRules());
         boolean ownGoal = piece.isPresent() && piece.get().side() == goal;
         if (ownGoal) {
             corner(scorer);
-        } else if (piece.isPresent() && piece.get().indirect()) {
+        } else if (match.passMode(scorer).isLocked()
+                || (piece.isPresent() && piece.get().indirect())) {
             goalKick(goal);
         } else {
             match.scoreGoal(scorer);

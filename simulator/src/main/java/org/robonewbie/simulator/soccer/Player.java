@@ -11,11 +11,13 @@ public final class Player {
     private final Team team;
     private final int number;
     private final Robot robot;
+    private final Conduct conduct;
 
     Player(Team team, int number, Robot robot) {
         this.team = team;
         this.number = number;
         this.robot = robot;
+        this.conduct = new Conduct(robot.model().hinges().size());
     }
 
     /**
@@ -61,6 +63,10 @@ public final class Player {
      */
     public Vector3 position() {
         return robot.torso().position();
+    }
+
+    Conduct conduct() {
+        return conduct;
     }
 
     boolean isGoalkeeper() {

@@ -56,14 +56,31 @@ final class Repositioning {
                 double factor = length == 0 ? 0 : distance / length;
                 double pushedX = length == 0 ? centre.x() + ownDirection(side) * distance : centre.x() + factor * x;
                 Vector3 wanted = new Vector3(pushedX, centre.y() + factor * y, position.z());
-                player.robot().moveTo(search(player, wanted, place -> isFree(player, place)));
+                place(player, search(player, wanted, place -> isFree(player, place)));
             }
         }
     }
 
     /** Moves a robot to a place or, if that is taken, to a free one nearby. */
     void move(Player player, Vector3 wanted) {
-        player.robot().moveTo(search(player, wanted, place -> isFree(player, place) && !isAtBall(place)));
+        place(player, search(player, wanted, place -> isFree(player, place) && !isAtBall(place)));
+    }
+
+    /** Moves a robot straight away from a point by some metres, or to a free place nearby. */
+    void moveAway(Player player, Vector3 centre, double distance) {
+        Vector3 position = player.position();
+        double x = position.x() - centre.x();
+        double y = position.y() - centre.y();
+        double length = Math.hypot(x, y);
+        Vector3 way = length == 0
+                ? new Vector3(ownDirection(player.side()) * distance, 0, 0)
+                : new Vector3(x / length * distance, y / length * distance, 0);
+        move(player, position.plus(way));
+    }
+
+    private void place(Player player, Vector3 position) {
+        player.robot().moveTo(position);
+        player.conduct().moved(match.currentTick());
     }
 
     private Vector3 besideCircle(Player player, Vector3 centre, double moveDistance) {

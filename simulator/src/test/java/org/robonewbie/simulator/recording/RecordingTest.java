@@ -82,7 +82,12 @@ class RecordingTest {
     @Test
     void headerTellsSeedAndParameters() throws Exception {
         Path file = folder.resolve("run.rec");
-        record(file, match.teams().join("Stars", 1, world.addRobot(RobotType.TYPE_0)), 1, new ArrayList<>(), new ArrayList<>());
+        record(
+                file,
+                match.teams().join("Stars", 1, world.addRobot(RobotType.TYPE_0)),
+                1,
+                new ArrayList<>(),
+                new ArrayList<>());
 
         try (RecordingReader reader = RecordingReader.open(file)) {
             assertThat(reader.header()).containsEntry("seed", "5").containsEntry("FieldLength", "30");

@@ -26,7 +26,8 @@ class RunReportTest {
     @TempDir
     private Path folder;
 
-    private final SoccerWorld world = new SoccerWorld(SoccerParameters.beginner().field());
+    private final SoccerWorld world =
+            new SoccerWorld(SoccerParameters.beginner().field());
     private final Match match = new Match(world, SoccerParameters.beginner(), 1);
     private RunRecorder recorder;
     private Player player;
@@ -136,16 +137,14 @@ class RunReportTest {
         assertThat(robot.keySet())
                 .contains("team", "number", "falls", "metresWalked", "x", "y", "headingDegrees", "upright", "joints");
         assertThat(robot.getAsJsonObject("joints").keySet()).hasSize(22).contains("LEFT_SHOULDER_PITCH");
-        assertThat(json.getAsJsonObject("ball").keySet())
-                .contains("x", "y", "z", "metresMoved", "leastDistanceToGoal");
+        assertThat(json.getAsJsonObject("ball").keySet()).contains("x", "y", "z", "metresMoved", "leastDistanceToGoal");
         assertThat(json.get("recordingSha256").getAsString()).hasSize(64);
     }
 
     private void cycles(int count) {
         for (int i = 0; i < count; i++) {
             Robot robot = player.robot();
-            List<Participant> participants =
-                    List.of(new Participant(1, Optional.of(player), robot, List.of(), 0));
+            List<Participant> participants = List.of(new Participant(1, Optional.of(player), robot, List.of(), 0));
             recorder.beforeStep(participants);
             world.step();
             recorder.afterStep();

@@ -1,0 +1,170 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.Set;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.monitor.FoulType;
+
+/** What the referee remembers of one player. Times are numbers of ticks of 20 ms. */
+final class Conduct {
+
+    /** A time so long ago that it does not matter. */
+    static final long NEVER = Long.MIN_VALUE / 2;
+
+    private static final int REMEMBERED_VELOCITIES = 3;
+
+    private final Vector3[] velocities = new Vector3[REMEMBERED_VELOCITIES];
+    private final long[] frozenUntil;
+    private final long[] immuneUntil;
+    private Optional<FoulType> punishedFor = Optional.empty();
+    private Set<Player> touched = new HashSet<>();
+    private int penaltyTicks;
+    private int groundTicks;
+    private int notStandingTicks;
+    private int standingTicks;
+    private long movedTick = NEVER;
+    private long ballTick = NEVER;
+    private long immuneFromChargingTick = NEVER;
+    private long areaEntryTick = NEVER;
+    private long selfCollisionPenaltyTick = NEVER;
+    private int velocityIndex;
+
+    Conduct(int hinges) {
+        frozenUntil = new long[hinges];
+        immuneUntil = new long[hinges];
+        forgiveFouls();
+        Arrays.fill(velocities, Vector3.ZERO);
+    }
+
+    /** Begins again from zero, as in a pause of the game. */
+    void forgiveFouls() {
+        punishedFor = Optional.empty();
+        penaltyTicks = 0;
+        groundTicks = 0;
+        notStandingTicks = 0;
+        standingTicks = 0;
+        Arrays.fill(frozenUntil, NEVER);
+        Arrays.fill(immuneUntil, NEVER);
+    }
+
+    void remember(Vector3 velocity) {
+        velocities[velocityIndex] = velocity;
+        velocityIndex = (velocityIndex + 1) % REMEMBERED_VELOCITIES;
+    }
+
+    /** The mean of the last three velocities over the ground. */
+    Vector3 velocity() {
+        Vector3 sum = Vector3.ZERO;
+        for (Vector3 velocity : velocities) {
+            sum = sum.plus(velocity);
+        }
+        return new Vector3(sum.x() / REMEMBERED_VELOCITIES, sum.y() / REMEMBERED_VELOCITIES, 0);
+    }
+
+    boolean isPunished() {
+        return punishedFor.isPresent();
+    }
+
+    Optional<FoulType> punishedFor() {
+        return punishedFor;
+    }
+
+    void punish(FoulType foul) {
+        punishedFor = Optional.of(foul);
+        penaltyTicks = 0;
+    }
+
+    /** Counts a tick of the penalty. */
+    int countPenalty() {
+        return penaltyTicks++;
+    }
+
+    void countLying(boolean onGround, boolean standing, int ticksUntilStanding) {
+        groundTicks = standing ? 0 : groundTicks + (onGround ? 1 : 0);
+        notStandingTicks += standing ? 0 : 1;
+        standingTicks = standing ? standingTicks + 1 : 0;
+        if (standingTicks > ticksUntilStanding) {
+            notStandingTicks = 0;
+        }
+    }
+
+    int groundTicks() {
+        return groundTicks;
+    }
+
+    int notStandingTicks() {
+        return notStandingTicks;
+    }
+
+    void moved(long tick) {
+        movedTick = tick;
+    }
+
+    long movedTick() {
+        return movedTick;
+    }
+
+    void touchedBall(long tick) {
+        ballTick = tick;
+    }
+
+    long ballTick() {
+        return ballTick;
+    }
+
+    /** Gives immunity from charging as if the ball had been touched in a tick. */
+    void protectFromCharging(long tick) {
+        immuneFromChargingTick = tick;
+    }
+
+    long chargingImmunityTick() {
+        return Math.max(ballTick, immuneFromChargingTick);
+    }
+
+    /** Notes whether the player is in its own penalty area. */
+    void watchArea(boolean inside, long tick) {
+        if (!inside) {
+            areaEntryTick = NEVER;
+        } else if (areaEntryTick == NEVER) {
+            areaEntryTick = tick;
+        }
+    }
+
+    long areaEntryTick() {
+        return areaEntryTick;
+    }
+
+    /** Lists the other players of the group in which the player touched others in the last tick. */
+    Set<Player> touched() {
+        return touched;
+    }
+
+    void setTouched(Set<Player> group) {
+        touched = group;
+    }
+
+    boolean isFrozen(int hinge, long tick) {
+        return tick < frozenUntil[hinge];
+    }
+
+    /** Freezes a hinge unless it is frozen or has just thawed; tells whether it did. */
+    boolean freeze(int hinge, long tick, long ticksFrozen, long ticksImmune) {
+        if (tick < immuneUntil[hinge]) {
+            return false;
+        }
+        frozenUntil[hinge] = tick + ticksFrozen;
+        immuneUntil[hinge] = tick + ticksFrozen + ticksImmune;
+        return true;
+    }
+
+    /** Tells whether a self-collision may be punished by lifting, and remembers that it is. */
+    boolean mayPunishSelfCollision(long tick, long cooldownTicks) {
+        if (tick - selfCollisionPenaltyTick < cooldownTicks) {
+            return false;
+        }
+        selfCollisionPenaltyTick = tick;
+        return true;
+    }
+}

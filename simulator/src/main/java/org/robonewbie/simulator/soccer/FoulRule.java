@@ -1,0 +1,8 @@
+package org.robonewbie.simulator.soccer;
+
+/** One kind of foul. */
+interface FoulRule {
+
+    /** Looks for fouls in this tick and tells the referee. */
+    void judge();
+}

@@ -1,0 +1,44 @@
+package org.robonewbie.simulator.soccer;
+
+import org.robonewbie.protocol.monitor.FoulType;
+
+/** A robot that lies or does not stand for too long leaves the pitch. */
+final class IncapableRule implements FoulRule {
+
+    private static final double GROUND_HEIGHT = 0.15;
+    private static final double STANDING_HEIGHT = 0.25;
+    private static final double MARGIN = 0.1;
+    private static final int TICKS_UNTIL_STANDING = 25;
+
+    private final Match match;
+
+    IncapableRule(Match match) {
+        this.match = match;
+    }
+
+    @Override
+    public void judge() {
+        for (Player player : match.players()) {
+            if (!player.conduct().isPunished()) {
+                judge(player);
+            }
+        }
+    }
+
+    private void judge(Player player) {
+        Conduct conduct = player.conduct();
+        if (Math.abs(player.position().y()) < match.field().width() / 2 + MARGIN) {
+            double height = player.position().z();
+            conduct.countLying(height < GROUND_HEIGHT, height >= STANDING_HEIGHT, TICKS_UNTIL_STANDING);
+        }
+        boolean keeper = player.isGoalkeeper();
+        double groundLimit = match.parameters()
+                .get(keeper ? SoccerParameter.GOALIE_GROUND_MAX_TIME : SoccerParameter.GROUND_MAX_TIME);
+        double standingLimit = match.parameters()
+                .get(keeper ? SoccerParameter.GOALIE_NOT_STANDING_MAX_TIME : SoccerParameter.NOT_STANDING_MAX_TIME);
+        if (conduct.groundTicks() * Match.TICK_SECONDS > groundLimit
+                || conduct.notStandingTicks() * Match.TICK_SECONDS > standingLimit) {
+            match.referee().punish(player, FoulType.INCAPABLE);
+        }
+    }
+}

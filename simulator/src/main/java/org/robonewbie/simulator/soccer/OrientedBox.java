@@ -1,0 +1,69 @@
+package org.robonewbie.simulator.soccer;
+
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.Shape;
+import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.world.Robot;
+
+/**
+ * A box somewhere in space. Two boxes overlap when no axis separates them.
+ *
+ * <p>As in the original ({@code boxcollider.cpp}) the axes between two edges are not brought to length 1: nearly parallel
+ * edges give a nearly vanishing axis, along which the boxes count as separated. So boxes that are turned against each other
+ * about one common axis only never overlap.
+ *
+ * @param centre its centre
+ * @param x half its edge along its x axis
+ * @param y half its edge along its y axis
+ * @param z half its edge along its z axis
+ */
+record OrientedBox(Vector3 centre, Vector3 x, Vector3 y, Vector3 z) {
+
+    static OrientedBox of(Robot robot, int link) {
+        Shape.Box box = (Shape.Box) robot.model().links().get(link).shape();
+        Pose pose = robot.linkPose(link);
+        return new OrientedBox(
+                pose.position(),
+                pose.rotation().axisX().times(box.size().x() / 2),
+                pose.rotation().axisY().times(box.size().y() / 2),
+                pose.rotation().axisZ().times(box.size().z() / 2));
+    }
+
+    boolean overlaps(OrientedBox other, double tolerance) {
+        if (centre.distanceTo(other.centre) + tolerance > radius() + other.radius()) {
+            return false;
+        }
+        Vector3[] axes = unitAxes();
+        Vector3[] otherAxes = other.unitAxes();
+        for (int i = 0; i < 3; i++) {
+            if (isSeparated(other, axes[i], tolerance) || isSeparated(other, otherAxes[i], tolerance)) {
+                return false;
+            }
+        }
+        for (Vector3 axis : axes) {
+            for (Vector3 otherAxis : otherAxes) {
+                if (isSeparated(other, axis.cross(otherAxis), tolerance)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private boolean isSeparated(OrientedBox other, Vector3 axis, double tolerance) {
+        double distance = Math.abs(other.centre.minus(centre).dot(axis));
+        return distance + tolerance > extent(axis) + other.extent(axis);
+    }
+
+    private double extent(Vector3 axis) {
+        return Math.abs(x.dot(axis)) + Math.abs(y.dot(axis)) + Math.abs(z.dot(axis));
+    }
+
+    private double radius() {
+        return Math.sqrt(x.dot(x) + y.dot(y) + z.dot(z));
+    }
+
+    private Vector3[] unitAxes() {
+        return new Vector3[] {x.times(1 / x.length()), y.times(1 / y.length()), z.times(1 / z.length())};
+    }
+}

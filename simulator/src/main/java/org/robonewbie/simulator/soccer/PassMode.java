@@ -1,0 +1,98 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.Set;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+
+/**
+ * The right of one team to pass undisturbed, and the time after it in which the team may not score (since rcssserver3d
+ * 0.7.2).
+ */
+final class PassMode {
+
+    private static final double AWAY_DISTANCE = 1.0;
+
+    private final Match match;
+    private final TeamSide side;
+    private final Set<Player> touchers = new HashSet<>();
+    private Vector3 place = Vector3.ZERO;
+    private long lastTick = Conduct.NEVER;
+    private long lockedUntil = Conduct.NEVER;
+    private boolean ballWasAway;
+
+    PassMode(Match match, TeamSide side) {
+        this.match = match;
+        this.side = side;
+    }
+
+    /** Grants the wish of a player of this team if all conditions hold. */
+    void request(Player player) {
+        if (isPossible() && Referee.flatDistance(player, ball()) <= get(SoccerParameter.PASS_MODE_MAX_BALL_DISTANCE)) {
+            match.setPlayMode(PlayModeRules.of(side, PlayMode.PASS_LEFT, PlayMode.PASS_RIGHT));
+        }
+    }
+
+    void begin() {
+        lastTick = match.currentTick();
+        place = ball();
+    }
+
+    /** Notes that the pass mode is over; the team may not score for some time. */
+    void end() {
+        lastTick = match.currentTick();
+        lockedUntil = lastTick + Math.round(get(SoccerParameter.PASS_MODE_SCORE_WAIT_TIME) / Match.TICK_SECONDS);
+        touchers.clear();
+        ballWasAway = false;
+    }
+
+    /** Lets the team score again at once. */
+    void unlock() {
+        lockedUntil = Conduct.NEVER;
+    }
+
+    /** Watches whether two players of the team have touched the ball and it has left its place. */
+    void watch() {
+        if (!isLocked()) {
+            return;
+        }
+        Optional<BallWatch.Touch> touch = match.ball().lastTouch();
+        touch.filter(last -> last.tick() > lastTick && last.player().side() == side)
+                .ifPresent(last -> touchers.add(last.player()));
+        ballWasAway |= Math.hypot(ball().x() - place.x(), ball().y() - place.y()) >= AWAY_DISTANCE;
+        if (touchers.size() >= 2 && ballWasAway) {
+            unlock();
+        }
+    }
+
+    boolean isLocked() {
+        return match.currentTick() < lockedUntil;
+    }
+
+    /** Tells for how long the team may not score, in seconds. */
+    double lockedSeconds() {
+        return isLocked() ? (lockedUntil - match.currentTick()) * Match.TICK_SECONDS : 0;
+    }
+
+    private boolean isPossible() {
+        double wait = get(SoccerParameter.PASS_MODE_RETRY_WAIT_TIME);
+        double opponentDistance = get(SoccerParameter.PASS_MODE_MIN_OPPONENT_BALL_DISTANCE);
+        return match.state().playMode() == PlayMode.PLAY_ON
+                && (match.currentTick() - lastTick) * Match.TICK_SECONDS >= wait
+                && match.ballVelocity().length() <= get(SoccerParameter.PASS_MODE_MAX_BALL_SPEED)
+                && match.players(side).stream()
+                        .noneMatch(player -> player.conduct().ballTick() == match.currentTick())
+                && match.players(side.opponent()).stream()
+                        .allMatch(player -> Referee.flatDistance(player, ball()) >= opponentDistance);
+    }
+
+    private double get(SoccerParameter parameter) {
+        return match.parameters().get(parameter);
+    }
+
+    private Vector3 ball() {
+        return match.ball().position();
+    }
+}

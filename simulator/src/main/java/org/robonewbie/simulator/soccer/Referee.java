@@ -1,0 +1,115 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.monitor.Foul;
+import org.robonewbie.protocol.monitor.FoulType;
+import org.robonewbie.protocol.monitor.PlayerNumber;
+
+/**
+ * Judges fouls in each tick and lifts who committed one off the pitch (SimSpark: {@code soccerruleaspect.cpp}).
+ *
+ * <p>A punished robot is held in the air for a moment and then put beside the pitch; until then nothing else that it does is
+ * a foul.
+ */
+final class Referee {
+
+    private static final int REMEMBERED_FOULS = 200;
+    private static final double LIFTED_HEIGHT = 1.0;
+    private static final double LIFT_PER_TICK = 0.01;
+
+    private final Match match;
+    private final List<FoulRule> rules;
+    private final List<Foul> fouls = new ArrayList<>();
+    private int foulCount;
+
+    Referee(Match match) {
+        this.match = match;
+        this.rules = List.of(
+                new CrowdingRule(match),
+                new IllegalDefenceRule(match),
+                new IncapableRule(match),
+                new TouchingRule(match),
+                new ChargingRule(match),
+                new SelfCollisionRule(match));
+    }
+
+    /** Judges one tick. */
+    void judge(boolean paused) {
+        for (Player player : match.players()) {
+            player.conduct().remember(player.robot().torsoVelocity());
+        }
+        if (paused) {
+            match.players().forEach(player -> player.conduct().forgiveFouls());
+            return;
+        }
+        rules.forEach(FoulRule::judge);
+        for (Player player : List.copyOf(match.players())) {
+            player.conduct().punishedFor().ifPresent(foul -> carryOut(player, foul));
+        }
+    }
+
+    /** Lists the newest fouls of the match in their order; a penalty counts once for each tick that it takes. */
+    List<Foul> fouls() {
+        return Collections.unmodifiableList(fouls);
+    }
+
+    /** Lifts a player off the pitch, beginning in this tick. */
+    void punish(Player player, FoulType foul) {
+        if (!player.conduct().isPunished()) {
+            player.conduct().punish(foul);
+            match.note(new MatchEvent.FoulCalled(foul, player.side(), player.number()));
+        }
+    }
+
+    /** Notes a foul that is punished in another way. */
+    void note(Player player, FoulType foul) {
+        match.note(new MatchEvent.FoulCalled(foul, player.side(), player.number()));
+        add(player, foul);
+    }
+
+    /** Gives both sides in an order that chance decides. */
+    List<TeamSide> sides() {
+        return match.random().nextBoolean()
+                ? List.of(TeamSide.LEFT, TeamSide.RIGHT)
+                : List.of(TeamSide.RIGHT, TeamSide.LEFT);
+    }
+
+    private void add(Player player, FoulType foul) {
+        foulCount++;
+        fouls.add(new Foul(foulCount, foul, new PlayerNumber(player.side(), player.number())));
+        if (fouls.size() > REMEMBERED_FOULS) {
+            fouls.remove(0);
+        }
+    }
+
+    private void carryOut(Player player, FoulType foul) {
+        double holdSeconds = match.parameters().get(SoccerParameter.FOUL_HOLD_TIME);
+        int ticks = player.conduct().countPenalty();
+        player.conduct().moved(match.currentTick());
+        if (ticks * Match.TICK_SECONDS <= holdSeconds) {
+            add(player, foul);
+            Vector3 position = player.position();
+            player.robot().moveTo(new Vector3(position.x(), position.y(), LIFTED_HEIGHT + LIFT_PER_TICK * ticks));
+            return;
+        }
+        double height = holdSeconds == 0 ? LIFTED_HEIGHT : match.parameters().get(SoccerParameter.AGENT_RADIUS);
+        player.robot().moveTo(Spots.besidePitch(match, player).plus(new Vector3(0, 0, height)));
+        player.conduct().forgiveFouls();
+    }
+
+    static Optional<Player> nearest(List<Player> players, Vector3 point, int rank) {
+        return players.stream()
+                .sorted((a, b) -> Double.compare(flatDistance(a, point), flatDistance(b, point)))
+                .skip(rank)
+                .findFirst();
+    }
+
+    static double flatDistance(Player player, Vector3 point) {
+        return Math.hypot(player.position().x() - point.x(), player.position().y() - point.y());
+    }
+}

@@ -1,0 +1,107 @@
+package org.robonewbie.simulator.soccer;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.monitor.FoulType;
+import org.robonewbie.simulator.world.RobotContact;
+
+/** Only some robots may touch each other at a time; who joins such a group is moved away from it. */
+final class TouchingRule implements FoulRule {
+
+    private final Match match;
+
+    TouchingRule(Match match) {
+        this.match = match;
+    }
+
+    @Override
+    public void judge() {
+        List<Set<Player>> groups = groups();
+        for (Set<Player> group : groups) {
+            if (group.size() > match.parameters().get(SoccerParameter.MAX_TOUCH_GROUP_SIZE)) {
+                newcomer(group).flatMap(player -> offender(player, group)).ifPresent(player -> punish(player, group));
+            }
+        }
+        for (Player player : match.players()) {
+            player.conduct().setTouched(new HashSet<>());
+        }
+        groups.forEach(group -> group.forEach(player -> player.conduct().setTouched(group)));
+    }
+
+    /** Collects players that are connected by contacts, in the order of the contacts. */
+    private List<Set<Player>> groups() {
+        List<Set<Player>> groups = new ArrayList<>();
+        for (RobotContact contact : match.robotContacts()) {
+            Optional<Player> first = match.playerOf(contact.first().robot());
+            Optional<Player> second = match.playerOf(contact.second().robot());
+            if (first.isPresent() && second.isPresent() && !isBetweenFeet(contact)) {
+                join(groups, first.get(), second.get());
+            }
+        }
+        return groups;
+    }
+
+    private static void join(List<Set<Player>> groups, Player first, Player second) {
+        Set<Player> joined = new LinkedHashSet<>();
+        for (Set<Player> group : groups) {
+            if (group.contains(first) || group.contains(second)) {
+                joined.addAll(group);
+            }
+        }
+        groups.removeIf(joined::containsAll);
+        joined.add(first);
+        joined.add(second);
+        groups.add(joined);
+    }
+
+    /** Feet and toes do not notice each other in the original. */
+    private static boolean isBetweenFeet(RobotContact contact) {
+        return isFoot(contact.first().name()) && isFoot(contact.second().name());
+    }
+
+    private static boolean isFoot(String link) {
+        return link.endsWith("foot") || link.endsWith("toe");
+    }
+
+    private static Optional<Player> newcomer(Set<Player> group) {
+        return group.stream()
+                .filter(player -> !player.conduct().isPunished())
+                .filter(player -> group.stream()
+                        .noneMatch(other ->
+                                other != player && player.conduct().touched().contains(other)))
+                .findFirst();
+    }
+
+    /** Punishes the newcomer if its team is at least half of the group, else an opponent, but no goalkeeper. */
+    private static Optional<Player> offender(Player newcomer, Set<Player> group) {
+        TeamSide side = newcomer.side();
+        long mates = group.stream().filter(player -> player.side() == side).count();
+        TeamSide guilty = 2 * mates >= group.size() ? side : side.opponent();
+        if (guilty == side && !newcomer.isGoalkeeper()) {
+            return Optional.of(newcomer);
+        }
+        return group.stream()
+                .filter(player -> player.side() == guilty && !player.isGoalkeeper())
+                .filter(player -> !player.conduct().isPunished())
+                .findFirst();
+    }
+
+    private void punish(Player player, Set<Player> group) {
+        if (match.parameters().isOn(SoccerParameter.TOUCHING_FOUL_BEAM_PENALTY)) {
+            match.referee().punish(player, FoulType.TOUCHING);
+            return;
+        }
+        Vector3 centre = Vector3.ZERO;
+        for (Player member : group) {
+            centre = centre.plus(member.position().times(1.0 / group.size()));
+        }
+        match.referee().note(player, FoulType.TOUCHING);
+        match.repositioning().moveAway(player, centre, match.parameters().get(SoccerParameter.AGENT_RADIUS));
+    }
+}
