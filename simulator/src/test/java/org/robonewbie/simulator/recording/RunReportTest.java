@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
@@ -33,7 +34,8 @@ class RunReportTest {
     private Player player;
     private long cycle;
 
-    private void begin() throws Exception {
+    @BeforeEach
+    void begin() throws Exception {
         recorder = RunRecorder.begin(world, Optional.empty(), List.of(), sentence -> {});
         player = match.teams().join("Stars", 3, world.addRobot(RobotType.TYPE_0));
         player.robot().moveUpright(new Vector3(-2, 1, 0.386), -90);
@@ -42,8 +44,6 @@ class RunReportTest {
 
     @Test
     void tellsPlaceAndHeadingInTheWorldFrame() throws Exception {
-        begin();
-
         RunReport.RobotResult robot = result();
 
         assertThat(robot.position().x()).isCloseTo(-2, within(0.01));
@@ -55,8 +55,6 @@ class RunReportTest {
 
     @Test
     void countsAFallOnceUntilTheRobotStandsAgain() throws Exception {
-        begin();
-
         for (int i = 0; i < 100; i++) {
             player.robot().setMotorSpeed(Joint.LEFT_FOOT_PITCH, -3);
             player.robot().setMotorSpeed(Joint.RIGHT_FOOT_PITCH, -3);
@@ -73,8 +71,6 @@ class RunReportTest {
 
     @Test
     void swayingOnTheSpotIsNoWalking() throws Exception {
-        begin();
-
         for (int i = 0; i < 500; i++) {
             double speed = 0.6 * Math.cos(i * 0.2);
             player.robot().setMotorSpeed(Joint.LEFT_FOOT_ROLL, speed);
@@ -87,8 +83,6 @@ class RunReportTest {
 
     @Test
     void beingBeamedIsNoWalking() throws Exception {
-        begin();
-
         player.robot().moveUpright(new Vector3(4, -2, 0.386), -90);
         cycles(50);
 
@@ -98,7 +92,6 @@ class RunReportTest {
 
     @Test
     void measuresTheBallWithoutTheRefereesHand() throws Exception {
-        begin();
         match.setPlayMode(PlayMode.PLAY_ON);
         world.ball().moveTo(new Vector3(3, 0, 0.042));
         world.ball().setVelocity(new Vector3(1, 0, 0));
@@ -116,7 +109,6 @@ class RunReportTest {
 
     @Test
     void writesAllThatIsPromisedAsJson() throws Exception {
-        begin();
         Path file = folder.resolve("report.json");
 
         report().write(file);
