@@ -4,6 +4,7 @@ import java.io.UncheckedIOException;
 import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLClassLoader;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -72,7 +73,10 @@ final class AgentFinder {
     }
 
     private CalledWronglyException unknown(String name) {
-        String question = NearestName.of(name, examples.classNames().keySet())
+        Path file = Path.of(name + ".java");
+        String question = Optional.of(file.toString())
+                .filter(own -> Files.isRegularFile(file))
+                .or(() -> NearestName.of(name, examples.classNames().keySet()))
                 .map(nearest -> " Did you mean " + nearest + "?")
                 .orElse("");
         return new CalledWronglyException("""

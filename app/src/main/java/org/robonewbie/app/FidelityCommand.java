@@ -43,6 +43,10 @@ final class FidelityCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        directory.filter(folder -> !Files.isDirectory(folder)).ifPresent(folder -> {
+            throw new CalledWronglyException(
+                    folder + " is not a folder. Name one with recordings (*.jsonl, *.jsonl.gz).");
+        });
         FidelityReport report = directory.isPresent() ? FidelityBench.run(directory.get()) : FidelityBench.run();
         System.out.print(report.toTable());
         if (json.isPresent()) {

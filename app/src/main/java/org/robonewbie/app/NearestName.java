@@ -5,13 +5,30 @@ import java.util.Comparator;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Finds what somebody may have meant: the name that needs the fewest changed letters (Levenshtein, 1965). */
+/**
+ * Finds what somebody may have meant: a name that contains what was written, else the one that needs the fewest changed
+ * letters (Levenshtein, 1965).
+ */
 final class NearestName {
+
+    private static final int SHORTEST_PART = 3;
 
     private NearestName() {}
 
     /** Finds the nearest of some names, or nothing if all are too different. */
     static Optional<String> of(String written, Collection<String> names) {
+        return containing(written, names).or(() -> similar(written, names));
+    }
+
+    private static Optional<String> containing(String written, Collection<String> names) {
+        String part = written.toLowerCase(Locale.ROOT);
+        return names.stream()
+                .filter(name -> part.length() >= SHORTEST_PART
+                        && name.toLowerCase(Locale.ROOT).contains(part))
+                .min(Comparator.comparingInt(String::length));
+    }
+
+    private static Optional<String> similar(String written, Collection<String> names) {
         return names.stream()
                 .min(Comparator.comparingInt(name -> distance(written, name)))
                 .filter(name -> distance(written, name) <= Math.max(2, name.length() / 2));

@@ -89,7 +89,7 @@ class DocumentationTest {
         String notice = Project.read(Project.ROOT.resolve("NOTICE"));
         Pattern forTests =
                 Pattern.compile("robonewbie.*|junit.*|assertj.*|archunit.*|opentest4j.*|apiguardian.*|byte-buddy.*"
-                        + "|surefire.*|jspecify.*|classes|test-classes");
+                        + "|surefire.*|jspecify.*|error_prone_annotations.*|classes|test-classes");
 
         List<String> libraries = Arrays.stream(
                         System.getProperty("java.class.path").split(File.pathSeparator, -1))

@@ -81,4 +81,12 @@ class MainTest {
         assertThat(answer.exitCode()).isEqualTo(2);
         assertThat(answer.err()).contains("The studio cannot open run.rec yet");
     }
+
+    @Test
+    void folderOfRecordingsThatIsMissingIsNamed() {
+        Printed answer = Printed.by("fidelity", "nowhere");
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err()).contains("nowhere is not a folder");
+    }
 }

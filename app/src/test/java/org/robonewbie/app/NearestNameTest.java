@@ -20,6 +20,14 @@ class NearestNameTest {
     }
 
     @Test
+    void prefersANameThatContainsWhatWasWritten() {
+        List<String> examples = List.of("Agent_Wave", "Agent_BasicStructure", "Agent_SimpleSoccer");
+
+        assertThat(NearestName.of("Agent_Basic", examples)).contains("Agent_BasicStructure");
+        assertThat(NearestName.of("simplesoccer", examples)).contains("Agent_SimpleSoccer");
+    }
+
+    @Test
     void findsNothingForSomethingElse() {
         assertThat(NearestName.of("quarterback", NAMES)).isEmpty();
     }
