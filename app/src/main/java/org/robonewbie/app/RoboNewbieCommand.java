@@ -17,6 +17,7 @@ import picocli.CommandLine.IVersionProvider;
             SimulatorCommand.class,
             StudioCommand.class,
             FidelityCommand.class,
+            MeasureCommand.class,
             DoctorCommand.class
         },
         footer = {

@@ -47,6 +47,13 @@ class ArchitectureTest {
                     "com.google.gson..",
                     "org.slf4j.."
                 }),
+                Arguments.of("learning", new String[] {
+                    "org.robonewbie.nao..",
+                    "org.robonewbie.protocol..",
+                    "org.robonewbie.agent..",
+                    "org.robonewbie.simulator..",
+                    "com.google.gson.."
+                }),
                 Arguments.of("examples", new String[] {"org.robonewbie.nao..", "org.robonewbie.agent.."}));
     }
 

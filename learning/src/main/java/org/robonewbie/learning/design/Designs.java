@@ -15,6 +15,12 @@ public final class Designs {
         -0.32, -1.62, 0.87, -0.5, 0.65, -0.39, 1.02, 0.18, 1.26, 0.03, 0.29, -0.99, 1.26, -1.19, 3.3
     };
     private static final double[] FAST = {-0.3, -1.6, 0.9, -0.5, 0.6, -0.4, 0.5, 0.2, 1.3, 0, 0.3, -1, 1.3, -1.2, 5.5};
+    private static final double[] KICK = {
+        -2, -0.8, 0.8, -1, 1.1, 1, -0.3, -2.3, 1.1, -2.2, 2.9, 0.3, -4.4, 1.1, -3.9, 3.7, -1.5, 3.7, -0.9
+    };
+    private static final double[] PASS = {
+        -2, -1, 4, -1, 0.4, 1.3, -0.3, -2.5, 0.4, -2.6, 2.9, -0.1, -3, 0.5, -4, 1, -1.2, 2, -0.1
+    };
     private static final Gait GAIT = Gait.of(320, 8, WALK);
     private static final Map<String, Supplier<MotionDesign>> ALL = new TreeMap<>(Map.ofEntries(
             Map.entry(
@@ -31,7 +37,7 @@ public final class Designs {
                             "turn-left",
                             "turns by 30 degrees to the left on the spot",
                             GAIT,
-                            foot -> foot.turned(10.5),
+                            foot -> foot.turned(10.65),
                             3)),
             Map.entry(
                     "turn-left-small",
@@ -51,9 +57,18 @@ public final class Designs {
                             "kick-right",
                             "kicks the ball hard with the right foot",
                             6,
-                            new double[19],
-                            new SearchPlan(1, 0.6, 14, 80, 3, 4))),
+                            KICK,
+                            new SearchPlan(1, 0.25, 12, 50, 5, 3))),
+            Map.entry(
+                    "pass-right",
+                    () -> new KickDesign(
+                            "pass-right",
+                            "passes the ball with the right foot",
+                            1.5,
+                            PASS,
+                            new SearchPlan(1, 0.3, 10, 25, 3, 4))),
             Map.entry("stand-up-from-left-side", SideGetUpDesign::new),
+            Map.entry("dance", DanceDesign::new),
             Map.entry("dive-left", () -> new DiveDesign("dive-left", new SearchPlan(1, 0.8, 14, 60, 3, 4))),
             Map.entry(
                     "roll-over-to-back",
@@ -61,7 +76,7 @@ public final class Designs {
                             "roll-over-to-back",
                             "rolls over from the front to the back",
                             Lying.ON_FRONT,
-                            new SearchPlan(1, 0.8, 14, 50, 3, 4))),
+                            new SearchPlan(1, 0.25, 12, 40, 6, 4))),
             Map.entry(
                     "stand-up-from-back",
                     () -> new GetUpDesign("stand-up-from-back", Lying.ON_BACK, new SearchPlan(1, 0.4, 14, 50, 4, 3))),

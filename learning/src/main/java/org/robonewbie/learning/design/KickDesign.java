@@ -74,15 +74,15 @@ public final class KickDesign implements MotionDesign {
         return new Motion(
                 name,
                 List.of(
-                        new Keyframe(millis(400, x[0]), shifted(x)),
+                        new Keyframe(Math.max(260, millis(400, x[0])), shifted(x)),
                         new Keyframe(240, swung(x, 0, 0, 50, -98, 48, 0)),
                         new Keyframe(
-                                millis(240, x[1]),
+                                Math.max(180, millis(240, x[1])),
                                 swung(x, 1.2 * x[10], x[4], 20 + 10 * x[11], -95 + 10 * x[12], 70 + 10 * x[13], 30)),
                         new Keyframe(
                                 millis(140, 0.5 * x[2]),
                                 swung(x, x[14], x[5], 65 + 10 * x[15], -40 + 10 * x[16], -20 + 10 * x[17], -30)),
-                        new Keyframe(millis(240, x[3]), swung(x, 0, 0, 50 + 5 * x[18], -98, 48, -10)),
+                        new Keyframe(Math.max(160, millis(240, x[3])), swung(x, 0, 0, 50 + 5 * x[18], -98, 48, -10)),
                         new Keyframe(300, shifted(x)),
                         new Keyframe(500, Stance.POSTURE)));
     }
