@@ -2,8 +2,9 @@ package org.robonewbie.learning.design;
 
 import java.util.Arrays;
 import org.robonewbie.learning.trial.Watch;
+import org.robonewbie.nao.motion.Posture;
 
-/** Costs that several designs have in common. */
+/** What several designs have in common. */
 final class Costs {
 
     private Costs() {}
@@ -19,5 +20,14 @@ final class Costs {
                 * Arrays.stream(coordinates)
                         .map(x -> Math.max(0, Math.abs(x) - limit))
                         .sum();
+    }
+
+    /** A posture within the joints' ranges with angles in tenths of a degree. */
+    static Posture rounded(Posture posture) {
+        double[] degrees = posture.clamped().toArray();
+        for (int i = 0; i < degrees.length; i++) {
+            degrees[i] = Math.round(degrees[i] * 10) / 10.0;
+        }
+        return Posture.of(degrees);
     }
 }

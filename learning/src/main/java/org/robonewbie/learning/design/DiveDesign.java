@@ -35,7 +35,7 @@ public final class DiveDesign implements MotionDesign {
     @Override
     public List<DescribedMotion> motions(double[] coordinates) {
         var dive = new DescribedMotion(
-                sketch.motion(coordinates), "throws itself to the left to stop a ball", "stance", "lying on left side");
+                sketch.motion(coordinates), "throws itself to the left to stop a ball", "stance", "lying on back");
         return List.of(dive, dive.mirrored());
     }
 

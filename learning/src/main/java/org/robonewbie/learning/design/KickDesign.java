@@ -93,7 +93,7 @@ public final class KickDesign implements MotionDesign {
 
     /** Both feet on the ground, the weight on the left one. */
     private static Posture shifted(double[] x) {
-        return standing(x, 0, 0, Stance.POSTURE);
+        return Costs.rounded(standing(x, 0, 0, Stance.POSTURE));
     }
 
     /** The right leg in the air. */
@@ -104,14 +104,13 @@ public final class KickDesign implements MotionDesign {
                 .with(Joint.RIGHT_SHOULDER_PITCH, Stance.POSTURE.degrees(Joint.RIGHT_SHOULDER_PITCH) + 10 + arms)
                 .with(Joint.LEFT_SHOULDER_YAW, 25)
                 .with(Joint.RIGHT_SHOULDER_YAW, -25);
-        return standing(x, lean, aside, arm)
+        return Costs.rounded(standing(x, lean, aside, arm)
                 .with(Joint.RIGHT_HIP_YAW_PITCH, 0)
                 .with(Joint.RIGHT_HIP_ROLL, -8 + 3 * x[9])
                 .with(Joint.RIGHT_HIP_PITCH, hip)
                 .with(Joint.RIGHT_KNEE_PITCH, knee)
                 .with(Joint.RIGHT_FOOT_PITCH, foot)
-                .with(Joint.RIGHT_FOOT_ROLL, 0)
-                .clamped();
+                .with(Joint.RIGHT_FOOT_ROLL, 0));
     }
 
     private static Posture standing(double[] x, double lean, double aside, Posture arms) {
@@ -120,14 +119,6 @@ public final class KickDesign implements MotionDesign {
         TorsoPose torso = new TorsoPose(0.34, 3 + 4 * lean, 3 * x[8]);
         Posture posture =
                 torso.above(arms, FootPose.flat(ahead, HALF_WIDTH - sway), FootPose.flat(ahead, -HALF_WIDTH - sway));
-        return rounded(posture);
-    }
-
-    private static Posture rounded(Posture posture) {
-        double[] degrees = posture.clamped().toArray();
-        for (int i = 0; i < degrees.length; i++) {
-            degrees[i] = Math.round(degrees[i] * 10) / 10.0;
-        }
-        return Posture.of(degrees);
+        return Costs.rounded(posture);
     }
 }

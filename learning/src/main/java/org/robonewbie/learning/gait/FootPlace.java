@@ -57,8 +57,13 @@ public record FootPlace(double forward, double left, double yawDegrees) {
                 yawDegrees + fraction * (other.yawDegrees - yawDegrees));
     }
 
-    /** The same place as seen from another one, as if that were where the walk began. */
-    Vector3 seenFrom(FootPlace middle) {
+    /**
+     * Tells where this place is as seen from another one.
+     *
+     * @param middle the other place, looking along its direction
+     * @return metres forward and to the left of it; z is 0
+     */
+    public Vector3 seenFrom(FootPlace middle) {
         double cosine = Math.cos(Math.toRadians(middle.yawDegrees));
         double sine = Math.sin(Math.toRadians(middle.yawDegrees));
         double ahead = forward - middle.forward;

@@ -46,7 +46,7 @@ public final class MotionMeasurement {
      * @return all checks in the order of the table
      */
     public static List<MotionCheck> checks() {
-        return Stream.of(WalkChecks.all(), GetUpChecks.all())
+        return Stream.of(WalkChecks.all(), GetUpChecks.all(), FallChecks.all())
                 .flatMap(List::stream)
                 .toList();
     }
@@ -60,13 +60,11 @@ public final class MotionMeasurement {
      */
     public List<CheckResult> run(Optional<Path> json) throws IOException {
         List<CheckResult> results = new ArrayList<>();
-        List<MotionCheck> checks = checks();
-        out.printf("%-8s%-28s %9s %9s  %s%n", "", "motion", "successes", "mean", "unit");
-        for (MotionCheck check : checks) {
+        out.printf("%-28s %9s %10s  %s%n", "motion", "successes", "mean", "unit | start | rule of success");
+        for (MotionCheck check : checks()) {
             CheckResult result = CheckResult.of(check, seeds);
             results.add(result);
-            out.printf("%-8s%s%n", results.size() + "/" + checks.size(), line(result));
-            out.printf("%-10sstart: %s; success: %s%n", "", check.start(), check.rule());
+            out.println(line(result));
         }
         if (json.isPresent()) {
             write(json.get(), results);
@@ -78,12 +76,14 @@ public final class MotionMeasurement {
         MotionCheck check = result.check();
         return String.format(
                 Locale.ROOT,
-                "%-28s %4d/%-4d %9.3f  %s",
+                "%-28s %4d / %-3d %10.3f  %s | %s | %s",
                 check.name(),
                 result.successes(),
                 result.outcomes().size(),
                 result.mean(),
-                check.unit());
+                check.unit(),
+                check.start(),
+                check.rule());
     }
 
     private static void write(Path file, List<CheckResult> results) throws IOException {

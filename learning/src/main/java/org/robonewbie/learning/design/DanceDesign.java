@@ -1,0 +1,104 @@
+package org.robonewbie.learning.design;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.robonewbie.learning.gait.FootPlace;
+import org.robonewbie.learning.gait.FootPose;
+import org.robonewbie.learning.gait.Stance;
+import org.robonewbie.learning.gait.TorsoPose;
+import org.robonewbie.learning.search.SearchPlan;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.Posture;
+
+/** A short dance on the spot: the feet stay where they are, and inverse kinematics finds the legs for what the hips do. */
+public final class DanceDesign implements MotionDesign {
+
+    private static final int BEAT_MILLIS = 400;
+    private static final double HIGH = 0.345;
+    private static final double LOW = 0.305;
+    private static final double LEAN_DEGREES = 4;
+    private static final double FEET_AHEAD = -0.005;
+
+    /** How an arm is held: shoulder pitch, opening, turn of the forearm and bend of the elbow, in degrees, as for the left arm. */
+    private record Arm(double pitch, double open, double turn, double bend) {}
+
+    /** What the body does in one beat: hips to the left, torso height, twist to the left, arms, head to the left and up. */
+    private record Beat(double left, double height, double twist, Arm leftArm, Arm rightArm, double look, double nod) {}
+
+    private static final Arm HANGING = new Arm(-95, 10, -90, -40);
+    private static final Arm RAISED = new Arm(75, 25, 0, -20);
+    private static final Arm ON_HIP = new Arm(-95, 45, 0, -85);
+    private static final Arm FORWARD = new Arm(0, 10, 0, -10);
+    private static final Arm WIDE = new Arm(10, 85, 0, -10);
+    private static final Arm FOLDED = new Arm(-30, 20, -90, -85);
+
+    private static final List<Beat> BEATS = List.of(
+            new Beat(0.03, HIGH, 0, RAISED, ON_HIP, 25, 15),
+            new Beat(-0.03, HIGH, 0, ON_HIP, RAISED, -25, 15),
+            new Beat(0.03, HIGH, 0, RAISED, ON_HIP, 25, 15),
+            new Beat(-0.03, HIGH, 0, ON_HIP, RAISED, -25, 15),
+            new Beat(0, LOW, 0, FORWARD, FORWARD, 0, -15),
+            new Beat(0, HIGH, 0, WIDE, WIDE, 0, 10),
+            new Beat(0, LOW, 0, FORWARD, FORWARD, 0, -15),
+            new Beat(0, HIGH, 0, RAISED, RAISED, 0, 20),
+            new Beat(0.01, LOW + 0.02, 18, FOLDED, WIDE, -20, 0),
+            new Beat(-0.01, LOW + 0.02, -18, WIDE, FOLDED, 20, 0),
+            new Beat(0.01, LOW + 0.02, 18, FOLDED, WIDE, -20, 0),
+            new Beat(-0.01, LOW + 0.02, -18, WIDE, FOLDED, 20, 0),
+            new Beat(0.03, HIGH, 0, WIDE, ON_HIP, 20, 0),
+            new Beat(-0.03, HIGH, 0, ON_HIP, WIDE, -20, 0),
+            new Beat(0, LOW, 0, FOLDED, FOLDED, 0, -20),
+            new Beat(0, HIGH, 0, RAISED, RAISED, 0, 25),
+            new Beat(0, HIGH, 0, HANGING, HANGING, 0, 0));
+
+    /** Describes the dance. */
+    public DanceDesign() {}
+
+    @Override
+    public double[] start() {
+        return new double[] {0};
+    }
+
+    @Override
+    public SearchPlan plan() {
+        return SearchPlan.NONE;
+    }
+
+    @Override
+    public double cost(double[] candidate, long seed) {
+        return 0;
+    }
+
+    @Override
+    public List<DescribedMotion> motions(double[] coordinates) {
+        List<Keyframe> keyframes = new ArrayList<>();
+        BEATS.forEach(beat -> keyframes.add(new Keyframe(BEAT_MILLIS, posture(beat))));
+        keyframes.add(new Keyframe(BEAT_MILLIS, Stance.POSTURE));
+        return List.of(new DescribedMotion(new Motion("dance", keyframes), "dances on the spot", "stance", "stance"));
+    }
+
+    private static Posture posture(Beat beat) {
+        Posture left = withLeftArm(Stance.POSTURE, beat.leftArm());
+        Posture both = withLeftArm(left.mirrored(), beat.rightArm()).mirrored();
+        Posture upper = both.with(Joint.NECK_YAW, beat.look()).with(Joint.NECK_PITCH, beat.nod());
+        TorsoPose torso = new TorsoPose(beat.height(), LEAN_DEGREES, 0);
+        return Costs.rounded(torso.above(upper, foot(beat, FootPlace.LEFT), foot(beat, FootPlace.RIGHT)));
+    }
+
+    private static Posture withLeftArm(Posture posture, Arm arm) {
+        return posture.with(Joint.LEFT_SHOULDER_PITCH, arm.pitch())
+                .with(Joint.LEFT_SHOULDER_YAW, arm.open())
+                .with(Joint.LEFT_ARM_ROLL, arm.turn())
+                .with(Joint.LEFT_ARM_YAW, arm.bend());
+    }
+
+    /** The feet stand still, so they go the other way as seen from the hips. */
+    private static FootPose foot(Beat beat, FootPlace place) {
+        FootPlace hips = new FootPlace(0, beat.left(), beat.twist());
+        Vector3 seen = place.seenFrom(hips);
+        return new FootPose(seen.x() + FEET_AHEAD, seen.y(), 0, place.yawDegrees() - beat.twist(), 0);
+    }
+}
