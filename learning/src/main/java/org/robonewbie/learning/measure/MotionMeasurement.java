@@ -60,11 +60,13 @@ public final class MotionMeasurement {
      */
     public List<CheckResult> run(Optional<Path> json) throws IOException {
         List<CheckResult> results = new ArrayList<>();
-        out.printf("%-28s %9s %10s  %s%n", "motion", "successes", "mean", "unit | start | rule of success");
-        for (MotionCheck check : checks()) {
+        List<MotionCheck> checks = checks();
+        out.printf("%-8s%-28s %9s %9s  %s%n", "", "motion", "successes", "mean", "unit");
+        for (MotionCheck check : checks) {
             CheckResult result = CheckResult.of(check, seeds);
             results.add(result);
-            out.println(line(result));
+            out.printf("%-8s%s%n", results.size() + "/" + checks.size(), line(result));
+            out.printf("%-10sstart: %s; success: %s%n", "", check.start(), check.rule());
         }
         if (json.isPresent()) {
             write(json.get(), results);
@@ -76,14 +78,12 @@ public final class MotionMeasurement {
         MotionCheck check = result.check();
         return String.format(
                 Locale.ROOT,
-                "%-28s %4d / %-3d %10.3f  %s | %s | %s",
+                "%-28s %4d/%-4d %9.3f  %s",
                 check.name(),
                 result.successes(),
                 result.outcomes().size(),
                 result.mean(),
-                check.unit(),
-                check.start(),
-                check.rule());
+                check.unit());
     }
 
     private static void write(Path file, List<CheckResult> results) throws IOException {

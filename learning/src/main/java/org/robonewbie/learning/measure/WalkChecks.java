@@ -8,7 +8,7 @@ import org.robonewbie.nao.motion.Motion;
 /** Checks of the motions that carry the robot over the pitch. */
 final class WalkChecks {
 
-    private static final String STANCE = "stance, joints up to some degrees beside it before";
+    private static final String STANCE = "stance, reached from a posture beside it";
     private static final double WAY = 5;
     private static final double MOST_SECONDS = 120;
     private static final double PUSH_NEWTONS = 3;
