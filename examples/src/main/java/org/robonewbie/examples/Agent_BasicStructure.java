@@ -37,6 +37,8 @@ public final class Agent_BasicStructure extends Agent {
     protected void think() {
         double angle = nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH); // degrees
         nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, angle < 30 ? 60 : 0); // degrees per second
-        log.info("left shoulder pitch %.2f degrees", angle);
+        if (angle < 30) {
+            log.info("left shoulder pitch %.2f degrees", angle);
+        }
     }
 }

@@ -7,6 +7,7 @@ import org.robonewbie.protocol.monitor.PlayerNumber;
 import org.robonewbie.protocol.monitor.TrainerCommand;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
+import org.robonewbie.simulator.soccer.TrainersHand;
 import org.robonewbie.simulator.world.Ball;
 
 /**
@@ -17,6 +18,7 @@ final class TrainerOrders {
 
     private final SimulationCycle cycle;
     private final Match match;
+    private final TrainersHand hand;
     private final Runnable fullState;
     private final Runnable end;
     private Optional<PlayerNumber> selection = Optional.empty();
@@ -31,6 +33,7 @@ final class TrainerOrders {
     TrainerOrders(SimulationCycle cycle, Runnable fullState, Runnable end) {
         this.cycle = cycle;
         this.match = cycle.match();
+        this.hand = new TrainersHand(match);
         this.fullState = fullState;
         this.end = end;
     }
@@ -67,9 +70,9 @@ final class TrainerOrders {
         } else if (command instanceof TrainerCommand.DropBall) {
             match.dropBall();
         } else if (command instanceof TrainerCommand.SetTime time) {
-            match.setPlaySeconds(time.seconds());
+            hand.setPlaySeconds(time.seconds());
         } else if (command instanceof TrainerCommand.SetScore score) {
-            match.setScore(score.left(), score.right());
+            hand.setScore(score.left(), score.right());
         }
     }
 
@@ -89,11 +92,11 @@ final class TrainerOrders {
         } else if (command instanceof TrainerCommand.MoveAndTurnRobot move) {
             player(move.player()).ifPresent(player -> player.robot().moveUpright(move.position(), move.degreesFromY()));
         } else if (command instanceof TrainerCommand.RepelSelectedRobot) {
-            selected().ifPresent(match::moveTowardsOwnGoal);
+            selected().ifPresent(hand::moveTowardsOwnGoal);
         } else if (command instanceof TrainerCommand.KillRobot kill) {
             forPlayer(kill.player(), cycle::removeRobot);
         } else if (command instanceof TrainerCommand.RepositionRobot reposition) {
-            forPlayer(reposition.player(), match::putBesidePitch);
+            forPlayer(reposition.player(), hand::putBesidePitch);
         }
     }
 

@@ -23,8 +23,6 @@ public final class Match {
 
     private static final Set<PlayMode> IN_PLAY = EnumSet.of(PlayMode.PLAY_ON, PlayMode.PASS_LEFT, PlayMode.PASS_RIGHT);
 
-    private static final double HEIGHT_OF_TRAINERS_HAND = 1;
-
     private final SoccerWorld world;
     private final SoccerParameters parameters;
     private final Random random;
@@ -171,45 +169,6 @@ public final class Match {
     /** Gives the ball free where it lies, and makes room around it. */
     public void dropBall() {
         dropBall(ball.position());
-    }
-
-    /**
-     * Sets the clock, as a trainer does; for how long the play mode has lasted does not change.
-     *
-     * @param seconds the new time of play, at least 0
-     */
-    public void setPlaySeconds(double seconds) {
-        state.setPlaySeconds(seconds);
-    }
-
-    /**
-     * Sets the score, as a trainer does.
-     *
-     * @param left goals of the left team
-     * @param right goals of the right team
-     */
-    public void setScore(int left, int right) {
-        state.setScore(left, right);
-    }
-
-    /**
-     * Puts a player beside the pitch, as a trainer does.
-     *
-     * @param player the player
-     */
-    public void putBesidePitch(Player player) {
-        player.robot().moveTo(Spots.besidePitch(this, player).plus(new Vector3(0, 0, HEIGHT_OF_TRAINERS_HAND)));
-    }
-
-    /**
-     * Moves a player back towards its own goal line, as a trainer does.
-     *
-     * @param player the player
-     */
-    public void moveTowardsOwnGoal(Player player) {
-        double distance = parameters.get(SoccerParameter.FREE_KICK_MOVE_DISTANCE);
-        double x = player.side() == TeamSide.LEFT ? -distance : distance;
-        player.robot().moveTo(player.position().plus(new Vector3(x, 0, 0)));
     }
 
     /**
