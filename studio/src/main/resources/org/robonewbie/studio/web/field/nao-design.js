@@ -212,7 +212,7 @@ function foot({ body, small }) {
  * @param {number} wide
  * @param {number} deep
  * @param {number} high
- * @returns {Section[]}
+ * @returns {import('./loft.js').Section[]}
  */
 function boxRibs(wide, deep, high) {
   return [
