@@ -35,7 +35,7 @@ class ExamplesTest {
 
     @Test
     void simpleSoccerReachesTheBallAndPushesIt() throws Exception {
-        Agent_SimpleSoccer.main(fast("60"));
+        Agent_SimpleSoccer.main(fast("240"));
 
         assertThat(reported("metresMoved")).isGreaterThan(0.3);
     }
