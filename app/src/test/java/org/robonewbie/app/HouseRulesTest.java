@@ -77,10 +77,8 @@ class HouseRulesTest {
     @Test
     void everyPackageSaysWhatLivesThere() {
         List<Path> withoutWord = those(
-                Project.sources(".java"),
-                file -> file.toString().contains("main")
-                        && !Files.exists(file.resolveSibling("package-info.java"))
-                        && !file.endsWith("module-info.java"));
+                Project.productSources(".java"),
+                file -> !Files.exists(file.resolveSibling("package-info.java")) && !file.endsWith("module-info.java"));
 
         assertThat(withoutWord).isEmpty();
     }

@@ -29,6 +29,14 @@ final class Project {
         }
     }
 
+    /** Lists the files with an ending that belong to the product, without those of its tests. */
+    static List<Path> productSources(String ending) {
+        return sources(ending).stream()
+                .filter(file ->
+                        ROOT.relativize(file).toString().replace('\\', '/').contains("/src/main/"))
+                .toList();
+    }
+
     /** Lists the pages that people read: those at the root and in docs. */
     static List<Path> pages() {
         try (Stream<Path> atRoot = Files.list(ROOT)) {
