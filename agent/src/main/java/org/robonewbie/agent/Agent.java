@@ -56,6 +56,7 @@ public abstract class Agent {
     private final RehearsalPort rehearsal = new RehearsalPort();
     private final PrintStream out = System.out;
     private Session session = new Session(nao, motions, fieldView, rehearsal, OptionalDouble.empty(), System.err);
+    private Options options = Options.none();
     private boolean failed;
 
     /** Creates an agent that is not yet connected. */
@@ -69,6 +70,15 @@ public abstract class Agent {
      */
     protected Options defaults() {
         return Options.none();
+    }
+
+    /**
+     * Tells who the robot is and where it lives, as the user wants it.
+     *
+     * @return the options of the running robot; the usual ones before it runs
+     */
+    protected final Options options() {
+        return options;
     }
 
     /**
@@ -130,7 +140,8 @@ public abstract class Agent {
     }
 
     /** Lives in a game until it is over. */
-    final int live(Home home, LinkPort port, Options options) throws IOException {
+    final int live(Home home, LinkPort port, Options wanted) throws IOException {
+        options = wanted;
         LastWords lastWords = new LastWords(log, home, out);
         try {
             new StartDialogue(port, nao, options).run();

@@ -5,6 +5,7 @@ import org.robonewbie.agent.Options;
 import org.robonewbie.agent.StartPose;
 import org.robonewbie.agent.motion.LookAround;
 import org.robonewbie.agent.perception.FieldItem;
+import org.robonewbie.nao.PlayMode;
 
 /**
  * A soccer player with a very simple decision tree: find the ball, walk to it, get behind it, and push it into the goal. It
@@ -15,9 +16,8 @@ import org.robonewbie.agent.perception.FieldItem;
  *
  * <p>Ideas: turn by the angle that is needed; do not stop so often; kick; walk around the ball instead of side-stepping.
  */
-public final class Agent_SimpleSoccer extends Agent {
+public class Agent_SimpleSoccer extends Agent {
 
-    private static final StartPose START = new StartPose(-0.5, 0.4, -40);
     private static final double STRAIGHT_AHEAD_DEGREES = 6;
     private static final double FAR_METRES = 0.7;
     private static final double MEMORY_SECONDS = LookAround.ROUND_SECONDS + 0.2;
@@ -36,21 +36,22 @@ public final class Agent_SimpleSoccer extends Agent {
 
     @Override
     protected Options defaults() {
-        return Options.none().withPose(START.x(), START.y(), START.degrees());
+        return Options.none().withPose(-0.5, 0.4, -40);
     }
 
     @Override
     protected void think() {
         lookAround.look();
         if (hasToGoToStart()) {
-            nao.beam(START);
+            nao.beam(start());
             motions.reset();
         } else if (motions.isFinished()) {
             decide();
         }
     }
 
-    private void decide() {
+    /** Chooses the next motion. */
+    protected void decide() {
         FieldItem ball = fieldView.ball();
         if (nao.isFallen()) {
             motions.startGetUp();
@@ -84,9 +85,10 @@ public final class Agent_SimpleSoccer extends Agent {
     }
 
     private boolean hasToGoToStart() {
-        return switch (nao.getPlayMode()) {
-            case GOAL_LEFT, GOAL_RIGHT -> true;
-            default -> false;
-        };
+        return nao.getPlayMode() == PlayMode.GOAL_LEFT || nao.getPlayMode() == PlayMode.GOAL_RIGHT;
+    }
+
+    private StartPose start() {
+        return options().pose().orElseGet(() -> StartPose.ofNumber(nao.getNumber()));
     }
 }

@@ -3,11 +3,15 @@ package org.robonewbie.examples;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -40,6 +44,106 @@ class ExamplesTest {
         assertThat(reported("metresMoved")).isGreaterThan(0.3);
     }
 
+    @Test
+    void simpleWalkToBallStopsAtTheBallWithoutTouchingIt() throws Exception {
+        Agent_SimpleWalkToBall.main(fast("60", "--pose", "-1.5,1,120"));
+
+        double robot = Math.hypot(reported("x") - reportedOfBall("x"), reported("y") - reportedOfBall("y"));
+        assertThat(robot).isBetween(0.15, 0.6);
+        assertThat(reported("metresMoved")).isZero();
+        assertThat(reported("falls")).isZero();
+    }
+
+    @Test
+    void danceKeepsTheRobotOnItsFeet() throws Exception {
+        Agent_Dance.main(fast("20"));
+
+        assertThat(reported("falls")).isZero();
+    }
+
+    @Test
+    void soccerTeamStartsItsPlayersWithOneCommand() throws Exception {
+        Agent_SoccerTeam.main(
+                Stream.concat(Stream.of("2"), Stream.of(fast("20"))).toArray(String[]::new));
+
+        String report = Files.readString(report());
+        assertThat(report).contains("\"number\": 1").contains("\"number\": 2");
+        assertThat(reported("metresMoved")).isGreaterThanOrEqualTo(0);
+    }
+
+    @Test
+    void twoPlayersOfOneProgramPlayTheSameGameAgain() throws Exception {
+        String[] args = Stream.concat(Stream.of("2"), Stream.of(fast("10"))).toArray(String[]::new);
+        Agent_SoccerTeam.main(args);
+        String first = recordingHash();
+        Agent_SoccerTeam.main(args);
+        String second = recordingHash();
+
+        assertThat(first).hasSize(64).isEqualTo(second);
+    }
+
+    @Test
+    void reactiveTurnsItsHeadToTheBall() throws Exception {
+        Agent_Reactive.main(fast("5", "--pose", "-1,-0.7,0"));
+
+        assertThat(reported("NECK_YAW")).isCloseTo(35, within(5.0));
+    }
+
+    @Test
+    void twoBehavioursMoveHeadAndArmAtTheSameTime() throws Exception {
+        Agent_TwoBehaviours.main(fast("4.5"));
+
+        assertThat(Math.abs(reported("NECK_YAW"))).isGreaterThan(1);
+        assertThat(Math.abs(reported("LEFT_SHOULDER_PITCH"))).isGreaterThan(1);
+    }
+
+    @Test
+    void testPerceptorInputPrintsAllKindsOfPerceptors() throws Exception {
+        String printed = printedBy(() -> Agent_TestPerceptorInput.main(fast("1")));
+
+        assertThat(printed)
+                .contains("message: (time (now ")
+                .contains("game: KICK_OFF_LEFT at")
+                .contains("me: number 1 of teamA, side LEFT")
+                .contains("joints (degrees): NECK_YAW")
+                .contains("gyro (degrees per second)")
+                .contains("acceleration (m/s2)")
+                .contains("force on the left foot (newton)")
+                .contains("camera: Vision");
+    }
+
+    @Test
+    void testLocalFieldViewPrintsWhatItRemembers() throws Exception {
+        String printed = printedBy(() -> Agent_TestLocalFieldView.main(fast("5")));
+
+        assertThat(printed)
+                .contains("ball 1.")
+                .contains("visible now")
+                .contains("GOAL_POST_1_RIGHT")
+                .contains("line from");
+    }
+
+    private static String printedBy(ThrowingRunnable program) throws Exception {
+        PrintStream usual = System.out;
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        System.setOut(new PrintStream(bytes, true, StandardCharsets.UTF_8));
+        try {
+            program.run();
+        } finally {
+            System.setOut(usual);
+        }
+        return bytes.toString(StandardCharsets.UTF_8);
+    }
+
+    /** A program that may fail. */
+    private interface ThrowingRunnable {
+        void run() throws Exception;
+    }
+
+    private String[] fast(String seconds, String... more) {
+        return Stream.concat(Stream.of(fast(seconds)), Stream.of(more)).toArray(String[]::new);
+    }
+
     private String[] fast(String seconds) {
         return new String[] {
             "--headless", "--fast", "--seed", "1", "--seconds", seconds, "--report", report().toString()
@@ -47,9 +151,24 @@ class ExamplesTest {
     }
 
     private double reported(String name) throws IOException {
-        Matcher matcher = Pattern.compile("\"" + name + "\": *(-?[0-9.]+)").matcher(Files.readString(report()));
+        return number(name, Files.readString(report()));
+    }
+
+    private static double number(String name, String report) {
+        Matcher matcher = Pattern.compile("\"" + name + "\": *(-?[0-9.Ee-]+)").matcher(report);
         assertThat(matcher.find()).as("the report has " + name).isTrue();
         return Double.parseDouble(matcher.group(1));
+    }
+
+    private double reportedOfBall(String name) throws IOException {
+        String text = Files.readString(report());
+        return number(name, text.substring(text.indexOf("\"ball\"")));
+    }
+
+    private String recordingHash() throws IOException {
+        Matcher matcher = Pattern.compile("\"recordingSha256\": *\"(\\w+)\"").matcher(Files.readString(report()));
+        assertThat(matcher.find()).isTrue();
+        return matcher.group(1);
     }
 
     private Path report() {

@@ -3,6 +3,7 @@ package org.robonewbie.examples;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -80,6 +81,26 @@ class MistakesTest {
             program.exitCode();
 
             assertThat(program.lines()).anyMatch(line -> line.contains("I am here"));
+        }
+    }
+
+    @Test
+    void aBrokenMotionFileIsReportedWithItsLineAndTheRobotGoesOn() throws Exception {
+        Files.createDirectories(folder.resolve("motions"));
+        Files.writeString(folder.resolve("motions/my-motion.txt"), "// mine\n500 1 2 three\n");
+
+        try (ChildProgram program =
+                run(Agent_KeyframeDeveloper.class, "--headless", "--seed", "1", "--fast", "--seconds", "10")) {
+            int exitCode = program.exitCode();
+
+            assertThat(exitCode).isZero();
+            assertThat(program.lines())
+                    .filteredOn(line -> line.contains("my-motion"))
+                    .singleElement()
+                    .asString()
+                    .contains("The motion my-motion cannot be played: my-motion.txt line 2")
+                    .contains("three")
+                    .contains("(Agent_KeyframeDeveloper.java:");
         }
     }
 

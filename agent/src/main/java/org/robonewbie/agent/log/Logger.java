@@ -117,12 +117,13 @@ public final class Logger {
         if (lines.isEmpty()) {
             return;
         }
-        out.println("--- log of " + owner + " ---");
+        StringBuilder all = new StringBuilder("--- log of " + owner + " ---\n");
         if (dropped > 0) {
-            out.println("(the first " + dropped + " lines are gone: more than " + capacity + " were written)");
+            all.append("(the first ").append(dropped).append(" lines are gone: more than ");
+            all.append(capacity).append(" were written)\n");
         }
-        lines.forEach(out::println);
-        out.println("--- end of the log ---");
+        lines.forEach(line -> all.append(line).append('\n'));
+        out.print(all.append("--- end of the log ---\n"));
         out.flush();
         lines.clear();
         dropped = 0;

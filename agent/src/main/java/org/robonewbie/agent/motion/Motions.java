@@ -3,7 +3,9 @@ package org.robonewbie.agent.motion;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.robonewbie.agent.log.Mistakes;
@@ -36,6 +38,7 @@ public final class Motions {
     private final Mistakes mistakes;
     private final Supplier<BodyPosition> bodyPosition;
     private final MotionStates states = new MotionStates();
+    private final Map<String, MotionFile> lastGood = new HashMap<>();
     private final Deque<MotionFile> queue = new ArrayDeque<>();
     private Interpolation interpolation = Interpolation.LINEAR;
     private Optional<MotionPlayer> player = Optional.empty();
@@ -61,7 +64,8 @@ public final class Motions {
      * Starts a motion, unless another one is still running.
      *
      * @param name its file is {@code motions/NAME.txt} in the working directory or comes with the framework
-     * @return whether the motion starts; false while another one runs, and with a report if there is no such motion
+     * @return whether the motion starts; false while another one runs, and with a report if there is no such motion; a file
+     *     that was broken since it was last played is reported and played as it was
      */
     public boolean start(String name) {
         looping &= !isFinished();
@@ -227,13 +231,15 @@ public final class Motions {
                 mistakes.report("unknown motion " + name, () -> unknown(name));
             }
             file.ifPresent(this::check);
+            file.ifPresent(good -> lastGood.put(name, good));
             return file;
         } catch (IOException | MotionFormatException broken) {
+            boolean known = lastGood.containsKey(name);
             mistakes.report(
                     "broken motion " + name + broken.getMessage(),
                     () -> "The motion " + name + " cannot be played: " + broken.getMessage()
-                            + ". The robot goes on without it.");
-            return Optional.empty();
+                            + (known ? ". The robot plays it as it was before." : ". The robot goes on without it."));
+            return Optional.ofNullable(lastGood.get(name));
         }
     }
 

@@ -1,5 +1,6 @@
 package org.robonewbie.agent.perception;
 
+import java.util.Locale;
 import org.robonewbie.nao.Vector3;
 
 /**
@@ -33,5 +34,10 @@ public record Direction(double distance, double bearing, double elevation) {
         double b = Math.toRadians(bearing);
         double e = Math.toRadians(elevation);
         return new Vector3(Math.cos(b) * Math.cos(e), Math.sin(b) * Math.cos(e), Math.sin(e)).times(distance);
+    }
+
+    @Override
+    public String toString() {
+        return String.format(Locale.ROOT, "%.2f m, %.1f degrees left, %.1f degrees up", distance, bearing, elevation);
     }
 }

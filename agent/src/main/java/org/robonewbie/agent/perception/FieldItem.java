@@ -133,14 +133,7 @@ public class FieldItem {
     @Override
     public String toString() {
         return isKnown()
-                ? String.format(
-                        Locale.ROOT,
-                        "%s %.2f m, %.1f° left, %.1f° up, %.2f s ago",
-                        name,
-                        direction.distance(),
-                        direction.bearing(),
-                        direction.elevation(),
-                        ageSeconds())
+                ? String.format(Locale.ROOT, "%s %s, %.2f s ago", name, direction, ageSeconds())
                 : name + " never seen";
     }
 }

@@ -182,6 +182,20 @@ class MotionsTest {
     }
 
     @Test
+    void playsTheLastGoodVersionOfAFileThatWasBrokenSince() throws IOException {
+        file("nod", "200 30" + ZEROS);
+        Motions motions = motions();
+        motions.start("nod");
+        cycles(motions, 10);
+
+        file("nod", "200 thirty" + ZEROS);
+        boolean started = motions.start("nod");
+
+        assertThat(started).isTrue();
+        assertThat(mistakes.reported().get(0)).contains("thirty").contains("The robot plays it as it was before.");
+    }
+
+    @Test
     void readsAFileAgainThatWasMended() throws IOException {
         file("nod", "oops");
         Motions motions = motions();

@@ -1,0 +1,84 @@
+package org.robonewbie.examples;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.Options;
+import org.robonewbie.agent.motion.MotionLibrary;
+import org.robonewbie.nao.motion.MotionFile;
+
+/**
+ * Plays the motion that you are writing, again and again: change {@code motions/my-motion.txt} with the motion editor or any
+ * text editor and save it, and the robot shows the new motion as soon as the running one is over. When it falls, it gets up.
+ *
+ * <p>Another file is chosen by its name: {@code Agent_KeyframeDeveloper my-kick}. A file that is not yet there begins as a copy
+ * of {@code wave}.
+ */
+public final class Agent_KeyframeDeveloper extends Agent {
+
+    private static final double PAUSE_SECONDS = 2;
+    private static final String USUAL_NAME = "my-motion";
+
+    private FileTime played = FileTime.fromMillis(0);
+    private double restSince;
+
+    /** Creates the agent. */
+    public Agent_KeyframeDeveloper() {}
+
+    /**
+     * Starts the robot.
+     *
+     * @param args the name of the motion, and options
+     */
+    public static void main(String[] args) {
+        new Agent_KeyframeDeveloper().run(args);
+    }
+
+    @Override
+    protected Options defaults() {
+        return Options.none().withPose(-1, 0, 0);
+    }
+
+    @Override
+    protected void think() {
+        if (!motions.isFinished()) {
+            restSince = nao.getTime();
+        } else if (nao.isFallen()) {
+            motions.startGetUp();
+        } else if (hasChanged() || nao.getTime() - restSince > PAUSE_SECONDS) {
+            played = saved();
+            motions.start(name());
+        }
+    }
+
+    private boolean hasChanged() {
+        return !saved().equals(played);
+    }
+
+    private String name() {
+        return options().arguments().isEmpty()
+                ? USUAL_NAME
+                : options().arguments().get(0);
+    }
+
+    private FileTime saved() {
+        Path file = Path.of("motions", name() + ".txt");
+        try {
+            if (!Files.exists(file)) {
+                begin(file);
+            }
+            return Files.getLastModifiedTime(file);
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
+    }
+
+    private static void begin(Path file) throws IOException {
+        Files.createDirectories(file.toAbsolutePath().getParent());
+        MotionFile wave = new MotionLibrary().find("wave").orElseThrow();
+        wave.save(file);
+    }
+}

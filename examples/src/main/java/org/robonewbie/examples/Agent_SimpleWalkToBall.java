@@ -1,0 +1,54 @@
+package org.robonewbie.examples;
+
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.Options;
+import org.robonewbie.agent.perception.FieldItem;
+
+/**
+ * Walks to the ball and stops there. The decision is made whenever the last motion is over: turn until the ball is ahead, walk
+ * until it is near.
+ *
+ * <p>The head looks down a little, so that the ball is seen even right in front of the feet.
+ */
+public final class Agent_SimpleWalkToBall extends Agent {
+
+    private static final double AHEAD_DEGREES = 15;
+    private static final double NEAR_METRES = 0.65;
+
+    /** Creates the agent. */
+    public Agent_SimpleWalkToBall() {}
+
+    /**
+     * Starts the robot.
+     *
+     * @param args options such as {@code --pose -1,0,180}; {@code --help} lists them
+     */
+    public static void main(String[] args) {
+        new Agent_SimpleWalkToBall().run(args);
+    }
+
+    @Override
+    protected Options defaults() {
+        return Options.none().withPose(-1, 0, -90);
+    }
+
+    @Override
+    protected void think() {
+        lookAround.look();
+        if (!motions.isFinished()) {
+            return;
+        }
+        FieldItem ball = fieldView.ball();
+        if (nao.isFallen()) {
+            motions.startGetUp();
+        } else if (ball.ageSeconds() > 3) {
+            motions.start("turn-left");
+        } else if (Math.abs(ball.bearing()) > AHEAD_DEGREES) {
+            motions.start(ball.bearing() > 0 ? "turn-left-small" : "turn-right-small");
+        } else if (ball.distance() > NEAR_METRES) {
+            motions.start("walk-forward");
+        } else {
+            motions.start("stand");
+        }
+    }
+}

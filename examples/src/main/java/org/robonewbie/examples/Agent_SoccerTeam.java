@@ -1,0 +1,100 @@
+package org.robonewbie.examples;
+
+import java.util.stream.IntStream;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.Options;
+import org.robonewbie.agent.perception.FieldItem;
+import org.robonewbie.protocol.perceptor.Heard;
+
+/**
+ * A team of which each player has a role: number 1 keeps the goal, of the others the one who is nearest to the ball attacks as
+ * {@link Agent_SimpleSoccer} does, and the rest keeps the ball in view. They find out who is nearest by calling their distances.
+ *
+ * <p>{@code Agent_SoccerTeam 3 --team Blue} starts three players with one command. Started a second time with another team
+ * name, they have opponents.
+ */
+public final class Agent_SoccerTeam extends Agent_SimpleSoccer {
+
+    private static final String USUAL_PLAYERS = "3";
+    private static final double KEEPER_LEAVES_GOAL_METRES = 2;
+    private static final double FACING_DEGREES = 15;
+    private static final double MEMORY_SECONDS = 2;
+
+    private final int number;
+    private double mateDistance = Double.POSITIVE_INFINITY;
+    private double mateHeardSeconds;
+
+    /**
+     * Creates a player.
+     *
+     * @param number its number, 1 to 11
+     */
+    public Agent_SoccerTeam(int number) {
+        this.number = number;
+    }
+
+    /**
+     * Starts the players.
+     *
+     * @param args how many players, 1 to 11, and options such as {@code --team Blue}
+     */
+    public static void main(String[] args) {
+        int players = Integer.parseInt(args.length > 0 && args[0].matches("[1-9]|1[01]") ? args[0] : USUAL_PLAYERS);
+        Agent[] team = IntStream.rangeClosed(1, players)
+                .mapToObj(Agent_SoccerTeam::new)
+                .toArray(Agent[]::new);
+        runTogether(args, team);
+    }
+
+    @Override
+    protected Options defaults() {
+        return Options.none().withNumber(number);
+    }
+
+    @Override
+    protected void think() {
+        listen();
+        FieldItem ball = fieldView.ball();
+        if (ball.ageSeconds() < MEMORY_SECONDS) {
+            nao.say("ball-" + Math.round(ball.distance() * 100));
+        }
+        super.think();
+    }
+
+    @Override
+    protected void decide() {
+        boolean attacks = number == 1
+                ? fieldView.ball().distance() < KEEPER_LEAVES_GOAL_METRES
+                : fieldView.ball().distance() <= distanceOfNearestMate();
+        if (attacks || nao.isFallen()) {
+            super.decide();
+        } else {
+            faceTheBall();
+        }
+    }
+
+    private void faceTheBall() {
+        FieldItem ball = fieldView.ball();
+        if (ball.ageSeconds() > MEMORY_SECONDS) {
+            motions.start("turn-left");
+        } else if (Math.abs(ball.bearing()) > FACING_DEGREES) {
+            motions.start(ball.bearing() > 0 ? "turn-left-small" : "turn-right-small");
+        } else {
+            motions.start("stand");
+        }
+    }
+
+    private double distanceOfNearestMate() {
+        return nao.getTime() - mateHeardSeconds < MEMORY_SECONDS ? mateDistance : Double.POSITIVE_INFINITY;
+    }
+
+    private void listen() {
+        for (Heard heard : nao.getHeard()) {
+            boolean fromMate = heard.team().filter(nao.getTeam()::equals).isPresent();
+            if (fromMate && heard.text().matches("ball-\\d{1,5}")) {
+                mateDistance = Integer.parseInt(heard.text().substring(5)) / 100.0;
+                mateHeardSeconds = nao.getTime();
+            }
+        }
+    }
+}

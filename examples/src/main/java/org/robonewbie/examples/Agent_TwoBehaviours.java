@@ -1,0 +1,67 @@
+package org.robonewbie.examples;
+
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.Options;
+import org.robonewbie.nao.Joint;
+
+/**
+ * Two behaviours at the same time, each in a thread of its own: the head follows the ball while the left arm swings. Both run
+ * once in each cycle, and {@code think} waits for both, so that all commands belong to the same message.
+ *
+ * <p>Each behaviour moves joints of its own. What happens if both want the same one?
+ */
+public final class Agent_TwoBehaviours extends Agent {
+
+    private final ExecutorService threads = Executors.newFixedThreadPool(2, work -> {
+        Thread thread = new Thread(work, "behaviour");
+        thread.setDaemon(true); // so that the program can end
+        return thread;
+    });
+    private final List<Callable<Object>> behaviours =
+            List.of(Executors.callable(this::followTheBall), Executors.callable(this::swingTheArm));
+
+    /** Creates the agent. */
+    public Agent_TwoBehaviours() {}
+
+    /**
+     * Starts the robot.
+     *
+     * @param args options such as {@code --headless}; {@code --help} lists them
+     */
+    public static void main(String[] args) {
+        new Agent_TwoBehaviours().run(args);
+    }
+
+    @Override
+    protected Options defaults() {
+        return Options.none().withPose(-1, 0.5, -30);
+    }
+
+    @Override
+    protected void think() {
+        try {
+            threads.invokeAll(behaviours);
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void followTheBall() {
+        if (fieldView.ball().ageSeconds() < 1) {
+            nao.setJointAngle(
+                    Joint.NECK_YAW,
+                    Math.max(-100, Math.min(100, fieldView.ball().bearing())),
+                    120);
+        } else {
+            lookAround.look();
+        }
+    }
+
+    private void swingTheArm() {
+        nao.setJointAngle(Joint.LEFT_SHOULDER_PITCH, 45 * Math.sin(2 * Math.PI * nao.getTime() / 2));
+    }
+}
