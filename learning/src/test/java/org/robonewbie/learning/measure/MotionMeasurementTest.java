@@ -1,0 +1,39 @@
+package org.robonewbie.learning.measure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class MotionMeasurementTest {
+
+    @Test
+    void eachCheckSaysHowItBeginsWhatCountsAndInWhichUnit() {
+        List<MotionCheck> checks = MotionMeasurement.checks();
+
+        assertThat(checks).extracting(MotionCheck::name).doesNotHaveDuplicates();
+        assertThat(checks).allSatisfy(check -> {
+            assertThat(check.start()).isNotBlank();
+            assertThat(check.rule()).isNotBlank();
+            assertThat(check.unit()).isNotBlank();
+        });
+    }
+
+    @Test
+    void averagesTheSuccessfulTrials() {
+        MotionCheck check = new MotionCheck("jump", "stance", "flies", "m", seed -> new Outcome(seed % 2 == 0, seed));
+
+        CheckResult result = CheckResult.of(check, 5);
+
+        assertThat(result.successes()).isEqualTo(3);
+        assertThat(result.mean()).isEqualTo(2);
+    }
+
+    @Test
+    void refusesToMeasureWithoutTrials() {
+        assertThatThrownBy(() -> new MotionMeasurement(0, System.out))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("Cannot measure with 0 seeds. Use at least 1.");
+    }
+}
