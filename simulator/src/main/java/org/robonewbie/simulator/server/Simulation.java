@@ -260,10 +260,10 @@ final class Simulation implements SimulationControl, Runnable {
 
     @Override
     public void placeRobot(TeamSide side, int number, Vector3 position, double headingDegrees) {
-        command(() -> cycle.match()
-                .teams()
-                .player(side, number)
-                .ifPresent(player -> player.robot().moveUpright(position, headingDegrees - 90)));
+        command(() -> cycle.match().teams().player(side, number).ifPresent(player -> {
+            player.robot().moveUpright(position, headingDegrees - 90);
+            player.robot().wake();
+        }));
     }
 
     @Override

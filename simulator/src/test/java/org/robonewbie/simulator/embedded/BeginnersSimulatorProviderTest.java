@@ -1,0 +1,168 @@
+package org.robonewbie.simulator.embedded;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.ServiceLoader;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.protocol.embedded.EmbeddedSimulator;
+import org.robonewbie.protocol.embedded.SimulatorProvider;
+import org.robonewbie.protocol.embedded.SimulatorRequest;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.frame.TcpAgentLink;
+
+@Timeout(60)
+class BeginnersSimulatorProviderTest {
+
+    @TempDir
+    private Path folder;
+
+    private final SimulatorProvider provider =
+            ServiceLoader.load(SimulatorProvider.class).findFirst().orElseThrow();
+
+    @Test
+    void isFoundAsService() {
+        assertThat(provider).isInstanceOf(BeginnersSimulatorProvider.class);
+    }
+
+    @Test
+    void endsAfterTheWantedTimeAndLeavesReportAndRecording() throws IOException {
+        Path report = folder.resolve("report.json");
+        Path recording = folder.resolve("run.rec");
+        int messages = 0;
+
+        try (EmbeddedSimulator simulator =
+                        provider.start(request(OptionalDouble.of(2), Optional.of(report), Optional.of(recording)));
+                AgentLink agent = simulator.connect()) {
+            messages = talkUntilTheEnd(agent);
+        }
+
+        JsonObject json = JsonParser.parseString(Files.readString(report)).getAsJsonObject();
+        assertThat(messages).isBetween(97, 99);
+        assertThat(json.get("simulatedSeconds").getAsDouble()).isEqualTo(2);
+        assertThat(json.get("seed").getAsLong()).isEqualTo(4);
+        assertThat(json.getAsJsonArray("robots")).hasSize(1);
+        assertThat(recording).exists();
+    }
+
+    @Test
+    void sameSeedGivesSameReport() throws IOException {
+        assertThat(hashOfRun()).isEqualTo(hashOfRun());
+    }
+
+    @Test
+    void clockStandsStillUntilTheAwaitedAgentIsThere() throws IOException {
+        try (EmbeddedSimulator simulator =
+                        provider.start(request(OptionalDouble.empty(), Optional.empty(), Optional.empty()));
+                AgentLink agent = simulator.connect()) {
+            MessageBuffer message = new MessageBuffer();
+
+            say(agent, "(scene rsg/agent/nao/nao.rsg)(syn)");
+            agent.receive(message);
+
+            assertThat(message.toString()).startsWith("(time (now 0.04))");
+        }
+    }
+
+    @Test
+    void agentsOfOtherProcessesCanJoin() throws IOException {
+        try (EmbeddedSimulator simulator =
+                        provider.start(request(OptionalDouble.empty(), Optional.empty(), Optional.empty()));
+                AgentLink visitor = TcpAgentLink.connect("127.0.0.1", simulator.agentPort())) {
+            MessageBuffer message = new MessageBuffer();
+
+            say(visitor, "(scene rsg/agent/nao/nao.rsg)(syn)");
+
+            assertThat(visitor.receive(message)).isTrue();
+        }
+    }
+
+    @Test
+    void unwritableReportIsExplainedWhenClosing() throws IOException {
+        Path report = folder.resolve("missing").resolve("report.json");
+        EmbeddedSimulator simulator =
+                provider.start(request(OptionalDouble.empty(), Optional.of(report), Optional.empty()));
+
+        assertThatThrownBy(simulator::close)
+                .isInstanceOf(UncheckedIOException.class)
+                .hasMessageContaining("Choose a file in a folder that exists");
+    }
+
+    @Test
+    void unwritableRecordingIsExplainedAtOnce() {
+        Path recording = folder.resolve("missing").resolve("run.rec");
+
+        assertThatThrownBy(() -> provider.start(
+                        request(OptionalDouble.empty(), Optional.empty(), Optional.of(recording))))
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining("Choose a file in a folder that exists");
+    }
+
+    @Test
+    void closingTwiceDoesNothing() throws IOException {
+        EmbeddedSimulator simulator =
+                provider.start(request(OptionalDouble.empty(), Optional.empty(), Optional.empty()));
+
+        simulator.close();
+        simulator.close();
+
+        assertThat(simulator.studioAddress()).isEmpty();
+    }
+
+    @Test
+    void browserIsOpenedWithTheCommandOfTheSystem() {
+        URI address = URI.create("http://127.0.0.1:8080/?token=x");
+
+        assertThat(Browser.command("Windows 11", address)).startsWith("rundll32").endsWith(address.toString());
+        assertThat(Browser.command("Mac OS X", address)).containsExactly("open", address.toString());
+        assertThat(Browser.command("Linux", address)).containsExactly("xdg-open", address.toString());
+    }
+
+    private String hashOfRun() throws IOException {
+        Path report = folder.resolve("report.json");
+        try (EmbeddedSimulator simulator =
+                        provider.start(request(OptionalDouble.of(2), Optional.of(report), Optional.empty()));
+                AgentLink agent = simulator.connect()) {
+            talkUntilTheEnd(agent);
+        }
+        return JsonParser.parseString(Files.readString(report))
+                .getAsJsonObject()
+                .get("recordingSha256")
+                .getAsString();
+    }
+
+    private static int talkUntilTheEnd(AgentLink agent) throws IOException {
+        MessageBuffer message = new MessageBuffer();
+        int messages = 0;
+        say(agent, "(scene rsg/agent/nao/nao.rsg)(syn)");
+        while (agent.receive(message)) {
+            messages++;
+            say(agent, messages == 1 ? "(init (unum 1)(teamname Stars))(syn)" : "(lae1 1)(syn)");
+        }
+        return messages;
+    }
+
+    private static void say(AgentLink agent, String text) throws IOException {
+        MessageBuffer message = new MessageBuffer();
+        message.append(text);
+        agent.send(message);
+    }
+
+    private static SimulatorRequest request(
+            OptionalDouble seconds, Optional<Path> report, Optional<Path> recording) {
+        return new SimulatorRequest(0, OptionalLong.of(4), true, seconds, true, false, report, recording, 1);
+    }
+}
