@@ -24,6 +24,9 @@ final class RobotStatistics {
     private static final double SMOOTHING = 0.02 / 0.5;
     private static final double PIECE = 0.1;
 
+    /** No robot walks so far within one cycle. */
+    private static final double BEAMED_WAY = 0.1;
+
     private final NaoModel model;
     private Pose start = new Pose(Vector3.ZERO, Rotation.IDENTITY);
     private Pose torso = start;
@@ -50,8 +53,9 @@ final class RobotStatistics {
     void afterStep(Robot robot) {
         torso = robot.torso();
         countFalls();
-        if (leanDegrees() < FALLEN_DEGREES) {
-            walk(torso.position().minus(start.position()));
+        Vector3 way = torso.position().minus(start.position());
+        if (leanDegrees() < FALLEN_DEGREES && Math.hypot(way.x(), way.y()) < BEAMED_WAY) {
+            walk(way);
         }
     }
 

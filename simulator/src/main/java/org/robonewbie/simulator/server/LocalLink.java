@@ -12,7 +12,6 @@ final class LocalLink implements AgentLink {
     private final MessageQueue toAgent = new MessageQueue();
     private final Runnable doorbell;
     private final ServerEnd serverEnd = new ServerEnd();
-    private volatile boolean open = true;
 
     /**
      * Creates the connection.
@@ -71,12 +70,12 @@ final class LocalLink implements AgentLink {
 
         @Override
         public boolean offer(MessageBuffer message) {
-            return toAgent.offer(message);
+            return toAgent.offer(message) || toAgent.isClosed();
         }
 
         @Override
         public boolean isOpen() {
-            return open;
+            return !toSimulator.isExhausted();
         }
 
         @Override
@@ -86,7 +85,6 @@ final class LocalLink implements AgentLink {
 
         @Override
         public void close() {
-            open = false;
             toSimulator.close();
             toAgent.close();
         }

@@ -65,6 +65,15 @@ final class MessageQueue {
         notifyAll();
     }
 
+    synchronized boolean isClosed() {
+        return closed;
+    }
+
+    /** Tells whether nothing is inside and nothing can come any more. */
+    synchronized boolean isExhausted() {
+        return closed && count == 0;
+    }
+
     private void append(MessageBuffer message) {
         MessageBuffer last = messages[(first + count) % CAPACITY];
         last.clear();

@@ -121,6 +121,7 @@ final class Simulation implements SimulationControl, Runnable {
 
     /** Tells whether nothing is left to do: the last messages of agents that have ended still count, unless paused. */
     private boolean isFinished() {
+        reception.receive();
         return (paused && stepsLeft == 0)
                 || !settings.synchronous()
                 || settings.awaitedAgents() == 0

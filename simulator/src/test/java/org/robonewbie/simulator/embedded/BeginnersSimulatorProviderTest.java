@@ -105,8 +105,8 @@ class BeginnersSimulatorProviderTest {
     void unwritableRecordingIsExplainedAtOnce() {
         Path recording = folder.resolve("missing").resolve("run.rec");
 
-        assertThatThrownBy(() -> provider.start(
-                        request(OptionalDouble.empty(), Optional.empty(), Optional.of(recording))))
+        assertThatThrownBy(
+                        () -> provider.start(request(OptionalDouble.empty(), Optional.empty(), Optional.of(recording))))
                 .isInstanceOf(IOException.class)
                 .hasMessageContaining("Choose a file in a folder that exists");
     }
@@ -126,7 +126,9 @@ class BeginnersSimulatorProviderTest {
     void browserIsOpenedWithTheCommandOfTheSystem() {
         URI address = URI.create("http://127.0.0.1:8080/?token=x");
 
-        assertThat(Browser.command("Windows 11", address)).startsWith("rundll32").endsWith(address.toString());
+        assertThat(Browser.command("Windows 11", address))
+                .startsWith("rundll32")
+                .endsWith(address.toString());
         assertThat(Browser.command("Mac OS X", address)).containsExactly("open", address.toString());
         assertThat(Browser.command("Linux", address)).containsExactly("xdg-open", address.toString());
     }
@@ -161,8 +163,7 @@ class BeginnersSimulatorProviderTest {
         agent.send(message);
     }
 
-    private static SimulatorRequest request(
-            OptionalDouble seconds, Optional<Path> report, Optional<Path> recording) {
+    private static SimulatorRequest request(OptionalDouble seconds, Optional<Path> report, Optional<Path> recording) {
         return new SimulatorRequest(0, OptionalLong.of(4), true, seconds, true, false, report, recording, 1);
     }
 }

@@ -83,7 +83,7 @@ class RunReportTest {
 
     @Test
     void beingBeamedIsNoWalking() throws Exception {
-        player.robot().moveUpright(new Vector3(4, -2, 0.386), -90);
+        player.robot().beam(new Vector3(4, -2, 0.386), -90);
         cycles(50);
 
         assertThat(result().metresWalked()).isLessThan(0.05);

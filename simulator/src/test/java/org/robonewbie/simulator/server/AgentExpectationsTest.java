@@ -85,8 +85,7 @@ class AgentExpectationsTest {
         PerceptorMessage second = agent.exchange("(syn)");
 
         assertThat(second.gameState().orElseThrow().playSeconds()).isZero();
-        assertThat(second.seconds().orElseThrow())
-                .isGreaterThan(first.seconds().orElseThrow());
+        assertThat(second.seconds().orElseThrow()).isGreaterThan(first.seconds().orElseThrow());
     }
 
     @Test
@@ -174,7 +173,10 @@ class AgentExpectationsTest {
         agent.join("Stars", 1);
         List<SeenPlayer> seen = List.of();
         for (int i = 0; i < 3 && seen.isEmpty(); i++) {
-            seen = agent.exchange("(syn)").vision().map(vision -> vision.players()).orElse(List.of());
+            seen = agent.exchange("(syn)")
+                    .vision()
+                    .map(vision -> vision.players())
+                    .orElse(List.of());
         }
 
         assertThat(seen).hasSize(1);

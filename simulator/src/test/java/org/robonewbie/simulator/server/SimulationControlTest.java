@@ -114,7 +114,9 @@ class SimulationControlTest {
         await(snapshot -> snapshot.playMode() == PlayMode.PLAY_ON);
         control.kickOff(TeamSide.RIGHT);
 
-        assertThat(await(snapshot -> snapshot.playMode() == PlayMode.KICK_OFF_RIGHT).ballPosition().x())
+        assertThat(await(snapshot -> snapshot.playMode() == PlayMode.KICK_OFF_RIGHT)
+                        .ballPosition()
+                        .x())
                 .isCloseTo(0, within(0.01));
     }
 
