@@ -2,6 +2,7 @@ package org.robonewbie.simulator;
 
 import java.io.IOException;
 import java.net.URI;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /** Shows simulations to people. The studio offers one by {@link java.util.ServiceLoader}. */
 public interface Viewer {
@@ -32,6 +33,16 @@ public interface Viewer {
          * @return whether a page is connected
          */
         boolean isWatched();
+
+        /**
+         * Tells who shows what robots think. Robots of this process and, through a {@link
+         * org.robonewbie.protocol.telemetry.TelemetryServer}, of other processes call it from several threads.
+         *
+         * @return takes log lines, beliefs and drawings; {@link TelemetrySink#NONE} if this view does not show them
+         */
+        default TelemetrySink telemetry() {
+            return TelemetrySink.NONE;
+        }
 
         /** Closes the view; browsers that look at it say so. */
         @Override

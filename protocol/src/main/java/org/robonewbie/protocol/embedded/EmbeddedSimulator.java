@@ -3,6 +3,7 @@ package org.robonewbie.protocol.embedded;
 import java.net.URI;
 import java.util.Optional;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /** A simulator that runs inside this process and in lock-step with its agents. */
 public interface EmbeddedSimulator extends AutoCloseable {
@@ -27,6 +28,15 @@ public interface EmbeddedSimulator extends AutoCloseable {
      * @return the address for a browser, or empty when headless
      */
     Optional<URI> studioAddress();
+
+    /**
+     * Tells who is interested in what the robots of this process think.
+     *
+     * @return takes their log lines, beliefs and drawings; {@link TelemetrySink#NONE} if nobody watches
+     */
+    default TelemetrySink telemetry() {
+        return TelemetrySink.NONE;
+    }
 
     /**
      * Ends the simulation, closes the recording and writes the report. Closing twice does nothing.

@@ -1,9 +1,12 @@
 package org.robonewbie.simulator.embedded;
 
+import java.io.IOException;
 import java.net.URI;
 import java.util.Optional;
 import org.robonewbie.protocol.embedded.EmbeddedSimulator;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.telemetry.TelemetryServer;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.Viewer;
 import org.robonewbie.simulator.server.Simulator;
 
@@ -12,10 +15,21 @@ final class ViewedSimulator implements EmbeddedSimulator {
 
     private final Simulator simulator;
     private final Optional<Viewer.View> view;
+    private final Optional<TelemetryServer> telemetryServer;
 
     ViewedSimulator(Simulator simulator, Optional<Viewer.View> view) {
         this.simulator = simulator;
         this.view = view;
+        this.telemetryServer = view.flatMap(opened -> listen(simulator.agentPort(), opened.telemetry()));
+    }
+
+    /** Robots of other processes play as well without a listener, so a port that is taken is no reason not to start. */
+    private static Optional<TelemetryServer> listen(int agentPort, TelemetrySink sink) {
+        try {
+            return Optional.of(TelemetryServer.open(TelemetryServer.portFor(agentPort), sink));
+        } catch (IOException portInUse) {
+            return Optional.empty();
+        }
     }
 
     @Override
@@ -34,7 +48,13 @@ final class ViewedSimulator implements EmbeddedSimulator {
     }
 
     @Override
+    public TelemetrySink telemetry() {
+        return view.map(Viewer.View::telemetry).orElse(TelemetrySink.NONE);
+    }
+
+    @Override
     public void close() {
+        telemetryServer.ifPresent(TelemetryServer::close);
         view.ifPresent(Viewer.View::close);
         simulator.close();
     }

@@ -1,0 +1,48 @@
+package org.robonewbie.protocol.telemetry;
+
+import org.robonewbie.nao.Vector3;
+
+/** Writes fields that are separated by tabs. */
+final class FieldWriter {
+
+    private static final double DECIMALS = 10_000;
+
+    private final StringBuilder line;
+
+    FieldWriter(String kind) {
+        line = new StringBuilder(kind);
+    }
+
+    FieldWriter text(String text) {
+        line.append('\t');
+        for (int i = 0; i < text.length(); i++) {
+            append(text.charAt(i));
+        }
+        return this;
+    }
+
+    /** Four decimals: a tenth of a millimetre is enough for an eye. */
+    FieldWriter number(double value) {
+        line.append('\t').append(Double.isFinite(value) ? Math.rint(value * DECIMALS) / DECIMALS : value);
+        return this;
+    }
+
+    FieldWriter vector(Vector3 vector) {
+        return number(vector.x()).number(vector.y()).number(vector.z());
+    }
+
+    private void append(char sign) {
+        switch (sign) {
+            case '\t' -> line.append("\\t");
+            case '\n' -> line.append("\\n");
+            case '\r' -> line.append("\\r");
+            case '\\' -> line.append("\\\\");
+            default -> line.append(sign);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return line.toString();
+    }
+}

@@ -1,0 +1,105 @@
+package org.robonewbie.protocol.telemetry;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.OutputStreamWriter;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Brings telemetry to a {@link TelemetryServer} on this computer. A thread of its own does the sending, so a robot never waits:
+ * while nobody listens nothing is wanted, and what a slow listener cannot take is left out. Every two seconds it looks whether
+ * somebody listens by now.
+ */
+public final class TelemetryClient implements TelemetrySink, AutoCloseable {
+
+    private static final int CAPACITY = 10_000;
+    private static final long RETRY_SECONDS = 2;
+    private static final long LOOK_MILLISECONDS = 50;
+    private static final long FAREWELL_MILLISECONDS = 500;
+
+    private final int port;
+    private final BlockingQueue<TelemetryMessage> queue = new ArrayBlockingQueue<>(CAPACITY);
+    private final CountDownLatch closing = new CountDownLatch(1);
+    private final Thread thread = new Thread(this::work, "telemetry");
+    private volatile boolean connected;
+
+    private TelemetryClient(int port) {
+        this.port = port;
+    }
+
+    /**
+     * Starts to look for a listener.
+     *
+     * @param port TCP port on 127.0.0.1, see {@link TelemetryServer#portFor}
+     * @return the client, which returns at once whether or not somebody listens
+     */
+    public static TelemetryClient open(int port) {
+        TelemetryClient client = new TelemetryClient(port);
+        client.thread.setDaemon(true);
+        client.thread.start();
+        return client;
+    }
+
+    @Override
+    public void accept(TelemetryMessage message) {
+        if (connected && !queue.offer(message)) {
+            queue.poll(); // the newest is worth more than the oldest
+            queue.offer(message);
+        }
+    }
+
+    @Override
+    public boolean isWanted() {
+        return connected;
+    }
+
+    /** Sends what is still waiting, for half a second at most, and ends the connection. */
+    @Override
+    public void close() {
+        closing.countDown();
+        try {
+            thread.join(FAREWELL_MILLISECONDS);
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void work() {
+        try {
+            do {
+                talk();
+            } while (!closing.await(RETRY_SECONDS, TimeUnit.SECONDS));
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void talk() throws InterruptedException {
+        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);
+                BufferedWriter writer =
+                        new BufferedWriter(new OutputStreamWriter(socket.getOutputStream(), StandardCharsets.UTF_8))) {
+            connected = true;
+            while (closing.getCount() > 0 || !queue.isEmpty()) {
+                TelemetryMessage message = queue.poll(LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
+                if (message != null) {
+                    writer.write(TelemetryLine.write(message));
+                    writer.write('\n');
+                }
+                if (queue.isEmpty()) {
+                    writer.flush();
+                }
+            }
+        } catch (IOException nobody) {
+            // nobody listens now; the next attempt comes
+        } finally {
+            connected = false;
+            queue.clear();
+        }
+    }
+}

@@ -1,0 +1,156 @@
+package org.robonewbie.protocol.telemetry;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.telemetry.TelemetryItem.Belief;
+import org.robonewbie.protocol.telemetry.TelemetryItem.LogEntry;
+import org.robonewbie.protocol.telemetry.TelemetryItem.MotionProgress;
+import org.robonewbie.protocol.telemetry.TelemetryItem.Picture;
+import org.robonewbie.protocol.telemetry.TelemetryItem.PlotValue;
+
+/**
+ * Telemetry as text, one message per line: kind, seconds, team and number, then the item's own fields, all separated by tabs.
+ * A tab, line break or backslash within a field is written as {@code \t}, {@code \n} or {@code \\}.
+ *
+ * <pre>
+ * log    12.34  Blue  3  INFO  ball at 1.20 m
+ * motion 12.36  Blue  3  walk-forward  4
+ * belief 12.36  Blue  3  -0.5 0.4 -40.0  ball 1.2 0.1 -0.45 0.0 1
+ * draw   12.36  Blue  3  circle red 1.2 0.1 -0.45 0.1
+ * plot   12.36  Blue  3  ball distance  1.2
+ * </pre>
+ */
+public final class TelemetryLine {
+
+    private static final String NOWHERE = "-";
+
+    private TelemetryLine() {}
+
+    /**
+     * Writes a message.
+     *
+     * @param message the message
+     * @return one line without its end
+     */
+    public static String write(TelemetryMessage message) {
+        FieldWriter fields = new FieldWriter(kind(message.item()));
+        fields.number(message.seconds()).text(message.team()).text(Integer.toString(message.number()));
+        TelemetryItem item = message.item();
+        if (item instanceof LogEntry entry) {
+            fields.text(entry.level()).text(entry.text());
+        } else if (item instanceof MotionProgress motion) {
+            fields.text(motion.name()).text(Integer.toString(motion.keyframe()));
+        } else if (item instanceof Belief belief) {
+            write(belief, fields);
+        } else if (item instanceof Picture picture) {
+            picture.drawings().forEach(drawing -> write(drawing, fields));
+        } else if (item instanceof PlotValue plot) {
+            fields.text(plot.name()).number(plot.value());
+        }
+        return fields.toString();
+    }
+
+    /**
+     * Reads a message.
+     *
+     * @param line one line without its end
+     * @return the message; empty if the line is not telemetry
+     */
+    public static Optional<TelemetryMessage> read(String line) {
+        try {
+            FieldReader fields = new FieldReader(line);
+            String kind = fields.text();
+            double seconds = fields.number();
+            String team = fields.text();
+            int number = Integer.parseInt(fields.text());
+            return Optional.of(new TelemetryMessage(team, number, seconds, item(kind, fields)));
+        } catch (IllegalArgumentException notTelemetry) {
+            return Optional.empty();
+        }
+    }
+
+    private static String kind(TelemetryItem item) {
+        if (item instanceof LogEntry) {
+            return "log";
+        }
+        if (item instanceof MotionProgress) {
+            return "motion";
+        }
+        if (item instanceof Belief) {
+            return "belief";
+        }
+        return item instanceof Picture ? "draw" : "plot";
+    }
+
+    private static TelemetryItem item(String kind, FieldReader fields) {
+        return switch (kind) {
+            case "log" -> new LogEntry(fields.text(), fields.text());
+            case "motion" -> new MotionProgress(fields.text(), Integer.parseInt(fields.text()));
+            case "belief" -> belief(fields);
+            case "draw" -> picture(fields);
+            case "plot" -> new PlotValue(fields.text(), fields.number());
+            default -> throw new IllegalArgumentException("unknown kind of telemetry: " + kind);
+        };
+    }
+
+    private static void write(Belief belief, FieldWriter fields) {
+        if (belief.self().isPresent()) {
+            BelievedPose self = belief.self().get();
+            fields.number(self.x()).number(self.y()).number(self.headingDegrees());
+        } else {
+            fields.text(NOWHERE);
+        }
+        for (BelievedThing thing : belief.things()) {
+            fields.text(thing.name()).vector(thing.position()).number(thing.ageSeconds());
+            fields.text(thing.visible() ? "1" : "0");
+        }
+    }
+
+    private static Belief belief(FieldReader fields) {
+        String first = fields.text();
+        Optional<BelievedPose> self = first.equals(NOWHERE)
+                ? Optional.empty()
+                : Optional.of(new BelievedPose(Double.parseDouble(first), fields.number(), fields.number()));
+        List<BelievedThing> things = new ArrayList<>();
+        while (fields.hasMore()) {
+            things.add(new BelievedThing(
+                    fields.text(),
+                    fields.vector(),
+                    fields.number(),
+                    fields.text().equals("1")));
+        }
+        return new Belief(things, self);
+    }
+
+    private static void write(Drawing drawing, FieldWriter fields) {
+        if (drawing instanceof Drawing.Point point) {
+            fields.text("point").text(point.colour()).vector(point.place());
+        } else if (drawing instanceof Drawing.Line line) {
+            fields.text("line").text(line.colour()).vector(line.from()).vector(line.to());
+        } else if (drawing instanceof Drawing.Circle circle) {
+            fields.text("circle").text(circle.colour()).vector(circle.centre()).number(circle.radius());
+        } else if (drawing instanceof Drawing.Text text) {
+            fields.text("text").text(text.colour()).vector(text.place()).text(text.text());
+        }
+    }
+
+    private static Picture picture(FieldReader fields) {
+        List<Drawing> drawings = new ArrayList<>();
+        while (fields.hasMore()) {
+            String shape = fields.text();
+            String colour = fields.text();
+            Vector3 place = fields.vector();
+            drawings.add(
+                    switch (shape) {
+                        case "point" -> new Drawing.Point(place, colour);
+                        case "line" -> new Drawing.Line(place, fields.vector(), colour);
+                        case "circle" -> new Drawing.Circle(place, fields.number(), colour);
+                        case "text" -> new Drawing.Text(place, fields.text(), colour);
+                        default -> throw new IllegalArgumentException("unknown shape: " + shape);
+                    });
+        }
+        return new Picture(drawings);
+    }
+}

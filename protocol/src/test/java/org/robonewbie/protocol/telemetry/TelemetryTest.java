@@ -1,0 +1,146 @@
+package org.robonewbie.protocol.telemetry;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.Vector3;
+
+class TelemetryTest {
+
+    private static final List<TelemetryItem> ITEMS = List.of(
+            new TelemetryItem.LogEntry("INFO", "a tab \t, a line\r\nbreak and a \\t backslash"),
+            new TelemetryItem.MotionProgress("walk-forward", 4),
+            new TelemetryItem.MotionProgress("", 0),
+            new TelemetryItem.Belief(List.of(), Optional.empty()),
+            new TelemetryItem.Belief(
+                    List.of(
+                            new BelievedThing("ball", new Vector3(1.2, -0.1, -0.45), 0.02, true),
+                            new BelievedThing("Blue 3", new Vector3(3, 0, 0), 7.5, false)),
+                    Optional.of(new BelievedPose(-0.5, 0.4, -40))),
+            new TelemetryItem.Picture(List.of(
+                    new Drawing.Point(new Vector3(1, 2, 3), "red"),
+                    new Drawing.Line(Vector3.ZERO, new Vector3(1, 0, 0), "#ff8800"),
+                    new Drawing.Circle(new Vector3(0, 1, 0), 0.25, "blue"),
+                    new Drawing.Text(Vector3.ZERO, "go\tthere", "white"))),
+            new TelemetryItem.PlotValue("ball distance", 1.25));
+
+    @Test
+    void eachKindOfMessageIsReadAsItWasWritten() {
+        for (TelemetryItem item : ITEMS) {
+            TelemetryMessage message = new TelemetryMessage("Blue", 3, 12.34, item);
+
+            assertThat(TelemetryLine.read(TelemetryLine.write(message))).contains(message);
+        }
+    }
+
+    @Test
+    void aMessageIsOneLineOfReadableFields() {
+        TelemetryItem entry = new TelemetryItem.LogEntry("WARNING", "two\nlines");
+
+        String line = TelemetryLine.write(new TelemetryMessage("Blue", 3, 12.34, entry));
+
+        assertThat(line).isEqualTo("log\t12.34\tBlue\t3\tWARNING\ttwo\\nlines");
+    }
+
+    @Test
+    void whatIsNoTelemetryIsNotRead() {
+        for (String line : List.of("", "log", "log\t1\tBlue", "log\tx\tBlue\t3\tINFO\ttext", "dance\t1\tBlue\t3\tx")) {
+            assertThat(TelemetryLine.read(line)).as(line).isEmpty();
+        }
+        assertThat(TelemetryLine.read("draw\t1\tBlue\t3\tstar\tred\t0\t0\t0")).isEmpty();
+        assertThat(TelemetryLine.read("belief\t1\tBlue\t3\t-\tball\t1\t2")).isEmpty();
+    }
+
+    @Test
+    void robotsOfOtherProcessesReachTheListener() throws Exception {
+        BlockingQueue<TelemetryMessage> heard = new LinkedBlockingQueue<>();
+        try (TelemetryServer server = TelemetryServer.open(0, heard::add);
+                TelemetryClient client = TelemetryClient.open(server.port())) {
+            waitUntilWanted(client);
+
+            for (TelemetryItem item : ITEMS) {
+                client.accept(new TelemetryMessage("Blue", 3, 12.34, item));
+            }
+
+            for (TelemetryItem item : ITEMS) {
+                assertThat(heard.poll(10, TimeUnit.SECONDS)).isEqualTo(new TelemetryMessage("Blue", 3, 12.34, item));
+            }
+        }
+    }
+
+    @Test
+    void whatWasToldBeforeTheEndArrives() throws Exception {
+        BlockingQueue<TelemetryMessage> heard = new LinkedBlockingQueue<>();
+        try (TelemetryServer server = TelemetryServer.open(0, heard::add)) {
+            TelemetryClient client = TelemetryClient.open(server.port());
+            waitUntilWanted(client);
+
+            for (int i = 0; i < 1000; i++) {
+                client.accept(new TelemetryMessage("Blue", i, 0, ITEMS.get(0)));
+            }
+            client.close();
+
+            for (int i = 0; i < 1000; i++) {
+                assertThat(heard.poll(10, TimeUnit.SECONDS)).matches(message -> message != null);
+            }
+            assertThat(client.isWanted()).isFalse();
+        }
+    }
+
+    @Test
+    void nothingIsWantedWhileNobodyListens() throws Exception {
+        int free;
+        try (TelemetryServer server = TelemetryServer.open(0, message -> {})) {
+            free = server.port();
+        }
+        try (TelemetryClient client = TelemetryClient.open(free)) {
+            client.accept(new TelemetryMessage("Blue", 3, 0, ITEMS.get(0)));
+
+            assertThat(client.isWanted()).isFalse();
+            assertThat(TelemetrySink.NONE.isWanted()).isFalse();
+        }
+    }
+
+    @Test
+    void rubbishDoesNotDisturbTheServer() throws Exception {
+        BlockingQueue<TelemetryMessage> heard = new LinkedBlockingQueue<>();
+        try (TelemetryServer server = TelemetryServer.open(0, heard::add)) {
+            send(server.port(), "\0\1\2 rubbish\n\n" + "x".repeat(300_000));
+            send(server.port(), "rubbish\nplot\t1.0\tBlue\t3\tspeed\t2.0\n");
+
+            assertThat(heard.poll(10, TimeUnit.SECONDS))
+                    .isEqualTo(new TelemetryMessage("Blue", 3, 1, new TelemetryItem.PlotValue("speed", 2)));
+        }
+    }
+
+    @Test
+    void telemetryPortIs200AboveTheAgentPort() {
+        assertThat(TelemetryServer.portFor(3100)).isEqualTo(3300);
+        assertThat(TelemetryServer.portFor(65_400)).isEqualTo(65_200);
+    }
+
+    private static void waitUntilWanted(TelemetrySink sink) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(10);
+        while (!sink.isWanted() && System.nanoTime() < end) {
+            Thread.onSpinWait();
+        }
+        assertThat(sink.isWanted()).isTrue();
+    }
+
+    private static void send(int port, String text) throws IOException {
+        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+            socket.getOutputStream().write(text.getBytes(StandardCharsets.UTF_8));
+        } catch (IOException closedByServer) {
+            // a server may hang up on rubbish
+        }
+    }
+}
