@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {
-  firstQuality,
   QUALITIES,
   QualityChooser,
   qualityIndex,
+  qualityRange,
 } from '../../main/resources/org/robonewbie/studio/web/state/quality.js';
 
 /** @param {QualityChooser} chooser @param {number} milliseconds @param {number} pictures */
@@ -16,21 +16,26 @@ function draw(chooser, milliseconds, pictures) {
   return changes;
 }
 
-test('software rendering starts low, a graphics card high', () => {
-  assert.equal(QUALITIES[firstQuality('ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device))')].name, 'low');
-  assert.equal(QUALITIES[firstQuality('Mesa llvmpipe')].name, 'low');
-  assert.equal(QUALITIES[firstQuality('NVIDIA GeForce RTX 3060')].name, 'high');
+const fromHigh = () => new QualityChooser({ first: qualityIndex('high'), highest: qualityIndex('high') }, false);
+
+test('software rendering starts low and ends below the best, a graphics card starts high', () => {
+  const software = qualityRange('ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device))');
+
+  assert.equal(QUALITIES[software.first].name, 'low');
+  assert.equal(QUALITIES[software.highest].name, 'medium');
+  assert.equal(QUALITIES[qualityRange('Mesa llvmpipe').first].name, 'low');
+  assert.equal(QUALITIES[qualityRange('NVIDIA GeForce RTX 3060').first].name, 'high');
 });
 
 test('slow pictures lower the quality step by step down to the lowest', () => {
-  const chooser = new QualityChooser(qualityIndex('high'), false);
+  const chooser = fromHigh();
 
   assert.equal(draw(chooser, 90, 1000), 3);
   assert.equal(chooser.quality.name, 'lowest');
 });
 
 test('one slow picture among quick ones changes nothing', () => {
-  const chooser = new QualityChooser(qualityIndex('high'), false);
+  const chooser = fromHigh();
   for (let i = 0; i < 100; i++) {
     chooser.pictureTook(i % 24 === 0 ? 900 : 16);
   }
@@ -38,18 +43,27 @@ test('one slow picture among quick ones changes nothing', () => {
   assert.equal(chooser.quality.name, 'high');
 });
 
-test('a quality that was too slow is not tried again', () => {
-  const chooser = new QualityChooser(qualityIndex('high'), false);
-  draw(chooser, 90, 24);
-  assert.equal(chooser.quality.name, 'medium');
+test('quick pictures raise the quality up to its limit', () => {
+  const chooser = new QualityChooser({ first: 0, highest: 2 }, false);
 
-  draw(chooser, 10, 2000);
-
+  assert.equal(draw(chooser, 16, 1000), 2);
   assert.equal(chooser.quality.name, 'medium');
 });
 
+test('a quality that was too slow is tried again only after a long easy time', () => {
+  const chooser = fromHigh();
+  draw(chooser, 90, 24);
+  assert.equal(chooser.quality.name, 'medium');
+
+  draw(chooser, 10, 24 * 50);
+  assert.equal(chooser.quality.name, 'medium');
+
+  draw(chooser, 10, 24 * 20);
+  assert.equal(chooser.quality.name, 'high');
+});
+
 test('a quality that the person has chosen stays', () => {
-  const chooser = new QualityChooser(qualityIndex('high'), true);
+  const chooser = new QualityChooser({ first: 3, highest: 3 }, true);
 
   assert.equal(draw(chooser, 500, 500), 0);
 });

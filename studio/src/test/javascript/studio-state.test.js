@@ -80,7 +80,7 @@ test('states are replaced and never changed', () => {
 });
 
 test('the score board shows teams, score, time and play mode', () => {
-  const board = scoreBoard(withFrame(live(), sampleFrame({ gameTime: 75, half: 2, playMode: 1 }), 0));
+  const board = scoreBoard(withFrame(live(), sampleFrame({ gameTime: 75, half: 2, playMode: 1 }), 0), 0);
 
   assert.equal(board.left, 'Blue');
   assert.equal(board.right, 'Right');
@@ -91,8 +91,17 @@ test('the score board shows teams, score, time and play mode', () => {
   assert.equal(board.playMode, 'Kick-off · Blue');
 });
 
+test('a goal is cheered for some seconds', () => {
+  const before = withFrame(live(), sampleFrame({ scoreRight: 0 }), 1000);
+  const goal = withFrame(before, sampleFrame({ scoreRight: 1 }), 2000);
+
+  assert.equal(scoreBoard(before, 1000).cheers, '');
+  assert.equal(scoreBoard(goal, 3000).cheers, 'right');
+  assert.equal(scoreBoard(goal, 9000).cheers, '');
+});
+
 test('the score board is readable before anything is known', () => {
-  assert.equal(scoreBoard(initialState(true)).score, '– : –');
+  assert.equal(scoreBoard(initialState(true), 0).score, '– : –');
 });
 
 test('time controls work only while a world is there', () => {

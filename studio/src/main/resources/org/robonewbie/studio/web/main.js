@@ -12,10 +12,11 @@ import { scoreBoardPanel } from './panels/score-board.js';
 import { cameraPanel, trainerPanel } from './panels/side.js';
 import { themeSwitch } from './panels/theme.js';
 import { timeActions, transportPanel } from './panels/transport.js';
-import { firstQuality, QualityChooser, QUALITIES, qualityIndex } from './state/quality.js';
+import { QualityChooser, QUALITIES, qualityIndex, qualityRange } from './state/quality.js';
 import { Smoothing } from './state/smoothing.js';
 import {
   initialState,
+  message,
   withConnection,
   withFrame,
   withoutConnection,
@@ -29,16 +30,22 @@ const token = options.get('token') ?? '';
 let state = initialState(token !== '');
 let stale = true;
 let owesAnswer = false;
-let lastPicture = 0;
-let picturesInARow = 0;
+let lastTurn = 0;
+let hasDrawn = false;
 
 const note = notes();
 window.addEventListener('error', (event) => note(`This page has met an error: ${event.message}. Load it again.`));
 window.addEventListener('unhandledrejection', (event) => note(`This page has met an error: ${event.reason}. Load it again.`));
 
+tell(message(state, 0));
+await firstPaint();
+
 const asked = qualityIndex(options.get('quality'));
 const view = openView(QUALITIES[asked < 0 ? 1 : asked]);
-const chooser = new QualityChooser(asked < 0 ? firstQuality(view.graphics) : asked, asked >= 0);
+const chooser = new QualityChooser(
+  asked < 0 ? qualityRange(view.graphics) : { first: asked, highest: asked },
+  asked >= 0,
+);
 if (asked < 0) {
   view.setQuality(chooser.quality);
 }
@@ -60,13 +67,13 @@ const connection = new Connection(`ws://${location.host}/live?token=${encodeURIC
     state = withRefusal(state, reason);
     stale = true;
   },
-  told(message) {
-    if (message.kind === 'scene') {
-      state = withScene(state, message);
-      view.setScene(message);
-      desk.setScene(message);
+  told(news) {
+    if (news.kind === 'scene') {
+      state = withScene(state, news);
+      view.setScene(news);
+      desk.setScene(news);
     } else {
-      note(message.text);
+      note(news.text);
     }
     stale = true;
   },
@@ -129,6 +136,12 @@ new ResizeObserver(() => {
   touch();
 }).observe(view.stage);
 
+/** Lets the browser show the page before the graphics are set up, which takes a while without a graphics card. */
+function firstPaint() {
+  const painted = new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  return Promise.race([painted, new Promise((done) => setTimeout(done, 1000))]);
+}
+
 /** @param {import('./state/quality.js').Quality} quality */
 function openView(quality) {
   try {
@@ -150,13 +163,15 @@ function openView(quality) {
  */
 function turn(now) {
   requestAnimationFrame(turn);
-  const seconds = Math.min(0.2, (now - lastPicture) / 1000);
-  if (stale || (chooser.quality.smooth && smoothing.isMoving(now))) {
-    drawPicture(now, seconds);
-  } else {
-    picturesInARow = 0;
-    lastPicture = now;
+  if (hasDrawn && chooser.pictureTook(now - lastTurn)) {
+    view.setQuality(chooser.quality);
+    stale = true;
   }
+  hasDrawn = stale || (chooser.quality.smooth && smoothing.isMoving(now));
+  if (hasDrawn) {
+    drawPicture(now, Math.min(0.2, (now - lastTurn) / 1000));
+  }
+  lastTurn = now;
   if (owesAnswer) {
     owesAnswer = false;
     send({ do: 'seen' });
@@ -165,7 +180,7 @@ function turn(now) {
 
 /**
  * @param {number} now milliseconds
- * @param {number} seconds since the last picture
+ * @param {number} seconds since the last turn
  */
 function drawPicture(now, seconds) {
   stale = false;
@@ -177,12 +192,6 @@ function drawPicture(now, seconds) {
   view.light.shine(desk.shown.target, view.camera.position);
   view.draw();
   draws.forEach((draw) => draw(state, now));
-  picturesInARow++;
-  if (picturesInARow > 2 && chooser.pictureTook(now - lastPicture)) {
-    view.setQuality(chooser.quality);
-    picturesInARow = 0;
-  }
-  lastPicture = now;
 }
 
 setInterval(() => {

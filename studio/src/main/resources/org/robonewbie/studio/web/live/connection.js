@@ -8,7 +8,7 @@ const SILENCE_MILLISECONDS = 5000;
  * @property {() => void} opened
  * @property {() => void} lost
  * @property {(reason: string) => void} refused the simulator is there, but does not want this page
- * @property {(message: any) => void} told a JSON message has come
+ * @property {(news: any) => void} told a JSON message has come
  * @property {(bytes: ArrayBuffer) => void} frameArrived a state frame has come
  */
 

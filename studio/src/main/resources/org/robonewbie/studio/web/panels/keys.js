@@ -51,9 +51,9 @@ export function deeds(desk, time, send) {
 
 const MOUSE = [
   ['Drag the ground', 'turn the view'],
-  ['Drag with right button or Shift', 'move the view'],
+  ['Right button, Shift', 'drag to move the view'],
   ['Wheel', 'nearer, farther'],
-  ['Drag ball or robot', 'put it somewhere else'],
+  ['Drag ball, robot', 'put it elsewhere'],
   ['Click a robot', 'follow it'],
 ];
 

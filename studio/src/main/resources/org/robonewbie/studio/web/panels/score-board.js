@@ -4,7 +4,7 @@ import { byId, element, setText } from './elements.js';
 
 /** @typedef {import('../state/studio-state.js').StudioState} StudioState */
 
-/** @returns {(state: StudioState) => void} draws the score board */
+/** @returns {(state: StudioState, now: number) => void} draws the score board */
 export function scoreBoardPanel() {
   const left = element('span', { class: 'team left' });
   const right = element('span', { class: 'team right' });
@@ -16,8 +16,9 @@ export function scoreBoardPanel() {
     element('div', { class: 'score-line' }, left, score, right),
     element('div', { class: 'game-line' }, time, half, mode),
   );
-  return (state) => {
-    const board = scoreBoard(state);
+  return (state, now) => {
+    const board = scoreBoard(state, now);
+    byId('score-board').dataset.cheers = board.cheers;
     setText(left, board.left);
     setText(right, board.right);
     left.classList.toggle('absent', !board.hasLeft);

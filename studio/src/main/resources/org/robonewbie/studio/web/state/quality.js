@@ -48,8 +48,11 @@ export const QUALITIES = [
 
 const PICTURES = 24;
 const TOO_SLOW_MILLISECONDS = 45;
-const EASY_MILLISECONDS = 20;
+const EASY_MILLISECONDS = 21;
 const EASY_ROUNDS = 5;
+
+/** After so many easy rounds a quality that was too slow is tried again; each failure doubles them. */
+const FORGIVING_ROUNDS = 30;
 
 /**
  * Finds the level by its name in the page's address.
@@ -62,26 +65,30 @@ export function qualityIndex(name) {
 }
 
 /**
- * Guesses where to start.
+ * Guesses where to start, and how high it may go.
  *
  * @param {string} graphics what the browser says about the graphics card
- * @returns {number} index of the quality
+ * @returns {{first: number, highest: number}} indices of qualities
  */
-export function firstQuality(graphics) {
-  return /swiftshader|llvmpipe|software|basic render/i.test(graphics) ? 1 : QUALITIES.length - 1;
+export function qualityRange(graphics) {
+  const software = /swiftshader|llvmpipe|software|basic render/i.test(graphics);
+  const best = QUALITIES.length - 1;
+  return software ? { first: 1, highest: best - 1 } : { first: best, highest: best };
 }
 
-/** Watches picture times and says when another quality is better. A level that was too slow is never tried again. */
+/** Watches how long pictures take and says when another quality is better. */
 export class QualityChooser {
   /**
-   * @param {number} first index of the quality to start with
+   * @param {{first: number, highest: number}} range where to start and how high to go
    * @param {boolean} fixed whether the person has chosen and nothing may change
    */
-  constructor(first, fixed) {
+  constructor({ first, highest }, fixed) {
     this.index = first;
-    this.ceiling = first;
+    this.highest = highest;
+    this.ceiling = highest;
     this.fixed = fixed;
     this.easyRounds = 0;
+    this.forgivingRounds = FORGIVING_ROUNDS;
     /** @type {number[]} */
     this.times = [];
   }
@@ -92,7 +99,7 @@ export class QualityChooser {
   }
 
   /**
-   * Takes the time between two pictures that were drawn one after the other.
+   * Takes the time after which the browser was ready again when a picture had been drawn.
    *
    * @param {number} milliseconds
    * @returns {boolean} whether the quality has changed
@@ -112,12 +119,21 @@ export class QualityChooser {
 
   /** @param {number} median */
   #judge(median) {
-    if (median > TOO_SLOW_MILLISECONDS && this.index > 0) {
-      this.ceiling = this.index - 1;
-      return this.#change(-1);
+    if (median > TOO_SLOW_MILLISECONDS) {
+      this.easyRounds = 0;
+      return this.index > 0 && this.#lower();
     }
     this.easyRounds = median < EASY_MILLISECONDS ? this.easyRounds + 1 : 0;
+    if (this.easyRounds >= this.forgivingRounds) {
+      this.ceiling = Math.min(this.highest, this.index + 1);
+    }
     return this.easyRounds >= EASY_ROUNDS && this.index < this.ceiling && this.#change(1);
+  }
+
+  #lower() {
+    this.ceiling = this.index - 1;
+    this.forgivingRounds *= 2;
+    return this.#change(-1);
   }
 
   /** @param {number} direction */

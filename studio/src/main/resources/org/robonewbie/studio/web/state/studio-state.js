@@ -15,10 +15,14 @@ import { playModeText } from './play-mode.js';
  * @property {Scene | undefined} scene
  * @property {Frame | undefined} frame
  * @property {number} movedMilliseconds when the cycle changed last, on the page's clock
+ * @property {{side: 'left' | 'right', milliseconds: number} | undefined} goal who has scored last, and when
  */
 
 /** Without a new cycle for so long, a running world is waiting for somebody. */
 const STANDSTILL_MILLISECONDS = 1500;
+
+/** How long a goal is cheered. */
+const CHEER_MILLISECONDS = 4000;
 
 /** The speeds that can be chosen; 'fastest' does not wait between cycles. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 'fastest'];
@@ -28,7 +32,7 @@ export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 'fastest'];
  * @returns {StudioState}
  */
 export function initialState(hasToken) {
-  return { connection: 'opening', hasToken, refusal: '', scene: undefined, frame: undefined, movedMilliseconds: 0 };
+  return { connection: 'opening', hasToken, refusal: '', scene: undefined, frame: undefined, movedMilliseconds: 0, goal: undefined };
 }
 
 /**
@@ -73,7 +77,23 @@ export function withScene(state, scene) {
  */
 export function withFrame(state, frame, now) {
   const moved = frame.cycle !== state.frame?.cycle || frame.paused;
-  return { ...state, frame, movedMilliseconds: moved ? now : state.movedMilliseconds };
+  return { ...state, frame, movedMilliseconds: moved ? now : state.movedMilliseconds, goal: lastGoal(state, frame, now) };
+}
+
+/**
+ * @param {StudioState} state
+ * @param {Frame} frame
+ * @param {number} now
+ */
+function lastGoal(state, frame, now) {
+  const before = state.frame;
+  if (before && frame.scoreLeft > before.scoreLeft) {
+    return { side: /** @type {const} */ ('left'), milliseconds: now };
+  }
+  if (before && frame.scoreRight > before.scoreRight) {
+    return { side: /** @type {const} */ ('right'), milliseconds: now };
+  }
+  return state.goal;
 }
 
 /**
@@ -134,10 +154,12 @@ function waiting(title, text) {
  * Reads the score board.
  *
  * @param {StudioState} state
+ * @param {number} now milliseconds on the page's clock
  */
-export function scoreBoard(state) {
-  const { scene, frame } = state;
+export function scoreBoard(state, now) {
+  const { scene, frame, goal } = state;
   return {
+    cheers: goal && now - goal.milliseconds < CHEER_MILLISECONDS ? goal.side : '',
     left: scene?.teams.left || 'Left',
     right: scene?.teams.right || 'Right',
     hasLeft: Boolean(scene?.teams.left),
