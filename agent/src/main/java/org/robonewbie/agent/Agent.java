@@ -143,12 +143,14 @@ public abstract class Agent {
     final int live(Home home, LinkPort port, Options wanted) throws IOException {
         options = wanted;
         LastWords lastWords = new LastWords(log, home, out);
+        nao.thoughts().tellTo(home.telemetry());
         try {
             new StartDialogue(port, nao, options).run();
             OptionalDouble life = home.endsByItself() ? OptionalDouble.empty() : options.seconds();
             session = new Session(nao, motions, fieldView, port, life, System.err);
             Optional<Runnable> giveUp = options.isHeadless() ? Optional.of(() -> System.exit(1)) : Optional.empty();
             try (Watchdog watchdog = new Watchdog(mistakes, giveUp)) {
+                session.askWhenLate(watchdog::slowPlace);
                 boolean running = true;
                 while (running) {
                     running = cycle(Optional.of(watchdog));

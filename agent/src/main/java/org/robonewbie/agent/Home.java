@@ -9,6 +9,9 @@ import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.TcpAgentLink;
+import org.robonewbie.protocol.telemetry.TelemetryClient;
+import org.robonewbie.protocol.telemetry.TelemetryServer;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /** Where robots live: in a simulator of this process, or on a server that they join. */
 abstract sealed class Home implements AutoCloseable {
@@ -39,6 +42,9 @@ abstract sealed class Home implements AutoCloseable {
 
     /** Connects one more robot. */
     abstract AgentLink connect() throws IOException;
+
+    /** Finds out who wants to know what the robots think. */
+    abstract TelemetrySink telemetry();
 
     /** Says in one sentence where this is. */
     abstract String description();
@@ -96,6 +102,11 @@ abstract sealed class Home implements AutoCloseable {
         }
 
         @Override
+        TelemetrySink telemetry() {
+            return simulator.telemetry();
+        }
+
+        @Override
         String description() {
             Optional<URI> studio = simulator.studioAddress();
             return "Own simulator, agent port " + simulator.agentPort()
@@ -118,12 +129,14 @@ abstract sealed class Home implements AutoCloseable {
 
         private final String host;
         private final int port;
+        private final TelemetryClient telemetry;
         private Optional<AgentLink> firstLink;
 
         private Server(String host, int port, AgentLink firstLink) {
             this.host = host;
             this.port = port;
             this.firstLink = Optional.of(firstLink);
+            this.telemetry = TelemetryClient.open(TelemetryServer.portFor(port));
         }
 
         static Server join(String host, int port) throws IOException {
@@ -135,6 +148,11 @@ abstract sealed class Home implements AutoCloseable {
             Optional<AgentLink> link = firstLink;
             firstLink = Optional.empty();
             return link.isPresent() ? link.get() : TcpAgentLink.connect(host, port);
+        }
+
+        @Override
+        TelemetrySink telemetry() {
+            return telemetry;
         }
 
         @Override
@@ -150,6 +168,7 @@ abstract sealed class Home implements AutoCloseable {
         @Override
         public void close() {
             firstLink.ifPresent(AgentLink::close);
+            telemetry.close();
         }
     }
 }

@@ -38,6 +38,7 @@ public final class Nao extends NaoBody implements AutoCloseable {
         motions = new Motions(motors(), new MotionLibrary(), mistakes(), this::getBodyPosition);
         fieldView = new LocalFieldView(mistakes());
         LinkPort port = new LinkPort(home.connect(), senses().buffer());
+        thoughts().tellTo(home.telemetry());
         new StartDialogue(port, this, options).run();
         OptionalDouble life = home.endsByItself() ? OptionalDouble.empty() : options.seconds();
         session = new Session(this, motions, fieldView, port, life, System.err);

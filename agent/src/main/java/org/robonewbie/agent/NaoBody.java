@@ -23,9 +23,10 @@ import org.robonewbie.protocol.perceptor.Vision;
  *
  * <p>What is commanded now shows its effect in the message after the next, since one message is always under way.
  */
-public class NaoBody {
+public class NaoBody extends Sketchbook {
 
     private final Senses senses = new Senses();
+    private final Thoughts thoughts = new Thoughts(senses);
     private final Commands commands;
     private final Motors motors = new Motors();
     private final Mistakes mistakes;
@@ -35,6 +36,13 @@ public class NaoBody {
         this.log = log;
         this.mistakes = mistakes;
         this.commands = new Commands(senses, motors, mistakes);
+        log.setListener(thoughts::log);
+        mistakes.setListener(thoughts::log);
+    }
+
+    @Override
+    final Thoughts thoughts() {
+        return thoughts;
     }
 
     Senses senses() {

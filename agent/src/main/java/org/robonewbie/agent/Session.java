@@ -5,6 +5,8 @@ import java.io.PrintStream;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Supplier;
+import org.robonewbie.agent.log.StudentCode;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.perception.LocalFieldView;
 import org.robonewbie.nao.Joint;
@@ -29,6 +31,7 @@ final class Session implements AutoCloseable {
     private boolean broken;
     private long cycles;
     private long receivedNanos;
+    private Supplier<String> slowPlace = () -> StudentCode.place().orElse("");
 
     Session(
             NaoBody body,
@@ -45,6 +48,11 @@ final class Session implements AutoCloseable {
         this.bornSeconds = body.getTime();
         this.out = out;
         fieldView.setIdentity(body.getTeam(), body.getNumber(), body.getTeamSide());
+    }
+
+    /** Finds somebody who knows where the robot's program spent its time in a cycle that came late. */
+    void askWhenLate(Supplier<String> place) {
+        slowPlace = place;
     }
 
     /** Waits for the next message; false if the game is over for this robot. */
@@ -76,6 +84,7 @@ final class Session implements AutoCloseable {
             body.senses().falls().reset();
         }
         motions.update();
+        body.thoughts().act(motions);
         commands.clear();
         body.commands().write(commands);
         try {
@@ -116,6 +125,7 @@ final class Session implements AutoCloseable {
             double yaw = body.getJointAngle(Joint.NECK_YAW);
             double pitch = body.getJointAngle(Joint.NECK_PITCH);
             fieldView.see(message.vision().get(), yaw, pitch);
+            body.thoughts().believe(fieldView);
         }
     }
 
@@ -130,7 +140,7 @@ final class Session implements AutoCloseable {
             if (body.getTime() - bornSeconds > WARM_UP_SECONDS) {
                 body.mistakes()
                         .reportAt(
-                                "",
+                                slowPlace.get(),
                                 "late",
                                 () -> String.format(
                                         Locale.ROOT,

@@ -11,9 +11,10 @@ import org.robonewbie.agent.log.StudentCode;
  */
 final class Watchdog implements AutoCloseable {
 
-    private static final int TICK_MILLISECONDS = 100;
-    private static final int TICKS_TO_REPORT = 10;
-    private static final int TICKS_TO_GIVE_UP = 50;
+    private static final int TICK_MILLISECONDS = 10;
+    private static final int TICKS_TO_BE_SLOW = 2;
+    private static final int TICKS_TO_REPORT = 100;
+    private static final int TICKS_TO_GIVE_UP = 500;
 
     private final Thread watched;
     private final Mistakes mistakes;
@@ -22,6 +23,7 @@ final class Watchdog implements AutoCloseable {
     private final AtomicLong thought = new AtomicLong();
     private volatile boolean thinking;
     private volatile boolean closed;
+    private volatile String slowPlace = "";
 
     /**
      * Creates a watchdog for the current thread.
@@ -38,12 +40,18 @@ final class Watchdog implements AutoCloseable {
     }
 
     void thinkBegins() {
+        slowPlace = "";
         thought.incrementAndGet();
         thinking = true;
     }
 
     void thinkEnds() {
         thinking = false;
+    }
+
+    /** Where think() was last seen after it had taken a whole cycle; empty if it was quicker. */
+    String slowPlace() {
+        return slowPlace;
     }
 
     @Override
@@ -63,6 +71,9 @@ final class Watchdog implements AutoCloseable {
             }
             ticks = thinking && thought.get() == same ? ticks + 1 : 0;
             same = thought.get();
+            if (ticks == TICKS_TO_BE_SLOW) {
+                slowPlace = place();
+            }
             if (ticks == TICKS_TO_REPORT) {
                 report("think() has not returned for 1 s; the robot waits for it. Is this an endless loop?");
             }
@@ -74,8 +85,11 @@ final class Watchdog implements AutoCloseable {
         }
     }
 
+    private String place() {
+        return StudentCode.place(watched.getStackTrace()).orElse("");
+    }
+
     private void report(String text) {
-        String place = StudentCode.place(watched.getStackTrace()).orElse("");
-        mistakes.reportAt(place, text, () -> text);
+        mistakes.reportAt(place(), text, () -> text);
     }
 }

@@ -2,11 +2,16 @@ package org.robonewbie.agent;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.OutputStream;
+import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.log.LogLine;
+import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import student.Dreamer;
 
 class PunctualityTest {
 
@@ -29,6 +34,20 @@ class PunctualityTest {
                     .contains("ms, but the simulator waits only 20 ms and has gone on; compute less in a cycle, and log"
                             + " instead of printing.");
             assertThat(lines).anyMatch(line -> line.matches("cycle \\d+ came late: it took \\d+ ms"));
+        }
+    }
+
+    @Test
+    void saysInWhichLineALateCycleSpentItsTime() throws Exception {
+        Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
+        try (Watchdog watchdog = new Watchdog(mistakes, Optional.empty())) {
+            watchdog.thinkBegins();
+            Dreamer.dreamUntil(() -> !watchdog.slowPlace().isEmpty());
+            String slowPlace = watchdog.slowPlace();
+            watchdog.thinkBegins();
+
+            assertThat(slowPlace).matches("Dreamer\\.java:\\d+");
+            assertThat(watchdog.slowPlace()).isEmpty();
         }
     }
 

@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.IllegalFormatException;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 
 /**
  * Collects what a robot has to say and prints it when the run is over, since printing within a cycle costs time that the
@@ -17,15 +18,18 @@ import java.util.Locale;
  */
 public final class Logger {
 
-    /** How many lines are kept, the newest; older ones make room and are counted. */
+    /** How many lines are kept in memory, the newest; older ones go to a file. */
     public static final int CAPACITY = 200_000;
+
+    private static final int LINES_TO_FILE = 1000;
 
     private final String owner;
     private final int capacity;
     private final Deque<LogLine> lines = new ArrayDeque<>();
     private LogLevel level = LogLevel.INFO;
     private double seconds;
-    private long dropped;
+    private final Overflow overflow = new Overflow();
+    private Consumer<LogLine> listener = line -> {};
 
     /**
      * Creates an empty log.
@@ -57,6 +61,15 @@ public final class Logger {
      */
     public synchronized void setTime(double seconds) {
         this.seconds = seconds;
+    }
+
+    /**
+     * Lets somebody read along.
+     *
+     * @param listener takes each line that is kept from now on, at once and in the thread that writes it
+     */
+    public synchronized void setListener(Consumer<LogLine> listener) {
+        this.listener = listener;
     }
 
     /**
@@ -118,15 +131,12 @@ public final class Logger {
             return;
         }
         StringBuilder all = new StringBuilder("--- log of " + owner + " ---\n");
-        if (dropped > 0) {
-            all.append("(the first ").append(dropped).append(" lines are gone: more than ");
-            all.append(capacity).append(" were written)\n");
-        }
+        all.append(overflow.note());
         lines.forEach(line -> all.append(line).append('\n'));
         out.print(all.append("--- end of the log ---\n"));
         out.flush();
         lines.clear();
-        dropped = 0;
+        overflow.forget();
     }
 
     private synchronized void log(LogLevel importance, String format, Object[] values) {
@@ -134,10 +144,11 @@ public final class Logger {
             return;
         }
         if (lines.size() == capacity) {
-            lines.removeFirst();
-            dropped++;
+            overflow.take(lines, Math.min(capacity, LINES_TO_FILE));
         }
-        lines.addLast(new LogLine(seconds, importance, text(format, values)));
+        LogLine line = new LogLine(seconds, importance, text(format, values));
+        lines.addLast(line);
+        listener.accept(line);
     }
 
     /** A wrong pattern must not stop a robot: then pattern and values are written as they are. */

@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
@@ -18,6 +19,7 @@ public final class Mistakes {
     private final Set<String> known = new HashSet<>();
     private final List<String> reported = new ArrayList<>();
     private double seconds;
+    private Consumer<LogLine> listener = line -> {};
 
     /**
      * Creates a reporter.
@@ -35,6 +37,15 @@ public final class Mistakes {
      */
     public synchronized void setTime(double seconds) {
         this.seconds = seconds;
+    }
+
+    /**
+     * Lets somebody read along.
+     *
+     * @param listener takes each mistake that is reported from now on
+     */
+    public synchronized void setListener(Consumer<LogLine> listener) {
+        this.listener = listener;
     }
 
     /**
@@ -57,9 +68,11 @@ public final class Mistakes {
     public synchronized void reportAt(String place, String kind, Supplier<String> text) {
         if (known.add(kind + "@" + place)) {
             String where = place.isEmpty() ? "" : " (" + place + ")";
-            String line = String.format(Locale.ROOT, "%.2f s: ", seconds) + text.get() + where;
+            String what = text.get() + where;
+            String line = String.format(Locale.ROOT, "%.2f s: ", seconds) + what;
             reported.add(line);
             out.println(line);
+            listener.accept(new LogLine(seconds, LogLevel.WARNING, what));
         }
     }
 

@@ -5,6 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
 class LoggerTest {
@@ -28,15 +34,46 @@ class LoggerTest {
     }
 
     @Test
-    void keepsTheNewestLinesAndTellsHowManyAreGone() {
+    void losesNothingWhenTheMemoryIsFullButKeepsTheOldestLinesInAFile() throws Exception {
         for (int i = 1; i <= 5; i++) {
             log.info("line %d", i);
         }
 
-        assertThat(printed())
-                .contains("(the first 2 lines are gone: more than 3 were written)")
-                .contains("line 3")
-                .doesNotContain("line 2");
+        String printed = printed();
+
+        assertThat(printed).contains("line 4").contains("line 5").doesNotContain("line 3");
+        Matcher note = Pattern.compile("\\(the first 3 lines are in (.+)\\)").matcher(printed);
+        assertThat(note.find()).isTrue();
+        Path file = Path.of(note.group(1));
+        assertThat(file).content().contains("line 1").contains("line 3");
+        Files.delete(file);
+    }
+
+    @Test
+    void tenThousandMessagesPerMinuteCostLessThanAMillisecondPerCycle() {
+        Logger busy = new Logger("Chatterbox");
+        for (int i = 0; i < 20_000; i++) {
+            busy.info("warm up %d: ball at %.2f m", i, 1.2);
+        }
+
+        long start = System.nanoTime();
+        for (int i = 0; i < 10_000; i++) {
+            busy.info("%d: ball at %.2f m", i, 1.2);
+        }
+        double millisecondsPerCycle = (System.nanoTime() - start) / 1e6 / (60 * 50);
+
+        assertThat(millisecondsPerCycle).isLessThan(1);
+    }
+
+    @Test
+    void somebodyCanReadAlong() {
+        List<String> read = new ArrayList<>();
+        log.setListener(line -> read.add(line.level() + " " + line.text()));
+
+        log.debug("too unimportant");
+        log.info("ball at %.2f m", 1.2);
+
+        assertThat(read).containsExactly("INFO ball at 1.20 m");
     }
 
     @Test
