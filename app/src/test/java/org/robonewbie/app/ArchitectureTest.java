@@ -54,7 +54,9 @@ class ArchitectureTest {
                     "org.robonewbie.simulator..",
                     "com.google.gson.."
                 }),
-                Arguments.of("examples", new String[] {"org.robonewbie.nao..", "org.robonewbie.agent.."}));
+                Arguments.of("examples", new String[] {
+                    "org.robonewbie.nao..", "org.robonewbie.agent..", "org.robonewbie.protocol.perceptor.."
+                }));
     }
 
     @ParameterizedTest

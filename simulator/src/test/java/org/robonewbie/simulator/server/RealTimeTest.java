@@ -34,7 +34,7 @@ class RealTimeTest {
         try (TestAgent agent = agent(simulator)) {
             agent.joinRunningGame("Stars", 1);
             for (int i = 0; i < 3; i++) {
-                Thread.sleep(200);
+                busy(200);
                 agent.exchange("(syn)");
             }
         }
