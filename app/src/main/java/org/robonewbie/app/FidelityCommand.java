@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.robonewbie.simulator.fidelity.AgentRoute;
 import org.robonewbie.simulator.fidelity.FidelityBench;
 import org.robonewbie.simulator.fidelity.FidelityReport;
 import picocli.CommandLine.Command;
@@ -22,7 +23,8 @@ import picocli.CommandLine.Parameters;
             "",
             "Examples:",
             "  robonewbie fidelity                       the recordings that come with RoboNewbie",
-            "  robonewbie fidelity my-recordings --json result.json"
+            "  robonewbie fidelity my-recordings --json result.json",
+            "  robonewbie fidelity --link tcp            the same with an agent connected over TCP"
         })
 final class FidelityCommand implements Callable<Integer> {
 
@@ -34,6 +36,14 @@ final class FidelityCommand implements Callable<Integer> {
             paramLabel = "DIRECTORY",
             description = "Folder with recordings (*.jsonl, *.jsonl.gz); without it, those that come with RoboNewbie.")
     private Optional<Path> directory = Optional.empty();
+
+    @Option(
+            names = "--link",
+            paramLabel = "LINK",
+            defaultValue = "none",
+            description = "How the recorded commands reach the robot: none (straight in the world; default), in-process"
+                    + " or tcp (as an agent's messages, through a whole server).")
+    private String link = "none";
 
     @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
     private Optional<Path> json = Optional.empty();
@@ -47,12 +57,25 @@ final class FidelityCommand implements Callable<Integer> {
             throw new CalledWronglyException(
                     folder + " is not a folder. Name one with recordings (*.jsonl, *.jsonl.gz).");
         });
-        FidelityReport report = directory.isPresent() ? FidelityBench.run(directory.get()) : FidelityBench.run();
+        AgentRoute route = route();
+        FidelityReport report =
+                directory.isPresent() ? FidelityBench.run(directory.get(), route) : FidelityBench.run(route);
         System.out.print(report.toTable());
+        report.problems().forEach(System.err::println);
         if (json.isPresent()) {
             write(json.get(), report.toJson());
         }
-        return ExitCode.OK;
+        return report.problems().isEmpty() ? ExitCode.OK : ExitCode.SOFTWARE;
+    }
+
+    private AgentRoute route() {
+        return switch (link) {
+            case "none" -> AgentRoute.NONE;
+            case "in-process" -> AgentRoute.IN_PROCESS;
+            case "tcp" -> AgentRoute.TCP;
+            default ->
+                throw new CalledWronglyException("There is no link \"" + link + "\". Use none, in-process or tcp.");
+        };
     }
 
     /** Writes beside the file first, so that the file is never half a result. */

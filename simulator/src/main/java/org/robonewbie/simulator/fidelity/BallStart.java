@@ -7,17 +7,19 @@ import org.robonewbie.nao.Vector3;
 
 /**
  * How a trainer started a ball, read from the name of the recorded case: {@code roll_v3} rolls with 3 m/s along x, {@code
- * drop_h0.5} falls from 0.5 m, {@code lob_4_4} flies with 4 m/s along x and 4 m/s upward.
+ * drop_h0.5} falls from 0.5 m, {@code lob_4_4} flies with 4 m/s along x and 4 m/s upward. Whatever follows, such as {@code
+ * _beforekickoff}, does not matter.
  *
  * @param position centre of the ball, metres
  * @param velocity metres per second
  */
 record BallStart(Vector3 position, Vector3 velocity) {
 
-    private static final String NUMBER = "(\\d+(?:\\.\\d+)?)";
-    private static final Pattern ROLL = Pattern.compile("roll_v" + NUMBER + ".*");
-    private static final Pattern DROP = Pattern.compile("drop_h" + NUMBER + ".*");
-    private static final Pattern LOB = Pattern.compile("lob_" + NUMBER + "_" + NUMBER + ".*");
+    private static final String NUMBER = "(-?\\d+(?:\\.\\d+)?)";
+    private static final String END = "(?![\\d.]).*";
+    private static final Pattern ROLL = Pattern.compile("roll_v?" + NUMBER + END);
+    private static final Pattern DROP = Pattern.compile("drop_h?" + NUMBER + END);
+    private static final Pattern LOB = Pattern.compile("lob_v?" + NUMBER + "_" + NUMBER + END);
 
     static BallStart of(String caseName, double ballRadius) throws IOException {
         Vector3 onTheGround = new Vector3(0, 0, ballRadius);

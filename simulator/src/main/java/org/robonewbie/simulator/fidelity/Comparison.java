@@ -1,9 +1,9 @@
 package org.robonewbie.simulator.fidelity;
 
+import java.util.Map;
 import java.util.OptionalDouble;
 import org.robonewbie.simulator.physics.Pose;
 import org.robonewbie.simulator.world.Ball;
-import org.robonewbie.simulator.world.Robot;
 
 /** Adds up the differences between the rows of one recording and our world. */
 final class Comparison {
@@ -20,8 +20,8 @@ final class Comparison {
     private final EqualRows footPlates = new EqualRows();
     private OptionalDouble firstDivergence = OptionalDouble.empty();
     private double runStart;
-    private double lastMetres;
-    private double lastDegrees;
+    private OptionalDouble lastMetres = OptionalDouble.empty();
+    private OptionalDouble lastDegrees = OptionalDouble.empty();
 
     Comparison(Limits limits) {
         this.limits = limits;
@@ -29,30 +29,33 @@ final class Comparison {
 
     void startRun(RecordedRow first) {
         runStart = first.seconds();
+        lastMetres = OptionalDouble.empty();
+        lastDegrees = OptionalDouble.empty();
     }
 
-    void endRun(RecordedRow last) {
-        restMetres.add(lastMetres);
-        if (last.torso().isPresent()) {
-            restDegrees.add(lastDegrees);
-        }
+    void endRun() {
+        lastMetres.ifPresent(restMetres::add);
+        lastDegrees.ifPresent(restDegrees::add);
     }
 
-    void compare(RecordedRow row, Robot robot) {
-        boolean within = compareJoints(row, robot);
-        row.acceleration().ifPresent(printed -> accelerometer.add(Printed.equal(robot.acceleration(), printed)));
-        row.gyro().ifPresent(printed -> gyro.add(Printed.equal(robot.gyroDegreesPerSecond(), printed)));
-        row.footForces().ifPresent(printed -> footPlates.add(Printed.equal(robot.footForces(), printed)));
+    void compare(RecordedRow row, Measurements felt, Pose torso) {
+        boolean within = compareJoints(row, felt.jointDegrees());
+        row.acceleration().ifPresent(printed -> accelerometer.add(Printed.equal(felt.acceleration(), printed)));
+        row.gyro().ifPresent(printed -> gyro.add(Printed.equal(felt.gyro(), printed)));
+        row.footForces().ifPresent(printed -> footPlates.add(Printed.equal(felt.footForces(), printed)));
         if (row.torso().isPresent()) {
-            within &= compareTorso(row.torso().get(), robot.torso());
+            within &= compareTorso(row.torso().get(), torso);
         }
         noteDivergence(row, within);
     }
 
     void compare(RecordedRow row, Ball ball) {
-        lastMetres = row.ball().orElseThrow().distanceTo(ball.position());
-        ballMetres.add(lastMetres);
-        noteDivergence(row, lastMetres <= limits.ballMetres());
+        if (row.ball().isPresent()) {
+            double metres = row.ball().get().distanceTo(ball.position());
+            lastMetres = OptionalDouble.of(metres);
+            ballMetres.add(metres);
+            noteDivergence(row, metres <= limits.ballMetres());
+        }
     }
 
     RecordingFidelity result(String name) {
@@ -72,13 +75,12 @@ final class Comparison {
                 firstDivergence);
     }
 
-    private boolean compareJoints(RecordedRow row, Robot robot) {
+    private boolean compareJoints(RecordedRow row, Map<String, Double> felt) {
         boolean within = true;
-        for (int i = 0; i < robot.model().hinges().size(); i++) {
-            Double recorded =
-                    row.jointDegrees().get(robot.model().hinges().get(i).perceptorName());
-            if (recorded != null) {
-                double error = Math.abs(recorded - robot.jointDegrees(i));
+        for (Map.Entry<String, Double> recorded : row.jointDegrees().entrySet()) {
+            Double degrees = felt.get(recorded.getKey());
+            if (degrees != null) {
+                double error = withoutDust(Math.abs(recorded.getValue() - degrees));
                 jointDegrees.add(error);
                 within &= error <= limits.jointDegrees();
             }
@@ -87,11 +89,18 @@ final class Comparison {
     }
 
     private boolean compareTorso(Pose recorded, Pose simulated) {
-        lastMetres = recorded.position().distanceTo(simulated.position());
-        lastDegrees = TorsoAngles.degreesBetween(recorded.rotation(), simulated.rotation());
-        torsoMetres.add(lastMetres);
-        torsoDegrees.add(lastDegrees);
-        return lastMetres <= limits.torsoMetres() && lastDegrees <= limits.torsoDegrees();
+        double metres = recorded.position().distanceTo(simulated.position());
+        double degrees = TorsoAngles.degreesBetween(recorded.rotation(), simulated.rotation());
+        lastMetres = OptionalDouble.of(metres);
+        lastDegrees = OptionalDouble.of(degrees);
+        torsoMetres.add(metres);
+        torsoDegrees.add(degrees);
+        return metres <= limits.torsoMetres() && degrees <= limits.torsoDegrees();
+    }
+
+    /** The difference of two printed decimals, such as 1.01 and 1.00, is not exactly 0.01 in binary numbers. */
+    private static double withoutDust(double difference) {
+        return Math.rint(difference * 1e9) / 1e9;
     }
 
     private void noteDivergence(RecordedRow row, boolean within) {

@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.fidelity;
 
 import java.io.BufferedReader;
+import java.io.EOFException;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -12,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import java.util.zip.ZipException;
 
 /**
  * Replays recordings of a real rcssserver3d against this simulator's world, without noise and server, and measures how far
@@ -33,34 +35,52 @@ public final class FidelityBench {
     private FidelityBench() {}
 
     /**
-     * Replays the recordings that come with the project.
+     * Replays the recordings that come with the project, straight in the world.
      *
      * @return how closely each was followed
      * @throws IOException if one cannot be read
      */
     public static FidelityReport run() throws IOException {
-        List<RecordingFidelity> results = new ArrayList<>();
-        for (String name : shippedNames()) {
-            results.add(Replay.of(readShipped(name)));
-        }
-        return new FidelityReport(results);
+        return run(AgentRoute.NONE);
     }
 
     /**
-     * Replays all recordings of a directory.
+     * Replays the recordings that come with the project.
+     *
+     * @param route how commands reach the robot and measurements come back
+     * @return how closely each was followed
+     * @throws IOException if one cannot be read
+     */
+    public static FidelityReport run(AgentRoute route) throws IOException {
+        List<RecordingFidelity> results = new ArrayList<>();
+        for (String name : shippedNames()) {
+            results.add(Replay.of(readShipped(name), route));
+        }
+        return new FidelityReport(results, List.of());
+    }
+
+    /**
+     * Replays all recordings of a directory. A file that cannot be understood is named in the report and does not keep the
+     * others from being replayed.
      *
      * @param directory where the files are; those that do not end with .jsonl or .jsonl.gz are left out
+     * @param route how commands reach the robot and measurements come back
      * @return how closely each was followed
-     * @throws IOException if there is none or one cannot be read; the text says which and why
+     * @throws IOException if there is no recording or the directory cannot be read; the text says why
      */
-    public static FidelityReport run(Path directory) throws IOException {
+    public static FidelityReport run(Path directory, AgentRoute route) throws IOException {
         List<RecordingFidelity> results = new ArrayList<>();
+        List<String> problems = new ArrayList<>();
         for (Path file : recordingsIn(directory)) {
             try (InputStream content = Files.newInputStream(file)) {
-                results.add(Replay.of(RecordingReader.read(file.getFileName().toString(), content)));
+                results.add(Replay.of(RecordingReader.read(file.getFileName().toString(), content), route));
+            } catch (EOFException | ZipException e) {
+                problems.add(file.getFileName() + " is damaged (" + e.getMessage() + "). Copy or pack it again.");
+            } catch (IOException e) {
+                problems.add(String.valueOf(e.getMessage()));
             }
         }
-        return new FidelityReport(results);
+        return new FidelityReport(results, problems);
     }
 
     /**

@@ -13,8 +13,9 @@ import java.util.OptionalDouble;
  * The results of a whole bench.
  *
  * @param recordings one entry per recording, in the order of their names
+ * @param problems a sentence for each file that could not be replayed
  */
-public record FidelityReport(List<RecordingFidelity> recordings) {
+public record FidelityReport(List<RecordingFidelity> recordings, List<String> problems) {
 
     private static final String[] COLUMNS = {
         "joints med",
@@ -31,9 +32,10 @@ public record FidelityReport(List<RecordingFidelity> recordings) {
         "differs s"
     };
 
-    /** Makes the list unmodifiable. */
+    /** Makes the lists unmodifiable. */
     public FidelityReport {
         recordings = List.copyOf(recordings);
+        problems = List.copyOf(problems);
     }
 
     /**
@@ -56,7 +58,7 @@ public record FidelityReport(List<RecordingFidelity> recordings) {
 
     /**
      * Writes the results for programs: {@code {"recordings":[{"name":…,"jointMedianDegrees":…,…}]}} with null for what a
-     * recording does not show.
+     * recording does not show; {@code "problems":["…"]} follows if there are any.
      *
      * @return JSON text
      */
@@ -65,6 +67,11 @@ public record FidelityReport(List<RecordingFidelity> recordings) {
         recordings.forEach(recording -> list.add(json(recording)));
         JsonObject all = new JsonObject();
         all.add("recordings", list);
+        if (!problems.isEmpty()) {
+            JsonArray sentences = new JsonArray();
+            problems.forEach(sentences::add);
+            all.add("problems", sentences);
+        }
         return new GsonBuilder().serializeNulls().setPrettyPrinting().create().toJson(all) + "\n";
     }
 

@@ -28,4 +28,19 @@ public record RecordedRow(
         Optional<Pose> torso,
         Optional<Vector3> ball,
         String playMode,
-        String sent) {}
+        String sent) {
+
+    private static final double CYCLE_SECONDS = 0.02;
+    private static final int MOST_LOST_CYCLES = 500;
+
+    /**
+     * Counts the server's cycles from this row to another one; more than one when lines got lost.
+     *
+     * @param next the row after this one
+     * @return at least 1
+     */
+    int cyclesUntil(RecordedRow next) {
+        double cycles = (next.seconds - seconds) / CYCLE_SECONDS;
+        return cycles > 1.75 && cycles < MOST_LOST_CYCLES ? (int) Math.round(cycles) : 1;
+    }
+}

@@ -22,15 +22,20 @@ import org.robonewbie.simulator.physics.Pose;
 
 /**
  * Reads recordings: JSON lines, plain or compressed with gzip. The first line is a header, every further line one cycle;
- * rows that name a joint, speed and place or a case are cut into runs where these change.
+ * rows that name a joint, speed and place or a case are cut into runs where these change, and all where time jumps back.
+ * Fields that are null count as missing; every field may be missing but {@code t}.
  */
 final class RecordingReader {
 
     private static final String GZIP_ENDING = ".gz";
     private static final String ENDING = ".jsonl";
+    private static final double A_BIT = 0.005;
 
     private final String fileName;
-    private final Map<String, List<RecordedRow>> runs = new LinkedHashMap<>();
+    private final List<RecordedRun> runs = new ArrayList<>();
+    private List<RecordedRow> rows = new ArrayList<>();
+    private String run = "";
+    private String header = "";
     private int lineNumber;
 
     private RecordingReader(String fileName) {
@@ -66,11 +71,37 @@ final class RecordingReader {
         return reader.recording();
     }
 
-    private Recording recording() {
-        String name = fileName.substring(0, fileName.lastIndexOf(ENDING));
-        List<RecordedRun> list = new ArrayList<>();
-        runs.forEach((run, rows) -> list.add(new RecordedRun(run, List.copyOf(rows))));
-        return new Recording(name, List.copyOf(list));
+    private Recording recording() throws IOException {
+        endRun();
+        if (runs.isEmpty()) {
+            throw new IOException("The recording " + name() + " shows neither torso nor ball. It needs one of them.");
+        }
+        return new Recording(name(), header, List.copyOf(runs));
+    }
+
+    private String name() {
+        return fileName.substring(0, fileName.lastIndexOf(ENDING));
+    }
+
+    /** Ends the present run; rows before the first one with a torso or ball cannot be placed anywhere. */
+    private void endRun() {
+        List<RecordedRow> placed = rows.stream()
+                .dropWhile(row -> row.torso().isEmpty() && row.ball().isEmpty())
+                .toList();
+        if (!placed.isEmpty()) {
+            runs.add(new RecordedRun(run, placed));
+        }
+        rows = new ArrayList<>();
+    }
+
+    private void add(String runName, RecordedRow row) {
+        boolean earlier =
+                !rows.isEmpty() && row.seconds() < rows.get(rows.size() - 1).seconds() - A_BIT;
+        if (earlier || !runName.equals(run)) {
+            endRun();
+            run = runName;
+        }
+        rows.add(row);
     }
 
     private void readLine(String line) throws IOException {
@@ -80,10 +111,14 @@ final class RecordingReader {
         }
         try {
             JsonObject row = JsonParser.parseString(line).getAsJsonObject();
-            if (!row.has("header")) {
-                runs.computeIfAbsent(runName(row), name -> new ArrayList<>()).add(row(row));
+            row.entrySet().removeIf(field -> field.getValue().isJsonNull());
+            if (row.has("header")) {
+                header = row.get("header").toString();
+            } else {
+                add(runName(row), row(row));
             }
         } catch (JsonParseException
+                | ClassCastException
                 | IllegalStateException
                 | NullPointerException
                 | UnsupportedOperationException
@@ -100,12 +135,7 @@ final class RecordingReader {
         if (row.has("case")) {
             return row.get("case").getAsString();
         }
-        if (row.has("place")) {
-            return row.get("joint").getAsString() + " "
-                    + row.get("speed").getAsString() + " "
-                    + row.get("place").getAsString();
-        }
-        return "";
+        return row.has("place") ? text(row, "joint") + " " + text(row, "speed") + " " + text(row, "place") : "";
     }
 
     private static RecordedRow row(JsonObject row) {
@@ -118,7 +148,7 @@ final class RecordingReader {
                 Optional.ofNullable(row.get("torso")).map(torso -> pose(torso.getAsJsonObject())),
                 vector(row, "ball"),
                 text(row, "pm"),
-                text(row, "sent"));
+                row.has("sent") ? text(row, "sent") : text(row, "cmd"));
     }
 
     private static Map<String, Double> joints(JsonObject row) {

@@ -1,5 +1,6 @@
 package org.robonewbie.simulator.fidelity;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.Joint;
@@ -10,33 +11,34 @@ import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
  * Brings a new robot into the state in which a recording begins, on the way that the recorded ones came: put down where the
- * first robot of a team joins, settled there, beamed, and settled again or lifted and falling freely.
+ * first robot of a team joins, settled there, beamed, and settled again; or lifted, and hanging asleep or falling freely.
  */
 final class RobotStart {
 
-    private static final double BEAM_HEIGHT = 0.4;
-    private static final double HIGHEST_STANDING_TORSO = 1;
+    private static final double BEAM_HEIGHT = RecordedCommands.BEAM_HEIGHT;
+    private static final double HIGHEST_STANDING_TORSO = 0.45;
     private static final double GRAVITY = 9.81;
     private static final Vector3 JOINING_PLACE = new Vector3(-14.2, 9.2, BEAM_HEIGHT);
+    private static final double DISTANCE_OF_JOINING_PLACES = 1.2;
     private static final int STEPS_TO_LAND_AND_SLEEP = 60;
     private static final double SAME_HEIGHT = 2e-6;
     private static final double WAKING_SPEED = 0.001;
 
-    private final SoccerWorld world;
+    private final Stage stage;
     private final Robot robot;
     private final List<RecordedRow> rows;
 
-    RobotStart(SoccerWorld world, Robot robot, RecordedRun run) {
-        this.world = world;
-        this.robot = robot;
+    RobotStart(Stage stage, RecordedRun run) {
+        this.stage = stage;
+        this.robot = stage.robot();
         this.rows = run.rows();
     }
 
-    void reach(Pose torso) {
+    void reach(Pose torso) throws IOException {
         Vector3 place = torso.position();
         double yaw = TorsoAngles.yawDegrees(torso.rotation()) - 90;
         Vector3 beam = new Vector3(tenthsOfMillimetres(place.x()), tenthsOfMillimetres(place.y()), BEAM_HEIGHT);
-        if (!beam.equals(JOINING_PLACE)) {
+        if (!isJoiningPlace(beam)) {
             robot.moveUpright(JOINING_PLACE, yaw);
             step(STEPS_TO_LAND_AND_SLEEP);
         }
@@ -44,17 +46,23 @@ final class RobotStart {
         robot.wake();
         if (place.z() > HIGHEST_STANDING_TORSO) {
             step(STEPS_TO_LAND_AND_SLEEP);
-            fall(place);
+            lift(place);
         } else {
             land(place.z());
         }
     }
 
+    /** New players appear in a row along the side line of their half, beginning 0.8 m from the corner. */
+    private static boolean isJoiningPlace(Vector3 place) {
+        double index = (JOINING_PLACE.y() - place.y()) / DISTANCE_OF_JOINING_PLACES;
+        return Math.abs(place.x()) == -JOINING_PLACE.x() && index >= 0 && Math.abs(index - Math.rint(index)) < 1e-6;
+    }
+
     /** Steps until the robot is as high and feels the same as in the first row; if that is at rest, lets it sleep. */
-    private void land(double height) {
+    private void land(double height) throws IOException {
         Optional<Vector3> acceleration = rows.get(0).acceleration();
         for (int i = 0; i < STEPS_TO_LAND_AND_SLEEP; i++) {
-            world.step();
+            step(1);
             boolean asHigh = Math.abs(robot.torso().position().z() - height) < SAME_HEIGHT;
             if (asHigh && acceleration.map(this::feels).orElse(true)) {
                 break;
@@ -69,23 +77,29 @@ final class RobotStart {
         return Printed.equal(robot.acceleration(), acceleration);
     }
 
-    /** The way from the first row to the second tells for how many steps the robot has been falling. */
-    private void fall(Vector3 place) {
+    /** The way from the first row to the second tells for how many steps the robot has been falling, if at all. */
+    private void lift(Vector3 place) throws IOException {
         double dt = SoccerWorld.STEP_SECONDS;
-        double speed = (place.z() - rows.get(1).torso().orElseThrow().position().z()) / dt;
-        int steps = (int) Math.round(speed / (GRAVITY * dt)) - 1;
+        double speed = rows.size() < 2 ? 0 : (place.z() - heightInSecondRow(place)) / dt;
+        int steps = (int) Math.max(0, Math.round(speed / (GRAVITY * dt)) - 1);
         double way = GRAVITY * dt * dt * steps * (steps + 1) / 2;
         robot.moveTo(new Vector3(
                 tenthsOfMillimetres(place.x()), tenthsOfMillimetres(place.y()), tenthsOfMillimetres(place.z() + way)));
-        robot.setMotorSpeed(Joint.NECK_YAW, WAKING_SPEED);
-        step(1);
-        robot.setMotorSpeed(Joint.NECK_YAW, 0);
-        step(steps - 1);
+        if (steps > 0) {
+            robot.setMotorSpeed(Joint.NECK_YAW, WAKING_SPEED);
+            step(1);
+            robot.setMotorSpeed(Joint.NECK_YAW, 0);
+            step(steps - 1);
+        }
     }
 
-    private void step(int count) {
+    private double heightInSecondRow(Vector3 place) {
+        return rows.get(1).torso().map(torso -> torso.position().z()).orElse(place.z());
+    }
+
+    private void step(int count) throws IOException {
         for (int i = 0; i < count; i++) {
-            world.step();
+            stage.step(List.of());
         }
     }
 

@@ -10,20 +10,22 @@ import org.junit.jupiter.api.Test;
 
 class FidelityReportTest {
 
-    private final FidelityReport report = new FidelityReport(List.of(new RecordingFidelity(
-            "squat",
-            OptionalDouble.of(0.001),
-            OptionalDouble.of(0.005),
-            OptionalDouble.of(0.000002),
-            OptionalDouble.of(0.00001),
-            OptionalDouble.of(0.0001),
-            OptionalDouble.empty(),
-            OptionalDouble.of(1),
-            OptionalDouble.of(0.995),
-            OptionalDouble.empty(),
-            OptionalDouble.of(0.000003),
-            OptionalDouble.of(0),
-            OptionalDouble.empty())));
+    private final FidelityReport report = new FidelityReport(
+            List.of(new RecordingFidelity(
+                    "squat",
+                    OptionalDouble.of(0.001),
+                    OptionalDouble.of(0.005),
+                    OptionalDouble.of(0.000002),
+                    OptionalDouble.of(0.00001),
+                    OptionalDouble.of(0.0001),
+                    OptionalDouble.empty(),
+                    OptionalDouble.of(1),
+                    OptionalDouble.of(0.995),
+                    OptionalDouble.empty(),
+                    OptionalDouble.of(0.000003),
+                    OptionalDouble.of(0),
+                    OptionalDouble.empty())),
+            List.of());
 
     @Test
     void tableShowsMillimetresAndPercent() {

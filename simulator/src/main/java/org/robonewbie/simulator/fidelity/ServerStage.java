@@ -1,0 +1,99 @@
+package org.robonewbie.simulator.fidelity;
+
+import java.io.IOException;
+import java.util.List;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorMessageWriter;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.simulator.server.SteppedSimulator;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.world.Robot;
+
+/** A whole server with league rules and without noise; the robot is moved, and felt, by an agent's messages only. */
+final class ServerStage implements Stage {
+
+    private final SteppedSimulator simulator;
+    private final AgentLink agent;
+    private final MessageBuffer message = new MessageBuffer();
+    private final PerceptorMessageReader reader = new PerceptorMessageReader();
+
+    private ServerStage(SteppedSimulator simulator, AgentLink agent) {
+        this.simulator = simulator;
+        this.agent = agent;
+    }
+
+    static ServerStage open(AgentRoute route, RobotType type) throws IOException {
+        SteppedSimulator simulator = SteppedSimulator.start(settings(), Console.silent());
+        try {
+            AgentLink agent = route == AgentRoute.TCP ? simulator.connectOverTcp() : simulator.connect();
+            ServerStage stage = new ServerStage(simulator, agent);
+            stage.join(type);
+            return stage;
+        } catch (IOException e) {
+            simulator.close();
+            throw e;
+        }
+    }
+
+    /** Settings of a server that does nothing by chance. */
+    static SimulatorSettings settings() {
+        return SimulatorSettings.league()
+                .parameters(SoccerParameters.league()
+                        .with("BeamNoiseXY=0")
+                        .with("BeamNoiseAngle=0")
+                        .with("StartAnyFieldPosition=true"))
+                .agentPort(0)
+                .synchronous(true)
+                .noise(false)
+                .build();
+    }
+
+    @Override
+    public Robot robot() {
+        return simulator.world().robots().get(0);
+    }
+
+    @Override
+    public Measurements step(List<EffectorCommand> commands) throws IOException {
+        message.clear();
+        EffectorMessageWriter writer = new EffectorMessageWriter(message);
+        commands.forEach(writer::write);
+        writer.synchronise();
+        agent.send(message);
+        simulator.cycle();
+        return Measurements.of(receive());
+    }
+
+    @Override
+    public void close() {
+        agent.close();
+        simulator.close();
+    }
+
+    /** The first two cycles bring no message, since the robot appears in the first one. */
+    private void join(RobotType type) throws IOException {
+        message.clear();
+        new EffectorMessageWriter(message)
+                .createRobot("rsg/agent/nao/nao_hetero.rsg", List.of(String.valueOf(type.ordinal())))
+                .synchronise();
+        agent.send(message);
+        simulator.cycle();
+        simulator.cycle();
+        simulator.cycle();
+        receive();
+        step(List.of(new EffectorCommand.JoinTeam(1, "Recorded")));
+    }
+
+    private PerceptorMessage receive() throws IOException {
+        if (!agent.receive(message)) {
+            throw new IOException("The server has closed the connection of the agent.");
+        }
+        return reader.read(message);
+    }
+}

@@ -1,0 +1,38 @@
+package org.robonewbie.simulator.fidelity;
+
+import java.io.IOException;
+import java.util.List;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.simulator.world.Robot;
+
+/** A fresh world with one robot on which a recorded run is played again. */
+interface Stage extends AutoCloseable {
+
+    /**
+     * Prepares a stage.
+     *
+     * @param route how the commands reach the robot
+     * @param type the robot's build
+     * @return the stage; its robot is somewhere
+     * @throws IOException if a server cannot be started
+     */
+    static Stage open(AgentRoute route, RobotType type) throws IOException {
+        return route == AgentRoute.NONE ? new WorldStage(type) : ServerStage.open(route, type);
+    }
+
+    /** Gives the robot, to put it where the run begins and to look at its true pose. */
+    Robot robot();
+
+    /**
+     * Gives the robot some commands and lets 20 ms pass.
+     *
+     * @param commands what the recorded client sent
+     * @return what the robot felt before these 20 ms
+     * @throws IOException if the connection is broken
+     */
+    Measurements step(List<EffectorCommand> commands) throws IOException;
+
+    @Override
+    void close();
+}

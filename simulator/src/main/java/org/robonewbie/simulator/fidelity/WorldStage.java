@@ -1,0 +1,54 @@
+package org.robonewbie.simulator.fidelity;
+
+import java.util.List;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.Hinge;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+/** A bare world without server, rules and messages. */
+final class WorldStage implements Stage {
+
+    private final SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
+    private final Robot robot;
+
+    WorldStage(RobotType type) {
+        robot = world.addRobot(type);
+    }
+
+    @Override
+    public Robot robot() {
+        return robot;
+    }
+
+    @Override
+    public Measurements step(List<EffectorCommand> commands) {
+        Measurements before = Measurements.of(robot);
+        commands.forEach(this::apply);
+        world.step();
+        return before;
+    }
+
+    @Override
+    public void close() {
+        // Nothing outside the memory is in use.
+    }
+
+    private void apply(EffectorCommand command) {
+        if (command instanceof EffectorCommand.SetHingeSpeed speed) {
+            List<Hinge> hinges = robot.model().hinges();
+            for (int i = 0; i < hinges.size(); i++) {
+                if (hinges.get(i).effectorName().equals(speed.effectorName())) {
+                    robot.setMotorSpeed(i, speed.radiansPerSecond());
+                }
+            }
+        } else if (command instanceof EffectorCommand.Beam beam) {
+            robot.beam(
+                    new Vector3(beam.xMetres(), beam.yMetres(), RecordedCommands.BEAM_HEIGHT),
+                    beam.headingDegrees() - 90);
+        }
+    }
+}
