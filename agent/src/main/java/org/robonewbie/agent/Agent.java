@@ -12,6 +12,7 @@ import org.robonewbie.agent.motion.LookAround;
 import org.robonewbie.agent.motion.MotionLibrary;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.perception.LocalFieldView;
+import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
@@ -47,6 +48,9 @@ public abstract class Agent {
     /** Motions by name. */
     protected final Motions motions = new Motions(nao.motors(), new MotionLibrary(), mistakes, nao::getBodyPosition);
 
+    /** A walk into any direction, for those who find the motions of keyframes too slow. */
+    protected final Walk walk = new Walk(nao.motors(), motions, mistakes, nao::getBodyPosition);
+
     /** What the robot remembers of the field. */
     protected final LocalFieldView fieldView = new LocalFieldView(mistakes);
 
@@ -55,7 +59,7 @@ public abstract class Agent {
 
     private final RehearsalPort rehearsal = new RehearsalPort();
     private final PrintStream out = System.out;
-    private Session session = new Session(nao, motions, fieldView, rehearsal, OptionalDouble.empty(), System.err);
+    private Session session = new Session(nao, walk, fieldView, rehearsal, OptionalDouble.empty(), System.err);
     private Options options = Options.none();
     private boolean failed;
 
@@ -147,7 +151,7 @@ public abstract class Agent {
         try {
             new StartDialogue(port, nao, options).run();
             OptionalDouble life = home.endsByItself() ? OptionalDouble.empty() : options.seconds();
-            session = new Session(nao, motions, fieldView, port, life, System.err);
+            session = new Session(nao, walk, fieldView, port, life, System.err);
             Optional<Runnable> giveUp = options.isHeadless() ? Optional.of(() -> System.exit(1)) : Optional.empty();
             try (Watchdog watchdog = new Watchdog(mistakes, giveUp)) {
                 session.askWhenLate(watchdog::slowPlace);

@@ -7,6 +7,7 @@ import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.motion.MotionLibrary;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.perception.LocalFieldView;
+import org.robonewbie.agent.walk.Walk;
 
 /**
  * A NAO robot in your hand: you turn the cycle yourself.
@@ -27,6 +28,7 @@ import org.robonewbie.agent.perception.LocalFieldView;
 public final class Nao extends NaoBody implements AutoCloseable {
 
     private final Motions motions;
+    private final Walk walk;
     private final LocalFieldView fieldView;
     private final Home home;
     private final Session session;
@@ -36,12 +38,13 @@ public final class Nao extends NaoBody implements AutoCloseable {
         super(new Logger("the robot"), new Mistakes(System.err));
         this.home = home;
         motions = new Motions(motors(), new MotionLibrary(), mistakes(), this::getBodyPosition);
+        walk = new Walk(motors(), motions, mistakes(), this::getBodyPosition);
         fieldView = new LocalFieldView(mistakes());
         LinkPort port = new LinkPort(home.connect(), senses().buffer());
         thoughts().tellTo(home.telemetry());
         new StartDialogue(port, this, options).run();
         OptionalDouble life = home.endsByItself() ? OptionalDouble.empty() : options.seconds();
-        session = new Session(this, motions, fieldView, port, life, System.err);
+        session = new Session(this, walk, fieldView, port, life, System.err);
         lastWords = new LastWords(log(), home, System.out);
     }
 
@@ -125,6 +128,15 @@ public final class Nao extends NaoBody implements AutoCloseable {
      */
     public Motions motions() {
         return motions;
+    }
+
+    /**
+     * Gives access to a walk into any direction, while the program goes on with its cycle.
+     *
+     * @return the walk
+     */
+    public Walk walk() {
+        return walk;
     }
 
     /**

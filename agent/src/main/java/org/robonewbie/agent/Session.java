@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.robonewbie.agent.log.StudentCode;
-import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.perception.LocalFieldView;
+import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
@@ -20,7 +20,7 @@ final class Session implements AutoCloseable {
     private static final double WARM_UP_SECONDS = 1;
 
     private final NaoBody body;
-    private final Motions motions;
+    private final Walk walk;
     private final LocalFieldView fieldView;
     private final MessagePort port;
     private final OptionalDouble lifeSeconds;
@@ -35,13 +35,13 @@ final class Session implements AutoCloseable {
 
     Session(
             NaoBody body,
-            Motions motions,
+            Walk walk,
             LocalFieldView fieldView,
             MessagePort port,
             OptionalDouble lifeSeconds,
             PrintStream out) {
         this.body = body;
-        this.motions = motions;
+        this.walk = walk;
         this.fieldView = fieldView;
         this.port = port;
         this.lifeSeconds = lifeSeconds;
@@ -81,10 +81,11 @@ final class Session implements AutoCloseable {
         answered = true;
         if (body.commands().isBeaming() && body.isBeamAllowed()) {
             fieldView.forget();
+            walk.reset();
             body.senses().falls().reset();
         }
-        motions.update();
-        body.thoughts().act(motions);
+        walk.update(body.getGyro(), body.getAcceleration());
+        body.thoughts().act(walk);
         commands.clear();
         body.commands().write(commands);
         try {

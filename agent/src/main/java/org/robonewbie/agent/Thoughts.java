@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.log.LogLine;
-import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.agent.perception.LocalFieldView;
 import org.robonewbie.agent.perception.PlayerItem;
+import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.protocol.telemetry.BelievedThing;
 import org.robonewbie.protocol.telemetry.Drawing;
@@ -67,7 +67,7 @@ final class Thoughts {
     }
 
     /** Tells what the robot does, at the end of a cycle. */
-    synchronized void act(Motions motions) {
+    synchronized void act(Walk walk) {
         if (!isWatched()) {
             drawings.clear();
             return;
@@ -76,10 +76,10 @@ final class Thoughts {
             tell(new TelemetryItem.Picture(drawings));
             drawings.clear();
         }
-        Optional<String> current = motions.current();
-        if (!current.equals(motion) || motions.keyframe() != keyframe) {
+        Optional<String> current = walk.current();
+        if (!current.equals(motion) || walk.keyframe() != keyframe) {
             motion = current;
-            keyframe = motions.keyframe();
+            keyframe = walk.keyframe();
             tell(new TelemetryItem.MotionProgress(motion.orElse(""), keyframe));
         }
     }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.Keyframe;
@@ -33,14 +34,13 @@ import org.robonewbie.nao.motion.Posture;
 public final class MotionPlayer {
 
     private static final int CYCLE_MILLIS = 20;
-    private static final double CORRECTION = 0.5;
     private static final Joint[] JOINTS = Joint.values();
 
     private final Motion motion;
     private final Interpolation interpolation;
     private final int[] keyframeEnds;
-    private final double[] plannedDegrees = new double[Joint.COUNT];
     private Posture start = Posture.ZERO;
+    private Optional<PostureFollower> follower = Optional.empty();
     private int cycle;
     private int keyframe;
     private boolean looping;
@@ -130,7 +130,7 @@ public final class MotionPlayer {
         while (cycle > keyframeEnds[keyframe]) {
             keyframe++;
         }
-        drive(motors);
+        follower.ifPresent(this::drive);
     }
 
     /** Stops all joints that belong to the motion. */
@@ -179,7 +179,7 @@ public final class MotionPlayer {
 
     private void begin(Motors motors) {
         start = expected(motors);
-        System.arraycopy(start.toArray(), 0, plannedDegrees, 0, Joint.COUNT);
+        follower = Optional.of(new PostureFollower(motors));
     }
 
     private void beginAgain() {
@@ -188,18 +188,12 @@ public final class MotionPlayer {
         keyframe = 0;
     }
 
-    private void drive(Motors motors) {
+    private void drive(PostureFollower leader) {
         MotionSection section = new MotionSection(start, motion, keyframe);
         int before = keyframe == 0 ? 0 : keyframeEnds[keyframe - 1];
         double fraction = (double) (cycle - before) / cyclesOf(keyframe);
-        double correction = cycle == lengthInCycles() ? 1 : CORRECTION;
-        for (Joint joint : JOINTS) {
-            int i = joint.ordinal();
-            double next = Motors.inside(joint, interpolation.degrees(section, joint, fraction));
-            double error = plannedDegrees[i] - motors.expectedDegrees(joint);
-            motors.setMotionSpeed(joint, (next - plannedDegrees[i] + correction * error) / Motors.CYCLE_SECONDS);
-            plannedDegrees[i] = next;
-        }
+        double correction = cycle == lengthInCycles() ? 1 : PostureFollower.CORRECTION;
+        leader.follow(joint -> interpolation.degrees(section, joint, fraction), correction);
     }
 
     private int cyclesOf(int index) {

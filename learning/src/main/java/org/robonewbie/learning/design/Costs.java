@@ -2,6 +2,8 @@ package org.robonewbie.learning.design;
 
 import java.util.Arrays;
 import org.robonewbie.learning.trial.Watch;
+import org.robonewbie.nao.kinematics.InverseKinematics;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
 /** What several designs have in common. */
@@ -29,5 +31,10 @@ final class Costs {
             degrees[i] = Math.round(degrees[i] * 10) / 10.0;
         }
         return Posture.of(degrees);
+    }
+
+    /** Kinematics for one calculation; trials of several threads cannot share one. */
+    static InverseKinematics kinematics() {
+        return new InverseKinematics(RobotType.TYPE_0);
     }
 }

@@ -2,10 +2,10 @@ package org.robonewbie.learning.design;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robonewbie.learning.gait.FootPlace;
-import org.robonewbie.learning.gait.FootPose;
-import org.robonewbie.learning.gait.Stance;
-import org.robonewbie.learning.gait.TorsoPose;
+import org.robonewbie.agent.walk.FootPlace;
+import org.robonewbie.agent.walk.FootPose;
+import org.robonewbie.agent.walk.Stance;
+import org.robonewbie.agent.walk.TorsoPose;
 import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
@@ -85,7 +85,8 @@ public final class DanceDesign implements MotionDesign {
         Posture both = withLeftArm(left.mirrored(), beat.rightArm()).mirrored();
         Posture upper = both.with(Joint.NECK_YAW, beat.look()).with(Joint.NECK_PITCH, beat.nod());
         TorsoPose torso = new TorsoPose(beat.height(), LEAN_DEGREES, 0);
-        return Costs.rounded(torso.above(upper, foot(beat, FootPlace.LEFT), foot(beat, FootPlace.RIGHT)));
+        return Costs.rounded(
+                torso.above(Costs.kinematics(), upper, foot(beat, FootPlace.LEFT), foot(beat, FootPlace.RIGHT)));
     }
 
     private static Posture withLeftArm(Posture posture, Arm arm) {

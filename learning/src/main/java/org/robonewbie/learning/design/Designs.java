@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Supplier;
-import org.robonewbie.learning.gait.Gait;
+import org.robonewbie.agent.walk.Gait;
 import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.learning.trial.Lying;
 

@@ -2,10 +2,10 @@ package org.robonewbie.learning.design;
 
 import java.util.List;
 import java.util.function.UnaryOperator;
-import org.robonewbie.learning.gait.FootPlace;
+import org.robonewbie.agent.walk.FootPlace;
+import org.robonewbie.agent.walk.Gait;
+import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.gait.Footsteps;
-import org.robonewbie.learning.gait.Gait;
-import org.robonewbie.learning.gait.Stance;
 import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Motion;

@@ -1,9 +1,9 @@
 package org.robonewbie.learning.design;
 
 import java.util.List;
-import org.robonewbie.learning.gait.FootPose;
-import org.robonewbie.learning.gait.Stance;
-import org.robonewbie.learning.gait.TorsoPose;
+import org.robonewbie.agent.walk.FootPose;
+import org.robonewbie.agent.walk.Stance;
+import org.robonewbie.agent.walk.TorsoPose;
 import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.learning.trial.KickTrial;
 import org.robonewbie.nao.Joint;
@@ -117,8 +117,11 @@ public final class KickDesign implements MotionDesign {
         double sway = 0.05 + 0.01 * x[6] + 0.004 * aside;
         double ahead = -0.005 + 0.01 * x[7];
         TorsoPose torso = new TorsoPose(0.34, 3 + 4 * lean, 3 * x[8]);
-        Posture posture =
-                torso.above(arms, FootPose.flat(ahead, HALF_WIDTH - sway), FootPose.flat(ahead, -HALF_WIDTH - sway));
+        Posture posture = torso.above(
+                Costs.kinematics(),
+                arms,
+                FootPose.flat(ahead, HALF_WIDTH - sway),
+                FootPose.flat(ahead, -HALF_WIDTH - sway));
         return Costs.rounded(posture);
     }
 }

@@ -1,10 +1,10 @@
 package org.robonewbie.learning.design;
 
 import java.util.List;
-import org.robonewbie.learning.gait.FootPlace;
+import org.robonewbie.agent.walk.FootPlace;
+import org.robonewbie.agent.walk.Gait;
+import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.gait.Footsteps;
-import org.robonewbie.learning.gait.Gait;
-import org.robonewbie.learning.gait.Stance;
 import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.learning.trial.Course;
 import org.robonewbie.nao.kinematics.Leg;

@@ -2,9 +2,14 @@ package org.robonewbie.learning.gait;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.Vector3;
+import org.robonewbie.agent.walk.Carriage;
+import org.robonewbie.agent.walk.Correction;
+import org.robonewbie.agent.walk.FootPlace;
+import org.robonewbie.agent.walk.Gait;
+import org.robonewbie.agent.walk.Step;
+import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Posture;
 
@@ -21,9 +26,7 @@ import org.robonewbie.nao.motion.Posture;
  */
 public final class Footsteps {
 
-    private static final double ANKLE_BEHIND_TORSO = 0.005;
-    private static final double MOST_ARM_DEGREES = 45;
-
+    private final InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
     private final Gait gait;
     private final List<Keyframe> keyframes = new ArrayList<>();
     private FootPlace left;
@@ -63,19 +66,15 @@ public final class Footsteps {
      * @return this
      */
     public Footsteps step(Leg leg, FootPlace target, double vigourAtEnd) {
-        FootPlace start = place(leg);
-        FootPlace middle = middle();
-        double vigourAtStart = vigour;
-        vigour = vigourAtEnd;
-        putDown(leg, target);
-        FootPlace nextMiddle = middle();
+        Carriage before = Carriage.of(gait, vigour);
+        Carriage after = Carriage.of(gait, vigourAtEnd);
+        Step step = new Step(gait, leg, place(leg), target, place(leg.other()), before, after);
         for (int i = 1; i <= gait.keyframesPerStep(); i++) {
             double time = (double) i / gait.keyframesPerStep();
-            double strength = vigourAtStart + time * (vigourAtEnd - vigourAtStart);
-            StepMoment moment = new StepMoment(gait, leg, time, strength);
-            putDown(leg, start.towards(target, moment.travelled()));
-            add(moment, middle.towards(nextMiddle, time));
+            Posture posture = rounded(step.posture(kinematics, time, Correction.NONE));
+            keyframes.add(new Keyframe(gait.stepMillis() / gait.keyframesPerStep(), posture));
         }
+        vigour = vigourAtEnd;
         putDown(leg, target);
         return this;
     }
@@ -111,38 +110,6 @@ public final class Footsteps {
         } else {
             right = place;
         }
-    }
-
-    private FootPlace middle() {
-        return left.towards(right, 0.5);
-    }
-
-    private void add(StepMoment moment, FootPlace middle) {
-        Posture arms =
-                armsSwinging(left.seenFrom(middle).x() - right.seenFrom(middle).x());
-        TorsoPose torso = new TorsoPose(gait.torsoHeight() + moment.bounce(), gait.leanDegrees(), moment.rollDegrees());
-        Posture posture = torso.above(arms, foot(moment, Leg.LEFT, middle), foot(moment, Leg.RIGHT, middle));
-        keyframes.add(
-                new Keyframe(gait.stepMillis() / gait.keyframesPerStep(), rounded(moment.withLiftedHip(posture))));
-    }
-
-    private FootPose foot(StepMoment moment, Leg leg, FootPlace middle) {
-        Vector3 place = place(leg).seenFrom(middle);
-        double outward = leg == Leg.LEFT ? gait.feetApart() : -gait.feetApart();
-        boolean swings = leg == moment.leg();
-        return new FootPose(
-                place.x() + gait.feetForward() - ANKLE_BEHIND_TORSO,
-                place.y() + outward - moment.sway(),
-                swings ? moment.lift() : 0,
-                place(leg).yawDegrees() - middle.yawDegrees(),
-                swings ? moment.toeDegrees() : 0);
-    }
-
-    private Posture armsSwinging(double leftAhead) {
-        double swing = Math.max(-MOST_ARM_DEGREES, Math.min(MOST_ARM_DEGREES, gait.armSwing() * leftAhead));
-        Posture stance = Stance.POSTURE;
-        return stance.with(Joint.LEFT_SHOULDER_PITCH, stance.degrees(Joint.LEFT_SHOULDER_PITCH) - swing)
-                .with(Joint.RIGHT_SHOULDER_PITCH, stance.degrees(Joint.RIGHT_SHOULDER_PITCH) + swing);
     }
 
     private static Posture rounded(Posture posture) {

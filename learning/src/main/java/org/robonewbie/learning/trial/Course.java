@@ -1,6 +1,8 @@
 package org.robonewbie.learning.trial;
 
-import org.robonewbie.learning.gait.Stance;
+import org.robonewbie.agent.motion.PostureFollower;
+import org.robonewbie.agent.walk.Stance;
+import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Motion;
 
@@ -66,6 +68,17 @@ public final class Course {
      */
     public boolean play(Motion motion) {
         return !watch.hasFallen() && robot.play(motion, observer);
+    }
+
+    /**
+     * Walks for one cycle, unless the robot has fallen.
+     *
+     * @param engine the walk
+     * @param follower leads the robot's joints
+     * @return whether the robot is still on its feet
+     */
+    public boolean walk(WalkEngine engine, PostureFollower follower) {
+        return !watch.hasFallen() && robot.walk(engine, follower, observer);
     }
 
     /**

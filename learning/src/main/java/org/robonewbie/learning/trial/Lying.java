@@ -1,7 +1,7 @@
 package org.robonewbie.learning.trial;
 
 import java.util.Random;
-import org.robonewbie.learning.gait.Stance;
+import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Posture;

@@ -3,6 +3,8 @@ package org.robonewbie.learning.trial;
 import java.util.List;
 import org.robonewbie.agent.motion.MotionPlayer;
 import org.robonewbie.agent.motion.Motors;
+import org.robonewbie.agent.motion.PostureFollower;
+import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
@@ -96,6 +98,29 @@ public final class TrialRobot {
             }
         }
         return true;
+    }
+
+    /**
+     * Walks for one cycle.
+     *
+     * @param engine the walk
+     * @param follower leads these motors, see {@link #follower}
+     * @param observer sees the cycle and can break off
+     * @return whether the observer lets it go on
+     */
+    public boolean walk(WalkEngine engine, PostureFollower follower, TrialObserver observer) {
+        engine.feel(forwardLeftUp(robot.gyroDegreesPerSecond()), forwardLeftUp(robot.acceleration()));
+        follower.follow(engine.next());
+        return cycle(observer);
+    }
+
+    /**
+     * Makes something that leads this robot from posture to posture.
+     *
+     * @return a follower that begins where the robot is
+     */
+    public PostureFollower follower() {
+        return new PostureFollower(motors);
     }
 
     /**
@@ -250,9 +275,18 @@ public final class TrialRobot {
         return observer.goOn(this);
     }
 
+    /** A reading in the frame of agents, in the hundredths that messages carry. */
+    private static Vector3 forwardLeftUp(Vector3 reading) {
+        return new Vector3(hundredths(reading.y()), hundredths(-reading.x()), hundredths(reading.z()));
+    }
+
+    private static double hundredths(double value) {
+        return Math.round(value * 100) / 100.0;
+    }
+
     private void sense() {
         for (Joint joint : JOINTS) {
-            motors.sense(joint, Math.round(robot.jointDegrees(joint) * 100) / 100.0);
+            motors.sense(joint, hundredths(robot.jointDegrees(joint)));
         }
     }
 }

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
-import org.robonewbie.learning.gait.Stance;
+import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.nao.motion.Motion;
 
 class LibraryTest {

@@ -1,4 +1,4 @@
-package org.robonewbie.learning.gait;
+package org.robonewbie.agent.walk;
 
 /**
  * Where a foot is below the torso, in a frame that is level and looks to where the torso looks: the point of its sole below the

@@ -1,4 +1,4 @@
-package org.robonewbie.learning.gait;
+package org.robonewbie.agent.walk;
 
 import org.robonewbie.nao.motion.Posture;
 

@@ -1,4 +1,4 @@
-package org.robonewbie.learning.gait;
+package org.robonewbie.agent.walk;
 
 import org.robonewbie.nao.Vector3;
 
@@ -44,13 +44,30 @@ public record FootPlace(double forward, double left, double yawDegrees) {
     }
 
     /**
+     * Goes on from this place along its own direction.
+     *
+     * @param forwardMetres way to where the toes point
+     * @param leftMetres way to the left of them
+     * @param degrees change of direction, positive to the left
+     * @return the new place
+     */
+    public FootPlace then(double forwardMetres, double leftMetres, double degrees) {
+        double cosine = Math.cos(Math.toRadians(yawDegrees));
+        double sine = Math.sin(Math.toRadians(yawDegrees));
+        return new FootPlace(
+                forward + cosine * forwardMetres - sine * leftMetres,
+                left + sine * forwardMetres + cosine * leftMetres,
+                yawDegrees + degrees);
+    }
+
+    /**
      * Finds a place between two.
      *
      * @param other the other end
      * @param fraction 0 for this place, 1 for the other
      * @return the place in between
      */
-    FootPlace towards(FootPlace other, double fraction) {
+    public FootPlace towards(FootPlace other, double fraction) {
         return new FootPlace(
                 forward + fraction * (other.forward - forward),
                 left + fraction * (other.left - left),

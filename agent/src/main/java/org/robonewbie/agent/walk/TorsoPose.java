@@ -1,11 +1,10 @@
-package org.robonewbie.learning.gait;
+package org.robonewbie.agent.walk;
 
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
-import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
 /**
@@ -24,13 +23,13 @@ public record TorsoPose(double height, double leanDegrees, double rollDegrees) {
     /**
      * Finds the angles of both legs.
      *
-     * @param posture the other limbs
+     * @param kinematics the robot's
+     * @param posture the other limbs; the search for the legs begins with it
      * @param left where the left foot is
      * @param right where the right foot is
      * @return the posture with both legs placed, or as near as they come
      */
-    public Posture above(Posture posture, FootPose left, FootPose right) {
-        InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
+    public Posture above(InverseKinematics kinematics, Posture posture, FootPose left, FootPose right) {
         Posture oneLeg = kinematics.solve(Leg.LEFT, seen(left), posture).applyTo(posture);
         return kinematics.solve(Leg.RIGHT, seen(right), oneLeg).applyTo(oneLeg);
     }

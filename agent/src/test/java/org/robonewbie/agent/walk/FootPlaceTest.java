@@ -1,4 +1,4 @@
-package org.robonewbie.learning.gait;
+package org.robonewbie.agent.walk;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

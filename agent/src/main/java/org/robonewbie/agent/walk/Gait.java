@@ -1,4 +1,4 @@
-package org.robonewbie.learning.gait;
+package org.robonewbie.agent.walk;
 
 /**
  * How a robot steps: all about its way of walking but where the feet go. Lengths in metres.

@@ -1,0 +1,51 @@
+package org.robonewbie.agent.walk;
+
+/**
+ * How strongly a walk answers when the torso leans otherwise than planned. Angles answer with degrees for each degree of lean
+ * and for each degree per second, ways with metres.
+ *
+ * @param anklePitch ankle for each degree of bowing too far
+ * @param anklePitchRate ankle for each degree per second of bowing
+ * @param hipPitch hip for each degree of bowing too far
+ * @param hipPitchRate hip for each degree per second of bowing
+ * @param ankleRoll ankle for each degree of leaning too far to the right
+ * @param ankleRollRate ankle for each degree per second of leaning to the right
+ * @param hipRoll hip for each degree of leaning too far to the right
+ * @param hipRollRate hip for each degree per second of leaning to the right
+ * @param stepForward step for each degree of bowing too far
+ * @param stepForwardRate step for each degree per second of bowing
+ * @param stepRight step for each degree of leaning too far to the right
+ * @param stepRightRate step for each degree per second of leaning to the right
+ */
+public record BalanceGains(
+        double anklePitch,
+        double anklePitchRate,
+        double hipPitch,
+        double hipPitchRate,
+        double ankleRoll,
+        double ankleRollRate,
+        double hipRoll,
+        double hipRollRate,
+        double stepForward,
+        double stepForwardRate,
+        double stepRight,
+        double stepRightRate) {
+
+    private static final double MOST_DEGREES = 15;
+    private static final double MOST_METRES = 0.05;
+
+    /** What a walk changes. */
+    Correction correction(double pitchError, double pitchRate, double rollError, double rollRate) {
+        return new Correction(
+                limit(anklePitch * pitchError + anklePitchRate * pitchRate, MOST_DEGREES),
+                limit(hipPitch * pitchError + hipPitchRate * pitchRate, MOST_DEGREES),
+                limit(ankleRoll * rollError + ankleRollRate * rollRate, MOST_DEGREES),
+                limit(hipRoll * rollError + hipRollRate * rollRate, MOST_DEGREES),
+                limit(stepForward * pitchError + stepForwardRate * pitchRate, MOST_METRES),
+                -limit(stepRight * rollError + stepRightRate * rollRate, MOST_METRES));
+    }
+
+    private static double limit(double value, double most) {
+        return Math.max(-most, Math.min(most, value));
+    }
+}

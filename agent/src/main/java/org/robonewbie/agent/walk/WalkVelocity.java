@@ -1,0 +1,52 @@
+package org.robonewbie.agent.walk;
+
+/**
+ * How fast and into which direction a robot walks.
+ *
+ * @param forward metres per second; negative is backward
+ * @param left metres per second to the left; negative is to the right
+ * @param turn degrees per second to the left; negative is to the right
+ */
+public record WalkVelocity(double forward, double left, double turn) {
+
+    /** Standing still. */
+    public static final WalkVelocity ZERO = new WalkVelocity(0, 0, 0);
+
+    /**
+     * Tells whether this is no walking at all.
+     *
+     * @return whether all three speeds are 0
+     */
+    public boolean isZero() {
+        return forward == 0 && left == 0 && turn == 0;
+    }
+
+    /**
+     * Slows down to what a robot can do, without changing the direction.
+     *
+     * @param most the largest speeds; together they may reach the surface of an ellipsoid
+     * @param backward the largest speed backward, metres per second
+     * @return this velocity or a slower one
+     */
+    WalkVelocity within(WalkVelocity most, double backward) {
+        double ahead = forward / (forward < 0 ? backward : most.forward);
+        double size = Math.sqrt(square(ahead) + square(left / most.left) + square(turn / most.turn));
+        return size <= 1 ? this : new WalkVelocity(forward / size, left / size, turn / size);
+    }
+
+    /** Comes nearer to another velocity, in each speed by a limited change. */
+    WalkVelocity approaching(WalkVelocity wanted, WalkVelocity change) {
+        return new WalkVelocity(
+                approach(forward, wanted.forward, change.forward),
+                approach(left, wanted.left, change.left),
+                approach(turn, wanted.turn, change.turn));
+    }
+
+    private static double approach(double from, double to, double change) {
+        return from + Math.max(-change, Math.min(change, to - from));
+    }
+
+    private static double square(double value) {
+        return value * value;
+    }
+}

@@ -1,0 +1,127 @@
+package org.robonewbie.agent.walk;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.ForwardKinematics;
+import org.robonewbie.nao.kinematics.Leg;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.Posture;
+
+class WalkEngineTest {
+
+    private static final Vector3 GRAVITY = new Vector3(0, 0, 9.81);
+
+    private final WalkEngine engine = new WalkEngine(WalkStyle.STANDARD);
+
+    @Test
+    void keepsTheStanceWithoutAVelocity() {
+        Posture posture = engine.next();
+
+        assertThat(posture).isEqualTo(Stance.POSTURE);
+        assertThat(engine.isStanding()).isTrue();
+    }
+
+    @Test
+    void leavesTheStanceSoftly() {
+        engine.towards(new WalkVelocity(10, 0, 0));
+
+        Posture first = engine.next();
+
+        assertThat(first.largestDifference(Stance.POSTURE)).isLessThan(5);
+    }
+
+    @Test
+    void comesBackToTheStanceWithinTwoSecondsOfAStop() {
+        engine.towards(new WalkVelocity(1, 0, 30));
+        postures(engine, 200);
+
+        engine.towards(WalkVelocity.ZERO);
+        List<Posture> stopping =
+                postures(engine, 100 + 2 * WalkStyle.STANDARD.gait().stepMillis() / 20);
+
+        assertThat(engine.isStanding()).isTrue();
+        assertThat(stopping.get(stopping.size() - 1).largestDifference(Stance.POSTURE))
+                .isLessThan(1e-9);
+    }
+
+    @Test
+    void walksToTheRightAsTheMirrorImageOfTheLeft() {
+        WalkEngine other = new WalkEngine(WalkStyle.STANDARD);
+        engine.towards(new WalkVelocity(0.1, 0.05, 20));
+        other.towards(new WalkVelocity(0.1, -0.05, -20));
+
+        List<Posture> left = postures(engine, 150);
+        List<Posture> right = postures(other, 150);
+
+        for (int i = 0; i < left.size(); i++) {
+            assertThat(right.get(i).mirrored().largestDifference(left.get(i))).isLessThan(0.1);
+        }
+    }
+
+    @Test
+    void movesItsFeetFromAsFarAheadToAsFarBehindAsItWalksInAStep() {
+        double speed = 0.2;
+        engine.towards(new WalkVelocity(speed, 0, 0));
+        postures(engine, 200);
+
+        DoubleSummaryStatistics leftFoot = postures(engine, 100).stream()
+                .mapToDouble(WalkEngineTest::leftFootAhead)
+                .summaryStatistics();
+
+        double stepLength =
+                speed * WalkStyle.STANDARD.slip() * WalkStyle.STANDARD.gait().stepMillis() / 1000;
+        assertThat(leftFoot.getMax() - leftFoot.getMin()).isCloseTo(stepLength, within(0.02));
+    }
+
+    @Test
+    void slowsDownWhatNoRobotCanDo() {
+        WalkVelocity possible = new WalkVelocity(30, 40, 0).within(new WalkVelocity(0.5, 0.5, 60), 0.3);
+
+        assertThat(possible.forward()).isCloseTo(0.3, within(1e-9));
+        assertThat(possible.left()).isCloseTo(0.4, within(1e-9));
+    }
+
+    @Test
+    void feelsThatTheTorsoBows() {
+        Balance balance = new Balance();
+        for (int i = 0; i < 25; i++) {
+            balance.feel(new Vector3(0, 20, 0), GRAVITY);
+        }
+
+        assertThat(balance.pitchDegrees()).isBetween(5.0, 10.0);
+        assertThat(balance.rollDegrees()).isCloseTo(0, within(1e-9));
+    }
+
+    @Test
+    void believesTheDirectionOfGravityInTheLongRun() {
+        Balance balance = new Balance();
+        for (int i = 0; i < 400; i++) {
+            balance.feel(Vector3.ZERO, new Vector3(0, 9.81 * Math.sin(0.1), 9.81 * Math.cos(0.1)));
+        }
+
+        assertThat(balance.rollDegrees()).isCloseTo(Math.toDegrees(0.1), within(0.1));
+    }
+
+    private static double leftFootAhead(Posture posture) {
+        return ForwardKinematics.of(RobotType.TYPE_0)
+                .poses(posture)
+                .foot(Leg.LEFT)
+                .position()
+                .x();
+    }
+
+    private static List<Posture> postures(WalkEngine engine, int cycles) {
+        List<Posture> postures = new ArrayList<>();
+        for (int i = 0; i < cycles; i++) {
+            engine.feel(Vector3.ZERO, GRAVITY);
+            postures.add(engine.next());
+        }
+        return postures;
+    }
+}

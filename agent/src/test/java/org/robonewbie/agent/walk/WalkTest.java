@@ -1,0 +1,126 @@
+package org.robonewbie.agent.walk;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.OutputStream;
+import java.io.PrintStream;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.motion.MotionLibrary;
+import org.robonewbie.agent.motion.Motions;
+import org.robonewbie.agent.motion.Motors;
+import org.robonewbie.agent.perception.BodyPosition;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.Posture;
+
+class WalkTest {
+
+    private static final Vector3 GRAVITY = new Vector3(0, 0, 9.81);
+
+    private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
+    private final Motors motors = new Motors();
+    private BodyPosition bodyPosition = BodyPosition.UPRIGHT;
+    private final Motions motions = new Motions(motors, new MotionLibrary(), mistakes, () -> bodyPosition);
+    private final Walk walk = new Walk(motors, motions, mistakes, () -> bodyPosition);
+
+    @Test
+    void walksAtOnceFromTheStance() {
+        put(Stance.POSTURE);
+
+        walk.towards(0.1, 0, 0);
+        cycles(3);
+
+        assertThat(walk.isWalking()).isTrue();
+        assertThat(motions.isFinished()).isTrue();
+    }
+
+    @Test
+    void goesToTheStanceBeforeItWalks() {
+        put(Posture.ZERO);
+
+        walk.towards(0.1, 0, 0);
+        cycles(3);
+        boolean preparing = motions.current().equals(java.util.Optional.of("stand"));
+        cycles(60);
+
+        assertThat(preparing).isTrue();
+        assertThat(walk.isWalking()).isTrue();
+    }
+
+    @Test
+    void stopsBeforeAMotionBegins() {
+        put(Stance.POSTURE);
+        walk.towards(0.1, 0, 0);
+        cycles(40);
+
+        motions.start("wave");
+        cycles(1);
+        boolean stillWalking = walk.isWalking();
+        boolean waving = motions.current().isPresent();
+        cycles(100);
+
+        assertThat(stillWalking).isTrue();
+        assertThat(waving).isFalse();
+        assertThat(walk.isWalking()).isFalse();
+        assertThat(motions.current()).contains("wave");
+    }
+
+    @Test
+    void doesNotWalkWhileItLies() {
+        put(Stance.POSTURE);
+        walk.towards(0.1, 0, 0);
+        cycles(40);
+
+        bodyPosition = BodyPosition.LYING_ON_BACK;
+        cycles(1);
+        walk.towards(0.1, 0, 0);
+        cycles(1);
+
+        assertThat(walk.isWalking()).isFalse();
+        assertThat(motors.sentDegreesPerSecond(Joint.LEFT_KNEE_PITCH)).isZero();
+    }
+
+    @Test
+    void reportsWhatIsNoNumber() {
+        put(Stance.POSTURE);
+
+        walk.towards(Double.NaN, 0, 0);
+        cycles(1);
+
+        assertThat(walk.isWalking()).isFalse();
+        assertThat(mistakes.reported())
+                .anyMatch(line ->
+                        line.contains("Walking towards NaN, 0.0, 0.0 is ignored. Was something divided by zero?"));
+    }
+
+    @Test
+    void letsTheUserTurnTheHeadWhileItWalks() {
+        put(Stance.POSTURE);
+        walk.towards(0.1, 0, 0);
+        cycles(10);
+
+        motors.setSpeed(Joint.NECK_YAW, 20);
+        cycles(10);
+
+        assertThat(motors.sentDegreesPerSecond(Joint.NECK_YAW)).isEqualTo(20);
+    }
+
+    private void put(Posture posture) {
+        for (Joint joint : Joint.values()) {
+            motors.sense(joint, posture.degrees(joint));
+        }
+    }
+
+    /** Cycles of a robot whose joints do what they are told at once. */
+    private void cycles(int count) {
+        for (int i = 0; i < count; i++) {
+            walk.update(Vector3.ZERO, GRAVITY);
+            motors.endCycle();
+            for (Joint joint : Joint.values()) {
+                double turned = motors.sentDegreesPerSecond(joint) * Motors.CYCLE_SECONDS;
+                motors.sense(joint, motors.degrees(joint) + turned);
+            }
+        }
+    }
+}
