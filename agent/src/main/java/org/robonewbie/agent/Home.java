@@ -79,6 +79,7 @@ abstract sealed class Home implements AutoCloseable {
                     options.seconds(),
                     options.isHeadless(),
                     !options.isNoBrowser() && !options.isHeadless(),
+                    options.isTruth(),
                     options.report(),
                     options.record(),
                     Math.max(robots, options.waitFor()))));

@@ -258,6 +258,15 @@ public final class Options {
     }
 
     /**
+     * Tells whether the robot may know what only the simulator knows, for experiments.
+     *
+     * @return whether {@code nao.getVision()} of an own simulator also has the true places of robot and ball
+     */
+    public boolean isTruth() {
+        return isSet(Option.TRUTH);
+    }
+
+    /**
      * Tells where the true results are written to.
      *
      * @return the JSON file; empty for none

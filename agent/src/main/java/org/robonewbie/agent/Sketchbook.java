@@ -1,6 +1,7 @@
 package org.robonewbie.agent;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.telemetry.BelievedPose;
 import org.robonewbie.protocol.telemetry.Drawing;
 
 /**
@@ -65,5 +66,16 @@ abstract class Sketchbook {
      */
     public final void plot(String curve, double value) {
         thoughts().plot(curve, value);
+    }
+
+    /**
+     * Shows in the studio where the robot believes to be.
+     *
+     * @param x metres from the centre towards the opponents' goal
+     * @param y metres to the left of that
+     * @param headingDegrees direction of the torso; 0 is towards the opponents' goal, positive is left
+     */
+    public final void tellPose(double x, double y, double headingDegrees) {
+        thoughts().locate(new BelievedPose(x, y, headingDegrees));
     }
 }

@@ -9,6 +9,7 @@ import org.robonewbie.agent.perception.LocalFieldView;
 import org.robonewbie.agent.perception.PlayerItem;
 import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.nao.Landmark;
+import org.robonewbie.protocol.telemetry.BelievedPose;
 import org.robonewbie.protocol.telemetry.BelievedThing;
 import org.robonewbie.protocol.telemetry.Drawing;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
@@ -25,6 +26,7 @@ final class Thoughts {
     private final List<Drawing> drawings = new ArrayList<>();
     private volatile TelemetrySink sink = TelemetrySink.NONE;
     private Optional<String> motion = Optional.empty();
+    private Optional<BelievedPose> self = Optional.empty();
     private int keyframe;
 
     Thoughts(Senses senses) {
@@ -59,10 +61,15 @@ final class Thoughts {
         }
     }
 
+    /** Takes in where the robot believes to be, for the next belief. */
+    void locate(BelievedPose pose) {
+        self = Optional.of(pose);
+    }
+
     /** Tells what the robot believes, after it has seen something new. */
     void believe(LocalFieldView view) {
         if (isWatched()) {
-            tell(new TelemetryItem.Belief(things(view), Optional.empty()));
+            tell(new TelemetryItem.Belief(things(view), self));
         }
     }
 

@@ -71,6 +71,7 @@ final class StudioCommand implements Callable<Integer> {
                 OptionalDouble.empty(),
                 false,
                 !withoutBrowser,
+                false,
                 Optional.empty(),
                 Optional.empty(),
                 1));

@@ -2,20 +2,34 @@ package org.robonewbie.examples;
 
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
+import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.agent.perception.Direction;
+import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.agent.perception.LineItem;
 import org.robonewbie.agent.perception.PlayerItem;
 import org.robonewbie.nao.BodyPart;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Landmark;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.perceptor.Vision;
 
 /**
- * Shows what the robot remembers of the field while its head looks around, twice per second for five seconds.
+ * Shows what the robot remembers of the field while its head looks around, twice per second for five seconds, and compares it
+ * with the truth.
  *
  * <p>Watch how things stay known when the head turns away, and how their age grows. Start {@link Agent_Dummy} in the same
  * simulator to see another robot.
+ *
+ * <p>No robot knows the truth; the simulator tells it for this experiment (option {@code --truth}). The field view adds the
+ * angles of neck and camera, which is simple but not exact. How large is the error, and where is the head when it is largest?
+ * Started with the word {@code exact} the robot calculates with the real joints of its neck.
  */
 public final class Agent_TestLocalFieldView extends Agent {
 
     private int cycle;
+    private int comparisons;
+    private double sumOfErrors;
+    private double largestError;
 
     /** Creates the agent. */
     public Agent_TestLocalFieldView() {}
@@ -23,7 +37,7 @@ public final class Agent_TestLocalFieldView extends Agent {
     /**
      * Starts the robot.
      *
-     * @param args options such as {@code --headless}; {@code --help} lists them
+     * @param args {@code exact} for exact calculation, and options such as {@code --headless}
      */
     public static void main(String[] args) {
         new Agent_TestLocalFieldView().run(args);
@@ -31,15 +45,55 @@ public final class Agent_TestLocalFieldView extends Agent {
 
     @Override
     protected Options defaults() {
-        return Options.none().withTeam("teamA").withPose(-1, 0.7, -60).withSeconds(5);
+        return Options.none()
+                .withTeam("teamA")
+                .withPose(-1, 0.7, -60)
+                .withSeconds(5)
+                .with("truth", "true");
     }
 
     @Override
     protected void think() {
+        if (options().arguments().contains("exact")) {
+            fieldView.setTransformation(CameraTransformation.KINEMATICS);
+        }
         lookAround.look();
+        nao.getVision().ifPresent(this::compare);
         if (cycle++ % 25 == 0) {
             logView();
         }
+    }
+
+    /** Compares the belief about the ball with the truth, whenever the camera sees it. */
+    private void compare(Vision picture) {
+        FieldItem ball = fieldView.ball();
+        if (ball.isVisible() && picture.ownPosition().isPresent()) {
+            Vector3 truth = seenFromHead(
+                    picture.ballPosition().orElseThrow(),
+                    picture.ownPosition().get(),
+                    picture.ownOrientationDegrees().orElseThrow() - nao.getJointAngle(Joint.NECK_YAW));
+            double error = ball.position().distanceTo(truth);
+            comparisons++;
+            sumOfErrors += error;
+            largestError = Math.max(largestError, error);
+            nao.plot("error of the ball in metres", error);
+            nao.drawPoint(truth, "green");
+            nao.drawPoint(ball.position(), "orange");
+            if (cycle % 25 == 0) {
+                log.info("ball in truth %s; the belief is %.3f m wrong", Direction.of(truth), error);
+                log.info("mean error %.3f m, largest %.3f m", sumOfErrors / comparisons, largestError);
+            }
+        }
+    }
+
+    /** Turns a point of the pitch into what a robot sees that looks straight ahead. */
+    private static Vector3 seenFromHead(Vector3 point, Vector3 head, double headingDegrees) {
+        Vector3 way = point.minus(head);
+        double heading = Math.toRadians(headingDegrees);
+        return new Vector3(
+                way.x() * Math.cos(heading) + way.y() * Math.sin(heading),
+                way.y() * Math.cos(heading) - way.x() * Math.sin(heading),
+                way.z());
     }
 
     private void logView() {

@@ -123,6 +123,33 @@ class ExamplesTest {
                 .contains("line from");
     }
 
+    @Test
+    void testLocalFieldViewComparesItsBeliefWithTheTruth() throws Exception {
+        String simple = printedBy(() -> Agent_TestLocalFieldView.main(fast("5")));
+        String exact = printedBy(() -> Agent_TestLocalFieldView.main(
+                Stream.concat(Stream.of("exact"), Stream.of(fast("5"))).toArray(String[]::new)));
+
+        assertThat(lastNumber("largest ([0-9.]+) m", simple)).isBetween(0.1, 0.6);
+        assertThat(lastNumber("largest ([0-9.]+) m", exact)).isLessThan(0.03);
+    }
+
+    @Test
+    void testSelfLocalisationKnowsItsPlaceWhileItWalks() throws Exception {
+        String printed = printedBy(() -> Agent_TestSelfLocalisation.main(fast("60")));
+
+        assertThat(lastNumber("mean error ([0-9.]+) m", printed)).isBetween(0.001, 0.2);
+        assertThat(lastNumber("largest ([0-9.]+) m", printed)).isLessThan(0.7);
+    }
+
+    private static double lastNumber(String pattern, String text) {
+        Matcher matcher = Pattern.compile(pattern).matcher(text);
+        double last = Double.NaN;
+        while (matcher.find()) {
+            last = Double.parseDouble(matcher.group(1));
+        }
+        return last;
+    }
+
     private static String printedBy(ThrowingRunnable program) throws Exception {
         PrintStream usual = System.out;
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();

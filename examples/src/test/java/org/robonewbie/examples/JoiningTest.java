@@ -67,6 +67,7 @@ class JoiningTest {
                 OptionalDouble.empty(),
                 true,
                 false,
+                false,
                 Optional.empty(),
                 Optional.empty(),
                 1));

@@ -23,7 +23,8 @@ import org.robonewbie.nao.motion.MotionFile;
 /**
  * Finds motions by their names: first {@code motions/NAME.txt} in the working directory, then those that come with the
  * framework. A new motion is a new file; nothing else has to be changed. Own files are read again each time, so an edit shows
- * at the next start of the motion.
+ * at the next start of the motion. A motion with {@code left} in its name is also there in its mirror image with {@code right},
+ * and the other way round.
  */
 public final class MotionLibrary {
 
@@ -59,6 +60,32 @@ public final class MotionLibrary {
         if (!NAME.matcher(name).matches()) {
             return Optional.empty();
         }
+        Optional<MotionFile> file = findAsItIs(name);
+        String other = otherSide(name);
+        return file.isPresent() || other.equals(name) ? file : findAsItIs(other).map(found -> mirrored(found, name));
+    }
+
+    /**
+     * Exchanges left and right.
+     *
+     * @param file a motion
+     * @param name name of the mirror image
+     * @return the same motion in the mirror
+     */
+    static MotionFile mirrored(MotionFile file, String name) {
+        MotionFile mirrored = MotionFile.of(file.motion().mirrored().named(name));
+        for (String key : List.of("start", "end")) {
+            Optional<String> value = file.property(key);
+            mirrored = value.isPresent() ? mirrored.withProperty(key, otherSide(value.get())) : mirrored;
+        }
+        return mirrored;
+    }
+
+    private static String otherSide(String text) {
+        return text.contains("left") ? text.replace("left", "right") : text.replace("right", "left");
+    }
+
+    private Optional<MotionFile> findAsItIs(String name) throws IOException {
         Path own = ownMotions.resolve(name + ENDING);
         return Files.isRegularFile(own) ? Optional.of(MotionFile.load(own)) : findShipped(name);
     }

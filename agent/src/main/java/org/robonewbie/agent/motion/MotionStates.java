@@ -13,6 +13,7 @@ final class MotionStates {
 
     private static final String STANDING = "standing";
     private static final String STANCE = "stance";
+    private static final String LYING = "lying";
     /** Motions that lead back to the stance, the most careful one first. */
     private static final List<String> WAYS_BACK = List.of("stop-walking", "stand");
 
@@ -48,6 +49,11 @@ final class MotionStates {
             }
         }
         return false;
+    }
+
+    /** Tells whether a motion makes sense only on the feet, by its own words. */
+    static boolean needsFeet(MotionFile file) {
+        return file.property("start").filter(start -> !start.startsWith(LYING)).isPresent();
     }
 
     private static String firstWord(String end) {

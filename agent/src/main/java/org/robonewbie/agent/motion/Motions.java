@@ -29,6 +29,8 @@ import org.robonewbie.nao.motion.MotionFormatException;
  * <p>A file says in the comments {@code // start: stance} and {@code // end: stance} between which postures it leads; from
  * {@code // end: walking} the robot stops before it turns. Without a comment a motion starts when the robot stands still.
  *
+ * <p>A fallen robot first gets up when a motion starts whose file says that it starts on the feet.
+ *
  * <p>A joint that you command while a motion runs is yours until the next motion starts.
  */
 public final class Motions {
@@ -44,6 +46,8 @@ public final class Motions {
     private Optional<MotionPlayer> player = Optional.empty();
     private double speed = 1;
     private boolean looping;
+    private boolean gettingUp = true;
+    private Optional<MotionFile> playing = Optional.empty();
 
     /**
      * Creates a player; the framework does this for each robot.
@@ -85,18 +89,45 @@ public final class Motions {
     }
 
     /**
+     * Starts the mirror image of a motion, with left and right exchanged.
+     *
+     * @param name as in {@link #start}; the file {@code NAME.txt} is played in the mirror
+     * @return whether the motion starts
+     */
+    public boolean startMirrored(String name) {
+        looping &= !isFinished();
+        return isFinished()
+                && load(name)
+                        .map(file -> MotionLibrary.mirrored(file, name + " mirrored"))
+                        .filter(this::prepare)
+                        .isPresent();
+    }
+
+    /**
+     * Chooses whether a fallen robot gets up by itself before it plays a motion that starts on the feet; at first it does.
+     *
+     * @param on false lets each motion begin as the robot lies
+     */
+    public void setAutomaticGetUp(boolean on) {
+        gettingUp = on;
+    }
+
+    /**
      * Starts the motion that brings a fallen robot to its feet: {@code stand-up-from-back}, {@code stand-up-from-front},
      * {@code stand-up-from-left-side} or {@code stand-up-from-right-side}; who has no motion for the side tries that for the back.
      *
      * @return whether it starts; false if the robot is upright or another motion is running
      */
     public boolean startGetUp() {
+        return bodyPosition.get().isFallen() && start(wayUp());
+    }
+
+    private String wayUp() {
         return switch (bodyPosition.get()) {
-            case UPRIGHT -> false;
-            case LYING_ON_BACK -> start("stand-up-from-back");
-            case LYING_ON_FRONT -> start("stand-up-from-front");
-            case LYING_ON_LEFT_SIDE -> start(existing("stand-up-from-left-side"));
-            case LYING_ON_RIGHT_SIDE -> start(existing("stand-up-from-right-side"));
+            case LYING_ON_FRONT -> "stand-up-from-front";
+            case LYING_ON_LEFT_SIDE -> existing("stand-up-from-left-side");
+            case LYING_ON_RIGHT_SIDE -> existing("stand-up-from-right-side");
+            case LYING_ON_BACK, UPRIGHT -> "stand-up-from-back";
         };
     }
 
@@ -189,12 +220,27 @@ public final class Motions {
         if (player.isPresent() && player.get().isFinished()) {
             player = Optional.empty();
         }
+        if (looping && player.isPresent() && playing.filter(this::hasToGetUpFor).isPresent()) {
+            playing.ifPresent(queue::addFirst);
+            player = Optional.empty();
+        }
         if (player.isEmpty() && !queue.isEmpty()) {
-            begin(queue.remove());
+            begin(next());
         } else if (player.isEmpty()) {
             MotionPlayer.stop(motors);
         }
         player.ifPresent(playing -> playing.step(motors));
+    }
+
+    private MotionFile next() {
+        MotionFile file = queue.remove();
+        Optional<MotionFile> getUp = hasToGetUpFor(file) ? load(wayUp()) : Optional.empty();
+        getUp.ifPresent(way -> queue.addFirst(file));
+        return getUp.orElse(file);
+    }
+
+    private boolean hasToGetUpFor(MotionFile file) {
+        return gettingUp && MotionStates.needsFeet(file) && bodyPosition.get().isFallen();
     }
 
     private boolean prepare(MotionFile file) {
@@ -222,6 +268,7 @@ public final class Motions {
             mistakes.reportAt("", "too fast " + motion.name() + problem.replaceAll("[0-9]+", ""), () -> problem);
         }
         player = Optional.of(next);
+        playing = Optional.of(file);
     }
 
     private Optional<MotionFile> load(String name) {

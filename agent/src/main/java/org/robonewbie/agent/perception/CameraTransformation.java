@@ -1,6 +1,8 @@
 package org.robonewbie.agent.perception;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.ForwardKinematics;
+import org.robonewbie.nao.model.RobotType;
 
 /**
  * Turns what the camera in the turned head sees into what a head that looks straight ahead would see. Write your own if you
@@ -21,19 +23,12 @@ public interface CameraTransformation {
             seen.distance(), normalized(seen.bearing() + neckYawDegrees), seen.elevation() + neckPitchDegrees);
 
     /**
-     * Turns the seen point by the neck's pitch about the axis to the left and by its yaw about the axis upwards, as the real
-     * joints do. Exact but for the few millimetres by which the centre of the head lies beside the axis of pitch.
+     * Follows the real chain of the neck's joints from the camera to the torso. Exact, as long as the torso is upright.
      */
-    CameraTransformation ROTATION = (seen, neckYawDegrees, neckPitchDegrees) -> {
-        Vector3 point = seen.toPoint();
-        double pitch = Math.toRadians(neckPitchDegrees);
-        double forward = point.x() * Math.cos(pitch) - point.z() * Math.sin(pitch);
-        double up = point.x() * Math.sin(pitch) + point.z() * Math.cos(pitch);
-        double yaw = Math.toRadians(neckYawDegrees);
-        return Direction.of(new Vector3(
-                forward * Math.cos(yaw) - point.y() * Math.sin(yaw),
-                forward * Math.sin(yaw) + point.y() * Math.cos(yaw),
-                up));
+    CameraTransformation KINEMATICS = (seen, neckYawDegrees, neckPitchDegrees) -> {
+        ForwardKinematics robot = ForwardKinematics.of(RobotType.TYPE_0);
+        Vector3 point = robot.camera(neckYawDegrees, neckPitchDegrees).transform(seen.toPoint());
+        return Direction.of(point.minus(robot.camera(0, 0).position()));
     };
 
     /**

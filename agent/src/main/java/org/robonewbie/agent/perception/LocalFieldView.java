@@ -59,7 +59,7 @@ public final class LocalFieldView {
     /**
      * Chooses how the turned head is taken into account.
      *
-     * @param transformation such as {@link CameraTransformation#ROTATION}
+     * @param transformation such as {@link CameraTransformation#KINEMATICS}
      */
     public void setTransformation(CameraTransformation transformation) {
         this.transformation = transformation;

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.Posture;
 
 class MotionsTest {
@@ -146,6 +147,92 @@ class MotionsTest {
         assertThat(upright).isFalse();
         assertThat(lying).isTrue();
         assertThat(motions.current()).contains("stand-up-from-front");
+    }
+
+    @Test
+    void getsUpByItselfBeforeAMotionThatStartsOnTheFeet() throws IOException {
+        file("stand-up-from-front", "// start: lying on front\n// end: stance\n100 10" + ZEROS);
+        file("hop", "// start: stance\n// end: stance\n100 20" + ZEROS);
+        Motions motions = motions();
+        bodyPosition = BodyPosition.LYING_ON_FRONT;
+
+        motions.start("hop");
+        cycles(motions, 3);
+        String first = motions.current().orElse("");
+        bodyPosition = BodyPosition.UPRIGHT;
+        cycles(motions, 4);
+
+        assertThat(first).isEqualTo("stand-up-from-front");
+        assertThat(motions.current()).contains("hop");
+    }
+
+    @Test
+    void getsUpInTheMiddleOfALoopedWalkAndWalksOn() throws IOException {
+        file("stand-up-from-back", "// start: lying on back\n// end: stance\n100 10" + ZEROS);
+        file("hop", "// start: standing\n// end: stance\n100 20" + ZEROS);
+        Motions motions = motions();
+        motions.loop("hop");
+        cycles(motions, 3);
+
+        bodyPosition = BodyPosition.LYING_ON_BACK;
+        cycles(motions, 3);
+        String fallen = motions.current().orElse("");
+        bodyPosition = BodyPosition.UPRIGHT;
+        cycles(motions, 20);
+
+        assertThat(fallen).isEqualTo("stand-up-from-back");
+        assertThat(motions.current()).contains("hop");
+    }
+
+    @Test
+    void playsAMotionAsTheRobotLiesIfItSaysNothingAboutItsStart() throws IOException {
+        file("own-way-up", "100 10" + ZEROS);
+        Motions motions = motions();
+        bodyPosition = BodyPosition.LYING_ON_FRONT;
+
+        motions.start("own-way-up");
+        cycles(motions, 2);
+
+        assertThat(motions.current()).contains("own-way-up");
+    }
+
+    @Test
+    void leavesAFallenRobotAloneIfTold() throws IOException {
+        file("hop", "// start: stance\n// end: stance\n100 20" + ZEROS);
+        Motions motions = motions();
+        motions.setAutomaticGetUp(false);
+        bodyPosition = BodyPosition.LYING_ON_FRONT;
+
+        motions.start("hop");
+        cycles(motions, 2);
+
+        assertThat(motions.current()).contains("hop");
+    }
+
+    @Test
+    void playsAMotionInTheMirror() throws IOException {
+        file("salute", "400 30 0 -80" + " 0".repeat(19));
+        Motions motions = motions();
+
+        motions.startMirrored("salute");
+        cycles(motions, 22);
+
+        assertThat(robot.degrees(Joint.NECK_YAW)).isCloseTo(-30, within(1e-6));
+        assertThat(robot.degrees(Joint.RIGHT_SHOULDER_PITCH)).isCloseTo(-80, within(1e-6));
+        assertThat(robot.degrees(Joint.LEFT_SHOULDER_PITCH)).isZero();
+    }
+
+    @Test
+    void findsTheOtherSideOfAMotionByItsName() throws IOException {
+        file("salute-left", "// end: lying on left side\n200 30" + ZEROS);
+        MotionLibrary library = new MotionLibrary(folder.resolve("motions"));
+
+        MotionFile right = library.find("salute-right").orElseThrow();
+
+        assertThat(right.motion().keyframes().get(0).posture().degrees(Joint.NECK_YAW))
+                .isEqualTo(-30);
+        assertThat(right.property("end")).contains("lying on right side");
+        assertThat(library.find("salute")).isEmpty();
     }
 
     @Test

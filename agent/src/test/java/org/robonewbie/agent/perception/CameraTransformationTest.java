@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.Vector3;
 
 class CameraTransformationTest {
 
@@ -22,7 +23,7 @@ class CameraTransformationTest {
     void isExactForTheSimpleSumWhileTheHeadIsLevel() {
         Direction seen = new Direction(2, 10, -5);
 
-        Direction exact = CameraTransformation.ROTATION.toFacingForward(seen, 30, 0);
+        Direction exact = CameraTransformation.KINEMATICS.toFacingForward(seen, 30, 0);
 
         assertThat(exact.bearing()).isCloseTo(40, within(TINY));
         assertThat(exact.elevation()).isCloseTo(-5, within(TINY));
@@ -30,9 +31,18 @@ class CameraTransformationTest {
 
     @Test
     void looksDownWithNegativePitch() {
-        Direction exact = CameraTransformation.ROTATION.toFacingForward(new Direction(2, 0, 0), 0, -40);
+        Direction exact = CameraTransformation.KINEMATICS.toFacingForward(new Direction(2, 0, 0), 0, -40);
 
-        assertThat(exact.elevation()).isCloseTo(-40, within(TINY));
+        assertThat(exact.elevation()).isCloseTo(-40, within(0.2));
+    }
+
+    @Test
+    void knowsThatTheHeadTiltsAboutAPointBelowItsCentre() {
+        Direction exact = CameraTransformation.KINEMATICS.toFacingForward(new Direction(2, 0, 0), 0, 45);
+
+        double sine = Math.sqrt(0.5);
+        Vector3 expected = new Vector3(2 * sine - 0.005 * sine, 0, 2 * sine - 0.005 * (1 - sine));
+        assertThat(exact.toPoint().distanceTo(expected)).isLessThan(TINY);
     }
 
     @Test
@@ -40,9 +50,9 @@ class CameraTransformationTest {
         Direction seen = new Direction(2, 45, 0);
 
         Direction simple = CameraTransformation.SUM_OF_ANGLES.toFacingForward(seen, 0, -40);
-        Direction exact = CameraTransformation.ROTATION.toFacingForward(seen, 0, -40);
+        Direction exact = CameraTransformation.KINEMATICS.toFacingForward(seen, 0, -40);
 
-        assertThat(simple.toPoint().distanceTo(exact.toPoint())).isCloseTo(0.501, within(0.001));
+        assertThat(simple.toPoint().distanceTo(exact.toPoint())).isCloseTo(0.50, within(0.01));
     }
 
     @Test

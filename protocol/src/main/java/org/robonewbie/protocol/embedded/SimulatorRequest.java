@@ -14,6 +14,7 @@ import java.util.OptionalLong;
  * @param seconds simulated seconds after which the simulation ends; empty runs until closed
  * @param headless whether to do without the studio
  * @param openBrowser whether to open the studio in the user's browser
+ * @param truth whether cameras also tell the true places of their robot and the ball, for experiments
  * @param report file for the true results as JSON, written at the end
  * @param recording file for the recording of the run
  * @param awaitedAgents how many agents must be connected before the clock starts, at least 1
@@ -25,6 +26,7 @@ public record SimulatorRequest(
         OptionalDouble seconds,
         boolean headless,
         boolean openBrowser,
+        boolean truth,
         Optional<Path> report,
         Optional<Path> recording,
         int awaitedAgents) {}

@@ -46,6 +46,7 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
                 .synchronous(true)
                 .speed(request.fast() ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
                 .seed(request.seed().orElseGet(() -> (long) new Random().nextInt((int) SEEDS)))
+                .truth(request.truth())
                 .awaitedAgents(request.awaitedAgents())
                 .seconds(request.seconds())
                 .recording(request.recording())

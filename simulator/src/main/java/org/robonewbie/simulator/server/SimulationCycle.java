@@ -48,7 +48,9 @@ final class SimulationCycle {
         Random seeds = new Random(settings.seed());
         this.world = world;
         this.match = new Match(world, settings.parameters(), seeds.nextLong());
-        CameraSettings camera = CameraSettings.STANDARD.withNoise(settings.noise());
+        CameraSettings camera = CameraSettings.STANDARD
+                .withNoise(settings.noise())
+                .withTruth(settings.truth(), settings.truth(), settings.truth());
         this.effectors = new Effectors(world, match, camera, seeds.nextLong());
         this.percepts = new Percepts(world, match);
         this.console = console;

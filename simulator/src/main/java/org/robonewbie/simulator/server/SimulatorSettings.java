@@ -24,6 +24,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  * @param synchronous whether the world waits for the agents; else it runs on the clock
  * @param speed simulated seconds per second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
  * @param noise whether robots see with noise
+ * @param truth whether the camera also tells the true places of its robot and the ball
  * @param seed start of all random numbers
  * @param awaitedAgents how many agents must have spoken before the first cycle, 0 not to wait
  * @param silentAgentSeconds real seconds after which an agent of another process that keeps the world waiting is dropped
@@ -41,6 +42,7 @@ public record SimulatorSettings(
         boolean synchronous,
         double speed,
         boolean noise,
+        boolean truth,
         long seed,
         int awaitedAgents,
         double silentAgentSeconds,
@@ -87,6 +89,9 @@ public record SimulatorSettings(
         lines.add("seed=" + seed);
         lines.add("synchronous=" + synchronous);
         lines.add("noise=" + noise);
+        if (truth) {
+            lines.add("truth=true");
+        }
         lines.addAll(parameters.assignments());
         return lines;
     }
@@ -100,6 +105,7 @@ public record SimulatorSettings(
         private boolean synchronous;
         private double speed = 1;
         private boolean noise = true;
+        private boolean truth;
         private long seed;
         private int awaitedAgents;
         private double silentAgentSeconds = DEFAULT_SILENT_AGENT_SECONDS;
@@ -177,6 +183,17 @@ public record SimulatorSettings(
          */
         public Builder noise(boolean value) {
             noise = value;
+            return this;
+        }
+
+        /**
+         * Sets whether robots are told what they cannot know, for experiments.
+         *
+         * @param value whether the camera also tells the true places of its robot and the ball
+         * @return this builder
+         */
+        public Builder truth(boolean value) {
+            truth = value;
             return this;
         }
 
@@ -292,6 +309,7 @@ public record SimulatorSettings(
                     synchronous,
                     speed,
                     noise,
+                    truth,
                     seed,
                     awaitedAgents,
                     silentAgentSeconds,

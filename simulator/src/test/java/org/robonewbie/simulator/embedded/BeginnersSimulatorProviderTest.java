@@ -164,6 +164,6 @@ class BeginnersSimulatorProviderTest {
     }
 
     private static SimulatorRequest request(OptionalDouble seconds, Optional<Path> report, Optional<Path> recording) {
-        return new SimulatorRequest(0, OptionalLong.of(4), true, seconds, true, false, report, recording, 1);
+        return new SimulatorRequest(0, OptionalLong.of(4), true, seconds, true, false, false, report, recording, 1);
     }
 }

@@ -1,0 +1,94 @@
+package org.robonewbie.agent.localisation;
+
+import java.util.Arrays;
+import org.robonewbie.agent.NaoBody;
+import org.robonewbie.agent.perception.FieldItem;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyPoses;
+import org.robonewbie.nao.kinematics.ForwardKinematics;
+import org.robonewbie.nao.kinematics.Leg;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.Posture;
+
+/**
+ * Adds up how far the robot has walked and turned: the foot that carries it stands still, so the torso moves as the joints of
+ * that leg say; the gyroscope tells the turns. Feet slip, so the sum drifts by and by, but over a few seconds it is good.
+ *
+ * <pre>{@code
+ * odometry.update(nao);                                      // in each cycle
+ * Vector3 ball = odometry.positionNow(fieldView.ball());     // after the own movement since it was seen
+ * }</pre>
+ */
+public final class Odometry {
+
+    private static final double CYCLE_SECONDS = 0.02;
+    private static final int MEMORY_CYCLES = 3000;
+    private static final Joint[] JOINTS = Joint.values();
+
+    private final ForwardKinematics kinematics = ForwardKinematics.of(RobotType.TYPE_0);
+    private final GroundPose[] history = new GroundPose[MEMORY_CYCLES];
+    private GroundPose pose = GroundPose.ORIGIN;
+    private Leg support = Leg.LEFT;
+    private GroundPose torsoOnSupport = GroundPose.ORIGIN;
+
+    /** Creates an odometry that begins at the origin. */
+    public Odometry() {
+        Arrays.fill(history, pose);
+    }
+
+    /**
+     * Takes in the movement of one cycle; call it once in each cycle, first of all.
+     *
+     * @param nao the robot
+     */
+    public void update(NaoBody nao) {
+        BodyPoses body = kinematics.poses(posture(nao));
+        GroundPose now = torsoOn(body, support);
+        Vector3 step = nao.isFallen() ? Vector3.ZERO : torsoOnSupport.fromFrame(new Vector3(now.x(), now.y(), 0));
+        pose = pose.moved(step.x(), step.y(), nao.getGyro().z() * CYCLE_SECONDS);
+        history[index(nao.getTime())] = pose;
+        support = nao.getLeftFootPressure().force().z()
+                        >= nao.getRightFootPressure().force().z()
+                ? Leg.LEFT
+                : Leg.RIGHT;
+        torsoOnSupport = torsoOn(body, support);
+    }
+
+    /**
+     * Tells how far the robot has moved.
+     *
+     * @return its pose in the frame of the place where this odometry began
+     */
+    public GroundPose pose() {
+        return pose;
+    }
+
+    /**
+     * Says where something is now that was seen some time ago and has not moved, for up to a minute.
+     *
+     * @param item something that is known
+     * @return metres from the head: x forward, y left, z up
+     */
+    public Vector3 positionNow(FieldItem item) {
+        GroundPose then = item.isKnown() ? history[index(item.lastSeenSeconds())] : pose;
+        return pose.fromFrame(then.toFrame(item.position()));
+    }
+
+    private static int index(double seconds) {
+        return Math.floorMod(Math.round(seconds / CYCLE_SECONDS), MEMORY_CYCLES);
+    }
+
+    private static Posture posture(NaoBody nao) {
+        return Posture.of(Arrays.stream(JOINTS).mapToDouble(nao::getJointAngle).toArray());
+    }
+
+    /** Where the torso is, seen from a foot that stands flat on the ground. */
+    private static GroundPose torsoOn(BodyPoses body, Leg leg) {
+        Pose torso = body.foot(leg).inverse();
+        Vector3 forward = torso.rotation().apply(new Vector3(1, 0, 0));
+        return new GroundPose(
+                torso.position().x(), torso.position().y(), Math.toDegrees(Math.atan2(forward.y(), forward.x())));
+    }
+}

@@ -1,0 +1,127 @@
+package org.robonewbie.agent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.agent.localisation.GroundPose;
+import org.robonewbie.agent.localisation.SelfLocalisation;
+import org.robonewbie.agent.perception.Direction;
+import org.robonewbie.nao.Landmark;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.perceptor.PolarPosition;
+import org.robonewbie.protocol.perceptor.Vision;
+
+class SelfLocalisationTest {
+
+    private static final SoccerField FIELD = SoccerField.BEGINNER;
+
+    private final SelfLocalisation self = new SelfLocalisation(FIELD);
+    private final Agent agent = new Agent() {
+        @Override
+        protected void think() {
+            self.update(nao, fieldView);
+        }
+    };
+
+    @Test
+    void findsItsPlaceByTwoLandmarks() {
+        GroundPose truth = new GroundPose(1.5, -0.7, 20);
+
+        agent.respond(seeing(truth, TeamSide.LEFT, 1, Landmark.GOAL_POST_1_RIGHT, Landmark.FLAG_2_RIGHT));
+
+        assertIs(truth, 1e-9);
+        assertThat(self.isKnown()).isTrue();
+        assertThat(self.ageSeconds()).isZero();
+    }
+
+    @Test
+    void usesTheOwnTeamsCoordinatesOnTheRightSideToo() {
+        GroundPose truth = new GroundPose(-2, 1, -10);
+
+        agent.respond(seeing(truth, TeamSide.RIGHT, 1, Landmark.GOAL_POST_1_LEFT, Landmark.GOAL_POST_2_LEFT));
+
+        assertIs(truth, 1e-9);
+    }
+
+    @Test
+    void doesNotBelieveToKnowItsPlaceByOneLandmark() {
+        agent.respond(seeing(GroundPose.ORIGIN, TeamSide.LEFT, 1, Landmark.FLAG_1_RIGHT));
+
+        assertThat(self.isKnown()).isFalse();
+        assertThat(self.ageSeconds()).isInfinite();
+    }
+
+    @Test
+    void isDrawnToItsTruePlaceByOneLandmarkIfItKnowsItsDirection() {
+        GroundPose truth = new GroundPose(1, 1, 0);
+        self.setPose(new GroundPose(0.5, 0.8, 0));
+
+        for (int i = 0; i < 60; i++) {
+            agent.respond(seeing(truth, TeamSide.LEFT, 1 + 0.06 * i, Landmark.FLAG_1_RIGHT));
+        }
+
+        assertIs(truth, 0.01);
+    }
+
+    @Test
+    void turnsByTheGyroscopeWhileItSeesNothing() {
+        self.setPose(GroundPose.ORIGIN);
+
+        for (int i = 0; i < 50; i++) {
+            agent.respond(Messages.standing().at(1 + 0.02 * i).gyro(0, 0, 45).build());
+        }
+
+        assertThat(self.pose().headingDegrees()).isCloseTo(45, within(1e-6));
+        assertThat(self.odometry().pose().headingDegrees()).isCloseTo(45, within(1e-6));
+    }
+
+    @Test
+    void knowsWhereTheBallIsAfterItHasTurnedAway() {
+        Vision ball = Vision.of(List.of(), Optional.of(new PolarPosition(2, 0, 0)), List.of(), List.of());
+        Vector3[] now = {Vector3.ZERO};
+        Agent turning = new Agent() {
+            @Override
+            protected void think() {
+                self.update(nao, fieldView);
+                now[0] = self.odometry().positionNow(fieldView.ball());
+            }
+        };
+
+        turning.respond(Messages.standing().at(1).seeing(ball).build());
+        for (int i = 1; i <= 50; i++) {
+            turning.respond(Messages.standing().at(1 + 0.02 * i).gyro(0, 0, 90).build());
+        }
+
+        assertThat(now[0].distanceTo(new Vector3(0, -2, 0))).isLessThan(1e-6);
+    }
+
+    private void assertIs(GroundPose truth, double tolerance) {
+        assertThat(self.pose().x()).isCloseTo(truth.x(), within(tolerance));
+        assertThat(self.pose().y()).isCloseTo(truth.y(), within(tolerance));
+        assertThat(self.pose().headingDegrees()).isCloseTo(truth.headingDegrees(), within(tolerance * 100));
+    }
+
+    private static PerceptorMessage seeing(GroundPose truth, TeamSide side, double seconds, Landmark... landmarks) {
+        List<Vision.SeenLandmark> seen = Arrays.stream(landmarks)
+                .map(landmark -> new Vision.SeenLandmark(landmark, polar(truth, side, landmark)))
+                .toList();
+        return Messages.standing()
+                .at(seconds)
+                .on(side)
+                .seeing(Vision.of(seen, Optional.empty(), List.of(), List.of()))
+                .build();
+    }
+
+    private static PolarPosition polar(GroundPose truth, TeamSide side, Landmark landmark) {
+        Vector3 place = FIELD.position(landmark).times(side == TeamSide.LEFT ? 1 : -1);
+        Direction direction = Direction.of(truth.fromFrame(place));
+        return new PolarPosition(direction.distance(), direction.bearing(), direction.elevation());
+    }
+}

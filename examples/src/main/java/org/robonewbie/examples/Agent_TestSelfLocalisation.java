@@ -1,0 +1,65 @@
+package org.robonewbie.examples;
+
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.Options;
+import org.robonewbie.agent.localisation.GroundPose;
+import org.robonewbie.agent.localisation.SelfLocalisation;
+import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.protocol.perceptor.Vision;
+
+/**
+ * Finds out where on the pitch it is while it walks about, and compares that with the truth.
+ *
+ * <p>This is more than a beginner needs: goal posts and flags tell the place, gyroscope and legs tell the movement in between;
+ * see {@link SelfLocalisation}. In the studio the belief is drawn beside the robot.
+ */
+public final class Agent_TestSelfLocalisation extends Agent {
+
+    private static final String[] WAY = {"walk-forward", "walk-forward", "walk-forward", "turn-left", "turn-left"};
+
+    private final SelfLocalisation self = new SelfLocalisation(SoccerField.BEGINNER);
+    private int step;
+    private int comparisons;
+    private double sumOfErrors;
+    private double largestError;
+
+    /** Creates the agent. */
+    public Agent_TestSelfLocalisation() {
+        fieldView.setTransformation(CameraTransformation.KINEMATICS);
+    }
+
+    /**
+     * Starts the robot.
+     *
+     * @param args options such as {@code --headless}; {@code --help} lists them
+     */
+    public static void main(String[] args) {
+        new Agent_TestSelfLocalisation().run(args);
+    }
+
+    @Override
+    protected Options defaults() {
+        return Options.none().withPose(-2, 0, 0).withSeconds(60).with("truth", "true");
+    }
+
+    @Override
+    protected void think() {
+        self.update(nao, fieldView);
+        GroundPose pose = self.pose();
+        nao.tellPose(pose.x(), pose.y(), pose.headingDegrees());
+        lookAround.look();
+        if (motions.start(WAY[step % WAY.length])) {
+            step++;
+            log.info("I am at %s", pose);
+            log.info("mean error %.3f m, largest %.3f m", sumOfErrors / Math.max(1, comparisons), largestError);
+        }
+        nao.getVision().flatMap(Vision::ownPosition).ifPresent(truth -> {
+            double error = Math.hypot(truth.x() - pose.x(), truth.y() - pose.y());
+            comparisons += self.isKnown() ? 1 : 0;
+            sumOfErrors += self.isKnown() ? error : 0;
+            largestError = Math.max(largestError, self.isKnown() ? error : 0);
+            nao.plot("error of the own place in metres", error);
+        });
+    }
+}
