@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import org.robonewbie.simulator.fidelity.AgentRoute;
 import org.robonewbie.simulator.fidelity.FidelityBench;
 import org.robonewbie.simulator.fidelity.FidelityReport;
+import org.robonewbie.simulator.world.PhysicsEngine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -48,6 +49,12 @@ final class FidelityCommand implements Callable<Integer> {
     @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
     private Optional<Path> json = Optional.empty();
 
+    @Option(
+            names = "--physics",
+            paramLabel = "ENGINE",
+            description = "What computes the motion: exact (ode4j's step) or fast (our own). Usual: ${DEFAULT-VALUE}.")
+    private PhysicsEngine physics = PhysicsEngine.STANDARD;
+
     @Mixin
     final WithoutStudioOption withoutStudio = new WithoutStudioOption();
 
@@ -59,7 +66,9 @@ final class FidelityCommand implements Callable<Integer> {
         });
         AgentRoute route = route();
         FidelityReport report =
-                directory.isPresent() ? FidelityBench.run(directory.get(), route) : FidelityBench.run(route);
+                directory.isPresent()
+                        ? FidelityBench.run(directory.get(), route, physics)
+                        : FidelityBench.run(route, physics);
         System.out.print(report.toTable());
         report.problems().forEach(System.err::println);
         if (json.isPresent()) {

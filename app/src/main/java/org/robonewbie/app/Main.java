@@ -43,6 +43,7 @@ public final class Main {
                 .registerConverter(int.class, text -> number(text, Integer::valueOf, "a whole number"))
                 .registerConverter(Long.class, text -> number(text, Long::valueOf, "a whole number"))
                 .registerConverter(Double.class, text -> number(text, Double::valueOf, "a number"))
+                .setCaseInsensitiveEnumValuesAllowed(true)
                 .setUsageHelpAutoWidth(true);
         subcommand(commandLine, RunCommand.NAME).setStopAtPositional(true);
         appendToHelp(commandLine, DemoCommand.NAME, () -> "Options of the agent:%n" + Options.help());

@@ -16,6 +16,7 @@ import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.world.PhysicsEngine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -69,6 +70,12 @@ final class SimulatorCommand implements Callable<Integer> {
 
     @Option(names = "--seed", paramLabel = "S", description = "Start of all random numbers: same seed, same run.")
     private Optional<Long> seed = Optional.empty();
+
+    @Option(
+            names = "--physics",
+            paramLabel = "ENGINE",
+            description = "What computes the motion: exact (ode4j's step) or fast (our own). Usual: ${DEFAULT-VALUE}.")
+    private PhysicsEngine physics = PhysicsEngine.STANDARD;
 
     @Option(names = "--seconds", paramLabel = "T", description = "End after T simulated seconds.")
     private Optional<Double> seconds = Optional.empty();
@@ -140,6 +147,7 @@ final class SimulatorCommand implements Callable<Integer> {
                 .synchronous(synchronous || isFast || start.isSynchronous())
                 .speed(isFast ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
                 .noise(!withoutNoise)
+                .physics(physics)
                 .seed(seed.orElseGet(() -> (long) new Random().nextInt(Integer.MAX_VALUE)))
                 .awaitedAgents(awaitedAgents)
                 .seconds(seconds.map(OptionalDouble::of).orElse(OptionalDouble.empty()))

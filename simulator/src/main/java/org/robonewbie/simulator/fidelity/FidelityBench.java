@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import java.util.zip.ZipException;
+import org.robonewbie.simulator.world.PhysicsEngine;
 
 /**
  * Replays recordings of a real rcssserver3d against this simulator's world, without noise and server, and measures how far
@@ -41,22 +42,35 @@ public final class FidelityBench {
      * @throws IOException if one cannot be read
      */
     public static FidelityReport run() throws IOException {
-        return run(AgentRoute.NONE);
+        return run(AgentRoute.NONE, PhysicsEngine.STANDARD);
     }
 
     /**
      * Replays the recordings that come with the project.
      *
      * @param route how commands reach the robot and measurements come back
+     * @param physics what computes the motion of all bodies
      * @return how closely each was followed
      * @throws IOException if one cannot be read
      */
-    public static FidelityReport run(AgentRoute route) throws IOException {
+    public static FidelityReport run(AgentRoute route, PhysicsEngine physics) throws IOException {
         List<RecordingFidelity> results = new ArrayList<>();
         for (String name : shippedNames()) {
-            results.add(Replay.of(readShipped(name), route));
+            results.add(Replay.of(readShipped(name), route, physics));
         }
         return new FidelityReport(results, List.of());
+    }
+
+    /**
+     * Replays all recordings of a directory with the standard engine.
+     *
+     * @param directory where the files are
+     * @param route how commands reach the robot and measurements come back
+     * @return how closely each was followed
+     * @throws IOException if there is no recording or the directory cannot be read; the text says why
+     */
+    public static FidelityReport run(Path directory, AgentRoute route) throws IOException {
+        return run(directory, route, PhysicsEngine.STANDARD);
     }
 
     /**
@@ -65,15 +79,16 @@ public final class FidelityBench {
      *
      * @param directory where the files are; those that do not end with .jsonl or .jsonl.gz are left out
      * @param route how commands reach the robot and measurements come back
+     * @param physics what computes the motion of all bodies
      * @return how closely each was followed
      * @throws IOException if there is no recording or the directory cannot be read; the text says why
      */
-    public static FidelityReport run(Path directory, AgentRoute route) throws IOException {
+    public static FidelityReport run(Path directory, AgentRoute route, PhysicsEngine physics) throws IOException {
         List<RecordingFidelity> results = new ArrayList<>();
         List<String> problems = new ArrayList<>();
         for (Path file : recordingsIn(directory)) {
             try (InputStream content = Files.newInputStream(file)) {
-                results.add(Replay.of(RecordingReader.read(file.getFileName().toString(), content), route));
+                results.add(Replay.of(RecordingReader.read(file.getFileName().toString(), content), route, physics));
             } catch (EOFException | ZipException e) {
                 problems.add(file.getFileName() + " is damaged (" + e.getMessage() + "). Copy or pack it again.");
             } catch (IOException e) {

@@ -12,6 +12,8 @@ import org.robonewbie.simulator.soccer.JoinRefusedException;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.Ball;
+import org.robonewbie.simulator.world.BallProperties;
+import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /** Plays recordings again in worlds of ours, each run in a fresh one, and compares every row. */
@@ -25,12 +27,14 @@ final class Replay {
     private final Recording recording;
     private final AgentRoute route;
     private final RobotType type;
+    private final PhysicsEngine physics;
     private final Comparison comparison = new Comparison(Limits.STANDARD);
 
-    private Replay(Recording recording, AgentRoute route, RobotType type) {
+    private Replay(Recording recording, AgentRoute route, RobotType type, PhysicsEngine physics) {
         this.recording = recording;
         this.route = route;
         this.type = type;
+        this.physics = physics;
     }
 
     /**
@@ -38,13 +42,14 @@ final class Replay {
      *
      * @param recording the recording
      * @param route how commands and measurements travel
+     * @param physics what computes the motion of all bodies
      * @return how closely it was followed, by the build that follows best
      * @throws IOException if a run shows neither a robot's torso nor a ball that was started in a known way
      */
-    static RecordingFidelity of(Recording recording, AgentRoute route) throws IOException {
+    static RecordingFidelity of(Recording recording, AgentRoute route, PhysicsEngine physics) throws IOException {
         Optional<RecordingFidelity> best = Optional.empty();
         for (RobotType type : BuildSearch.candidates(recording)) {
-            RecordingFidelity result = new Replay(recording, route, type).replay();
+            RecordingFidelity result = new Replay(recording, route, type, physics).replay();
             if (best.isEmpty() || CLOSEST.compare(result, best.get()) < 0) {
                 best = Optional.of(result);
             }
@@ -74,7 +79,7 @@ final class Replay {
     }
 
     private void replayRobot(RecordedRun run, Pose start) throws IOException {
-        try (Stage stage = Stage.open(route, type)) {
+        try (Stage stage = Stage.open(route, type, physics)) {
             new RobotStart(stage, run).reach(start);
             RecordedCommands commands = new RecordedCommands(stage.robot().model());
             List<RecordedRow> rows = run.rows();
@@ -93,7 +98,7 @@ final class Replay {
 
     /** The referee takes part: it puts the ball back before the kick-off and when it has left the pitch. */
     private void replayBall(RecordedRun run) throws IOException {
-        SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
+        SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, physics.newWorld());
         Match match = new Match(world, SoccerParameters.league(), 0);
         Ball ball = world.ball();
         BallStart start = BallStart.of(run.name(), ball.properties().radius());

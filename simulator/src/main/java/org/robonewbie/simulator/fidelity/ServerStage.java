@@ -13,6 +13,7 @@ import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.SteppedSimulator;
 import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;
 
 /** A whole server with league rules and without noise; the robot is moved, and felt, by an agent's messages only. */
@@ -28,8 +29,8 @@ final class ServerStage implements Stage {
         this.agent = agent;
     }
 
-    static ServerStage open(AgentRoute route, RobotType type) throws IOException {
-        SteppedSimulator simulator = SteppedSimulator.start(settings(), Console.silent());
+    static ServerStage open(AgentRoute route, RobotType type, PhysicsEngine physics) throws IOException {
+        SteppedSimulator simulator = SteppedSimulator.start(settings(physics), Console.silent());
         try {
             AgentLink agent = route == AgentRoute.TCP ? simulator.connectOverTcp() : simulator.connect();
             ServerStage stage = new ServerStage(simulator, agent);
@@ -42,7 +43,7 @@ final class ServerStage implements Stage {
     }
 
     /** Settings of a server that does nothing by chance. */
-    static SimulatorSettings settings() {
+    static SimulatorSettings settings(PhysicsEngine physics) {
         return SimulatorSettings.league()
                 .parameters(SoccerParameters.league()
                         .with("BeamNoiseXY=0")
@@ -51,6 +52,7 @@ final class ServerStage implements Stage {
                 .agentPort(0)
                 .synchronous(true)
                 .noise(false)
+                .physics(physics)
                 .build();
     }
 

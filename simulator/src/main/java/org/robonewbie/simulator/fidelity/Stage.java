@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;
 
 /** A fresh world with one robot on which a recorded run is played again. */
@@ -14,11 +15,12 @@ interface Stage extends AutoCloseable {
      *
      * @param route how the commands reach the robot
      * @param type the robot's build
+     * @param physics what computes the motion of all bodies
      * @return the stage; its robot is somewhere
      * @throws IOException if a server cannot be started
      */
-    static Stage open(AgentRoute route, RobotType type) throws IOException {
-        return route == AgentRoute.NONE ? new WorldStage(type) : ServerStage.open(route, type);
+    static Stage open(AgentRoute route, RobotType type, PhysicsEngine physics) throws IOException {
+        return route == AgentRoute.NONE ? new WorldStage(type, physics) : ServerStage.open(route, type, physics);
     }
 
     /** Gives the robot, to put it where the run begins and to look at its true pose. */

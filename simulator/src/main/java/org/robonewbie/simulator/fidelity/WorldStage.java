@@ -6,16 +6,19 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.simulator.world.BallProperties;
+import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /** A bare world without server, rules and messages. */
 final class WorldStage implements Stage {
 
-    private final SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
+    private final SoccerWorld world;
     private final Robot robot;
 
-    WorldStage(RobotType type) {
+    WorldStage(RobotType type, PhysicsEngine physics) {
+        world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, physics.newWorld());
         robot = world.addRobot(type);
     }
 

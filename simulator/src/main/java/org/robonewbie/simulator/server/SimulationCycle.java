@@ -68,7 +68,8 @@ final class SimulationCycle {
         SoccerParameters parameters = settings.parameters();
         BallProperties ball = new BallProperties(
                 parameters.get(SoccerParameter.BALL_RADIUS), parameters.get(SoccerParameter.BALL_MASS));
-        SoccerWorld world = new SoccerWorld(parameters.field(), ball);
+        SoccerWorld world =
+                new SoccerWorld(parameters.field(), ball, settings.physics().newWorld());
         RunRecorder recorder = RunRecorder.begin(world, settings.recording(), settings.description(), console::say);
         return new SimulationCycle(settings, world, console, recorder);
     }

@@ -9,6 +9,7 @@ import java.util.OptionalInt;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.monitor.MonitorSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.world.PhysicsEngine;
 
 /**
  * What a simulator shall do.
@@ -25,6 +26,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  * @param speed simulated seconds per second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
  * @param noise whether robots see with noise
  * @param truth whether the camera also tells the true places of its robot and the ball
+ * @param physics what computes the motion of all bodies
  * @param seed start of all random numbers
  * @param awaitedAgents how many agents must have spoken before the first cycle, 0 not to wait
  * @param silentAgentSeconds real seconds after which an agent of another process that keeps the world waiting is dropped
@@ -43,6 +45,7 @@ public record SimulatorSettings(
         double speed,
         boolean noise,
         boolean truth,
+        PhysicsEngine physics,
         long seed,
         int awaitedAgents,
         double silentAgentSeconds,
@@ -92,6 +95,7 @@ public record SimulatorSettings(
         if (truth) {
             lines.add("truth=true");
         }
+        lines.add("physics=" + physics);
         lines.addAll(parameters.assignments());
         return lines;
     }
@@ -106,6 +110,7 @@ public record SimulatorSettings(
         private double speed = 1;
         private boolean noise = true;
         private boolean truth;
+        private PhysicsEngine physics = PhysicsEngine.STANDARD;
         private long seed;
         private int awaitedAgents;
         private double silentAgentSeconds = DEFAULT_SILENT_AGENT_SECONDS;
@@ -194,6 +199,17 @@ public record SimulatorSettings(
          */
         public Builder truth(boolean value) {
             truth = value;
+            return this;
+        }
+
+        /**
+         * Sets what computes the motion of all bodies.
+         *
+         * @param value the engine
+         * @return this builder
+         */
+        public Builder physics(PhysicsEngine value) {
+            physics = value;
             return this;
         }
 
@@ -310,6 +326,7 @@ public record SimulatorSettings(
                     speed,
                     noise,
                     truth,
+                    physics,
                     seed,
                     awaitedAgents,
                     silentAgentSeconds,

@@ -7,7 +7,6 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.physics.PhysicsWorld;
-import org.robonewbie.simulator.physics.ode.OdePhysicsWorld;
 
 /**
  * The physical world of SimSpark's soccer simulation: ground, walls, goals, ball and robots.
@@ -49,7 +48,7 @@ public final class SoccerWorld {
      * @param ballProperties size and weight of the ball
      */
     public SoccerWorld(SoccerField field, BallProperties ballProperties) {
-        this(field, ballProperties, new OdePhysicsWorld());
+        this(field, ballProperties, PhysicsEngine.STANDARD.newWorld());
     }
 
     /**

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.simulator.world.PhysicsEngine;
 
 /** Recordings of a real rcssserver3d, replayed by an agent that speaks with a whole server of ours. */
 class AgentRouteTest {
@@ -26,8 +27,8 @@ class AgentRouteTest {
     void anAgentOverTcpIsToldTheSameAsOneInTheProcessAndAsWasRecorded(String name) throws IOException {
         Recording recording = FidelityBench.readShipped(name + ".jsonl.gz");
 
-        RecordingFidelity overTcp = Replay.of(recording, AgentRoute.TCP);
-        RecordingFidelity inProcess = Replay.of(recording, AgentRoute.IN_PROCESS);
+        RecordingFidelity overTcp = Replay.of(recording, AgentRoute.TCP, PhysicsEngine.STANDARD);
+        RecordingFidelity inProcess = Replay.of(recording, AgentRoute.IN_PROCESS, PhysicsEngine.STANDARD);
 
         assertThat(overTcp).isEqualTo(inProcess);
         assertThat(overTcp.firstDivergenceSeconds()).isEmpty();
@@ -42,8 +43,8 @@ class AgentRouteTest {
     void theServerMovesTheTorsoExactlyAsTheBareWorldDoes(String name) throws IOException {
         Recording recording = FidelityBench.readShipped(name + ".jsonl.gz");
 
-        RecordingFidelity inProcess = Replay.of(recording, AgentRoute.IN_PROCESS);
-        RecordingFidelity bare = Replay.of(recording, AgentRoute.NONE);
+        RecordingFidelity inProcess = Replay.of(recording, AgentRoute.IN_PROCESS, PhysicsEngine.STANDARD);
+        RecordingFidelity bare = Replay.of(recording, AgentRoute.NONE, PhysicsEngine.STANDARD);
 
         assertThat(inProcess.torsoMaxMetres().orElseThrow()
                         - bare.torsoMaxMetres().orElseThrow())

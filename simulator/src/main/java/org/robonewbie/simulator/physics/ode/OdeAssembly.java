@@ -57,7 +57,7 @@ final class OdeAssembly implements Assembly {
 
     @Override
     public Collider addCollider(RigidBody body, Shape shape, Material material, Object owner) {
-        DGeom geometry = geometry(shape);
+        DGeom geometry = geometry(space, shape);
         geometry.setBody(((OdeBody) body).body());
         return OdeCollider.solid(geometry, material, owner);
     }
@@ -85,14 +85,14 @@ final class OdeAssembly implements Assembly {
     }
 
     private DGeom placed(Shape shape, Pose pose) {
-        DGeom geometry = geometry(shape);
+        DGeom geometry = geometry(space, shape);
         geometry.setPosition(
                 pose.position().x(), pose.position().y(), pose.position().z());
         geometry.setRotation(OdeVectors.to(pose.rotation()));
         return geometry;
     }
 
-    private DGeom geometry(Shape shape) {
+    static DGeom geometry(DHashSpace space, Shape shape) {
         if (shape instanceof Shape.Box box) {
             return OdeHelper.createBox(
                     space, box.size().x(), box.size().y(), box.size().z());

@@ -23,4 +23,8 @@ final class OdeVectors {
     static DMatrix3 to(Rotation r) {
         return new DMatrix3(r.xx(), r.xy(), r.xz(), r.yx(), r.yy(), r.yz(), r.zx(), r.zy(), r.zz());
     }
+
+    static DMatrix3 rotation(double[] r) {
+        return new DMatrix3(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]);
+    }
 }

@@ -1,0 +1,156 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import java.util.Arrays;
+
+/**
+ * The matrix A of an island in blocks, and its Cholesky factor L with A = L Lᵀ.
+ *
+ * <p>Only rows that are free take part: a row at its limit is replaced by one of the unit matrix. Columns are computed
+ * from left to right, each from its own blocks of A and the finished columns that reach into it; when some rows change
+ * their state, only the columns that depend on them are computed again.
+ */
+final class BlockCholesky {
+
+    private EliminationPlan plan = EliminationPlan.EMPTY;
+    private double[] matrix = {};
+    private double[] factor = {};
+    private double[] inverseDiagonal = {};
+    private boolean[] changed = {};
+
+    /** Builds the matrix: J M⁻¹ Jᵀ and the softness on the diagonal. */
+    void assemble(EliminationPlan newPlan, ConstraintRows rows) {
+        plan = newPlan;
+        if (factor.length < plan.size) {
+            matrix = new double[plan.size + plan.size / 2];
+            factor = new double[matrix.length];
+        }
+        if (inverseDiagonal.length < plan.rows()) {
+            inverseDiagonal = new double[2 * plan.rows()];
+            changed = new boolean[inverseDiagonal.length];
+        }
+        Arrays.fill(matrix, 0, plan.size, 0);
+        int[] overlaps = plan.overlaps;
+        for (int i = 0; i < overlaps.length; i += EliminationPlan.OVERLAP_NUMBERS) {
+            double[] response = overlaps[i + 1] == 0 ? rows.firstResponse : rows.secondResponse;
+            double[] jacobian = overlaps[i + 3] == 0 ? rows.first : rows.second;
+            addOverlap(overlaps[i], response, overlaps[i + 2], jacobian, overlaps[i + 4]);
+        }
+        for (int k = 0; k < plan.joints(); k++) {
+            int width = plan.rows(k);
+            for (int r = 0; r < width; r++) {
+                matrix[plan.diagonalOffset[k] + r * width + r] += rows.softness[plan.firstRow[k] + r];
+            }
+        }
+        Arrays.fill(changed, 0, plan.joints(), true);
+    }
+
+    private void addOverlap(int column, double[] response, int row, double[] jacobian, int offset) {
+        int width = plan.rows(column);
+        int height = plan.rows(row);
+        int columnStart = 6 * plan.firstRow[column];
+        int rowStart = 6 * plan.firstRow[row];
+        for (int r = 0; r < height; r++) {
+            int a = rowStart + 6 * r;
+            double j0 = jacobian[a];
+            double j1 = jacobian[a + 1];
+            double j2 = jacobian[a + 2];
+            double j3 = jacobian[a + 3];
+            double j4 = jacobian[a + 4];
+            double j5 = jacobian[a + 5];
+            int end = row == column ? r + 1 : width;
+            for (int c = 0; c < end; c++) {
+                int b = columnStart + 6 * c;
+                matrix[offset + r * width + c] += j0 * response[b]
+                        + j1 * response[b + 1]
+                        + j2 * response[b + 2]
+                        + j3 * response[b + 3]
+                        + j4 * response[b + 4]
+                        + j5 * response[b + 5];
+            }
+        }
+    }
+
+    /** Says that a row has changed its state, so that the joint's column must be computed again. */
+    void rowChanged(int joint) {
+        changed[joint] = true;
+    }
+
+    /** Computes all columns that are not valid any more. */
+    void factorise(byte[] state) {
+        for (int k = 0; k < plan.joints(); k++) {
+            if (changed[k] || anySourceChanged(k)) {
+                changed[k] = true;
+                computeColumn(k, state);
+            }
+        }
+        Arrays.fill(changed, 0, plan.joints(), false);
+    }
+
+    private boolean anySourceChanged(int column) {
+        int[] updates = plan.updates[column];
+        for (int i = 0; i < updates.length; i += EliminationPlan.UPDATE_NUMBERS) {
+            if (changed[updates[i]]) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void computeColumn(int column, byte[] state) {
+        int start = plan.diagonalOffset[column];
+        int end = column + 1 < plan.joints() ? plan.diagonalOffset[column + 1] : plan.size;
+        System.arraycopy(matrix, start, factor, start, end - start);
+        int width = plan.rows(column);
+        int[] updates = plan.updates[column];
+        for (int i = 0; i < updates.length; i += EliminationPlan.UPDATE_NUMBERS) {
+            int inner = plan.rows(updates[i]);
+            DenseBlocks.subtractProduct(
+                    factor, updates[i + 1], updates[i + 2], updates[i + 3], updates[i + 4], width, inner);
+        }
+        int height = (end - start) / width;
+        for (int c = 0; c < width; c++) {
+            if (state[plan.firstRow[column] + c] != ConstraintRows.FREE) {
+                DenseBlocks.replaceByUnit(factor, start, width, height, c);
+            }
+        }
+        DenseBlocks.factorise(factor, start, width, inverseDiagonal, plan.firstRow[column]);
+        DenseBlocks.divide(factor, start, width, height, inverseDiagonal, plan.firstRow[column]);
+    }
+
+    /**
+     * Solves L Lᵀ x = b for the free rows.
+     *
+     * @param x holds b and receives the solution; at rows that are not free it is set to 0
+     */
+    void solve(double[] x, byte[] state) {
+        for (int k = 0; k < plan.joints(); k++) {
+            clearFixedRows(k, x, state);
+            int at = plan.firstRow[k];
+            int width = plan.rows(k);
+            DenseBlocks.solveForwards(factor, plan.diagonalOffset[k], width, inverseDiagonal, x, at);
+            int[] below = plan.below[k];
+            for (int i = 0; i < below.length; i++) {
+                DenseBlocks.subtractTimes(
+                        factor, plan.belowOffset[k][i], plan.rows(below[i]), width, x, at, plan.firstRow[below[i]]);
+            }
+        }
+        for (int k = plan.joints() - 1; k >= 0; k--) {
+            int at = plan.firstRow[k];
+            int width = plan.rows(k);
+            int[] below = plan.below[k];
+            for (int i = 0; i < below.length; i++) {
+                DenseBlocks.subtractTransposedTimes(
+                        factor, plan.belowOffset[k][i], plan.rows(below[i]), width, x, plan.firstRow[below[i]], at);
+            }
+            DenseBlocks.solveBackwards(factor, plan.diagonalOffset[k], width, inverseDiagonal, x, at);
+        }
+    }
+
+    private void clearFixedRows(int joint, double[] x, byte[] state) {
+        for (int row = plan.firstRow[joint]; row < plan.firstRow[joint + 1]; row++) {
+            if (state[row] != ConstraintRows.FREE) {
+                x[row] = 0;
+            }
+        }
+    }
+}

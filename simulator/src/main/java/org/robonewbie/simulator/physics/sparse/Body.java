@@ -1,0 +1,230 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.physics.MassDistribution;
+import org.robonewbie.simulator.physics.RigidBody;
+import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.physics.ode.OdeCollisions;
+
+/**
+ * A rigid body: Newton and Euler for one lump of matter.
+ *
+ * <p>Arrays hold x, y, z; arrays of six hold a linear part and then an angular part, all along the world's axes.
+ */
+final class Body implements RigidBody {
+
+    private static final double GRAVITY = -9.81;
+    private static final double RESTING_SPEED_SQUARED = 0.01 * 0.01;
+    private static final int STEPS_TO_FALL_ASLEEP = 10;
+
+    final double inverseMass;
+    /** Rotation from the body's axes to the world's, row by row. */
+    final double[] rotation = Rotations.identity();
+    /** The inverse of the inertia about the world's axes, row by row; as of the last {@link #prepare}. */
+    final double[] inverseInertia = new double[9];
+    /** Linear and angular velocity. */
+    final double[] velocity = new double[6];
+    /** Force and torque of this step, constraints not counted. */
+    final double[] force = new double[6];
+    /** The velocity that the step would give without constraints, per second of the step: v/h + M⁻¹f. */
+    final double[] unconstrained = new double[6];
+    /** What the constraints' forces add: M⁻¹ Jᵀ λ. */
+    final double[] acceleration = new double[6];
+    /** Joints that hold on to this body, hinges first, then the contacts of this step. */
+    final List<Joint> joints = new ArrayList<>();
+    /** Number of this body in its island, while the island is stepped. */
+    int islandIndex;
+    /** Whether this step has put the body in an island already. */
+    boolean visited;
+
+    private final double mass;
+    private final double[] inertia;
+    private final boolean evenlyHeavy;
+    private final double[] position = new double[3];
+    private final double[] quaternion = {1, 0, 0, 0};
+    private final List<OdeCollisions.Form> forms = new ArrayList<>();
+    private boolean asleep;
+    private int restingStepsLeft = STEPS_TO_FALL_ASLEEP;
+
+    Body(MassDistribution distribution, Vector3 position) {
+        mass = distribution.massKg();
+        inverseMass = 1 / mass;
+        Vector3 moments = distribution.inertia();
+        inertia = new double[] {moments.x(), moments.y(), moments.z()};
+        evenlyHeavy = moments.x() == moments.y() && moments.y() == moments.z();
+        set(this.position, position);
+    }
+
+    double[] place() {
+        return position;
+    }
+
+    double[] turn() {
+        return quaternion;
+    }
+
+    void attach(OdeCollisions.Form form) {
+        forms.add(form);
+        form.place(position, rotation);
+    }
+
+    void removeContacts() {
+        while (!joints.isEmpty() && joints.get(joints.size() - 1) instanceof ContactJoint) {
+            joints.remove(joints.size() - 1);
+        }
+    }
+
+    /** Says that body and joints are in no island yet. */
+    void unvisit() {
+        visited = false;
+        for (int i = 0; i < joints.size(); i++) {
+            joints.get(i).visited = false;
+        }
+    }
+
+    /** Counts the steps at rest, as ODE's auto-disable does, and falls asleep after ten. */
+    void watchRest() {
+        if (asleep || joints.isEmpty()) {
+            return;
+        }
+        restingStepsLeft = isResting() ? restingStepsLeft - 1 : STEPS_TO_FALL_ASLEEP;
+        if (restingStepsLeft <= 0) {
+            asleep = true;
+            Arrays.fill(velocity, 0);
+        }
+    }
+
+    /** Takes part in the step since something that is awake is joined to it; its count of steps at rest goes on. */
+    void stir() {
+        asleep = false;
+    }
+
+    private boolean isResting() {
+        return Rotations.dot(velocity, 0, velocity, 0) <= RESTING_SPEED_SQUARED
+                && Rotations.dot(velocity, 3, velocity, 3) <= RESTING_SPEED_SQUARED;
+    }
+
+    /** Adds weight and gyroscopic torque, and turns the inertia to the world's axes. */
+    void addOwnForces(double seconds) {
+        force[2] += mass * GRAVITY;
+        Rotations.turnedDiagonal(rotation, 1 / inertia[0], 1 / inertia[1], 1 / inertia[2], inverseInertia);
+        if (!evenlyHeavy) {
+            Gyroscope.addTorque(rotation, inertia, velocity, seconds, force);
+        }
+    }
+
+    /** Computes what the step would do without constraints; to be called when all forces are known. */
+    void prepare(double seconds) {
+        double rate = 1 / seconds;
+        for (int axis = 0; axis < 3; axis++) {
+            unconstrained[axis] = force[axis] * inverseMass + velocity[axis] * rate;
+            unconstrained[3 + axis] = Rotations.dot(inverseInertia, 3 * axis, force, 3) + velocity[3 + axis] * rate;
+        }
+    }
+
+    void clearAcceleration() {
+        Arrays.fill(acceleration, 0);
+    }
+
+    /** Moves the body: first the velocities, then with them place and turn (semi-implicit Euler, as ODE). */
+    void move(double seconds) {
+        for (int axis = 0; axis < 3; axis++) {
+            velocity[axis] += seconds * (acceleration[axis] + force[axis] * inverseMass);
+            velocity[3 + axis] +=
+                    seconds * (acceleration[3 + axis] + Rotations.dot(inverseInertia, 3 * axis, force, 3));
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            position[axis] += seconds * velocity[axis];
+        }
+        Rotations.turn(quaternion, velocity, seconds);
+        Rotations.toMatrix(quaternion, rotation);
+        Arrays.fill(force, 0);
+        placeForms();
+    }
+
+    private void placeForms() {
+        for (int i = 0; i < forms.size(); i++) {
+            forms.get(i).place(position, rotation);
+        }
+    }
+
+    @Override
+    public Vector3 position() {
+        return new Vector3(position[0], position[1], position[2]);
+    }
+
+    @Override
+    public Rotation rotation() {
+        double[] r = rotation;
+        return new Rotation(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]);
+    }
+
+    @Override
+    public Vector3 velocity() {
+        return new Vector3(velocity[0], velocity[1], velocity[2]);
+    }
+
+    @Override
+    public Vector3 angularVelocity() {
+        return new Vector3(velocity[3], velocity[4], velocity[5]);
+    }
+
+    @Override
+    public void setPosition(Vector3 place) {
+        set(position, place);
+        placeForms();
+    }
+
+    @Override
+    public void setRotation(Rotation turn) {
+        Rotations.copy(turn, rotation);
+        Rotations.toQuaternion(rotation, quaternion);
+        placeForms();
+    }
+
+    @Override
+    public void setVelocity(Vector3 metresPerSecond) {
+        set(velocity, metresPerSecond);
+    }
+
+    @Override
+    public void setAngularVelocity(Vector3 radiansPerSecond) {
+        velocity[3] = radiansPerSecond.x();
+        velocity[4] = radiansPerSecond.y();
+        velocity[5] = radiansPerSecond.z();
+    }
+
+    @Override
+    public void addForce(Vector3 newtons) {
+        force[0] += newtons.x();
+        force[1] += newtons.y();
+        force[2] += newtons.z();
+    }
+
+    @Override
+    public void addTorque(Vector3 newtonMetres) {
+        force[3] += newtonMetres.x();
+        force[4] += newtonMetres.y();
+        force[5] += newtonMetres.z();
+    }
+
+    @Override
+    public boolean isAsleep() {
+        return asleep;
+    }
+
+    @Override
+    public void wake() {
+        asleep = false;
+        restingStepsLeft = STEPS_TO_FALL_ASLEEP;
+    }
+
+    private static void set(double[] array, Vector3 vector) {
+        array[0] = vector.x();
+        array[1] = vector.y();
+        array[2] = vector.z();
+    }
+}

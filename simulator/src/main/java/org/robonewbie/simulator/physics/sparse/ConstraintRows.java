@@ -1,0 +1,146 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import java.util.Arrays;
+
+/**
+ * All constraint rows of an island, one after the other in the order of elimination.
+ *
+ * <p>Six numbers per row and body: how fast the row's gap opens per unit of the body's linear and angular velocity. A
+ * row is <i>free</i> while its force is sought; else its force stands at its lower or upper limit.
+ */
+final class ConstraintRows {
+
+    /** The row's force is whatever fulfils the row. */
+    static final byte FREE = 0;
+    /** The row's force is at its lower limit. */
+    static final byte LOW = 1;
+    /** The row's force is at its upper limit. */
+    static final byte HIGH = 2;
+
+    int count;
+    /** Jacobian against the first body. */
+    double[] first = {};
+    /** Jacobian against the second body. */
+    double[] second = {};
+    /** Jacobian times inverse mass of the first body: its acceleration per newton of the row. */
+    double[] firstResponse = {};
+    /** The same for the second body. */
+    double[] secondResponse = {};
+    /** The speed that the row asks for; once {@link #prepare} is done, the right-hand side b. */
+    double[] wanted = {};
+    /** How much of that speed the row gives up per newton (ODE: CFM); once prepared, divided by the step. */
+    double[] softness = {};
+    /** The least force. */
+    double[] lower = {};
+    /** The greatest force. */
+    double[] upper = {};
+    /** The force that was found. */
+    double[] force = {};
+    /** {@link #FREE}, {@link #LOW} or {@link #HIGH}. */
+    byte[] state = {};
+    /** The state that the last solution suggests. */
+    byte[] next = {};
+    /** Room for the solution of the linear system. */
+    double[] solution = {};
+
+    /** Makes room for rows and clears them: unlimited, at speed 0, with the world's softness. */
+    void reset(int rows, double worldSoftness) {
+        count = rows;
+        if (state.length < rows) {
+            grow(rows + rows / 2);
+        }
+        Arrays.fill(first, 0, 6 * rows, 0);
+        Arrays.fill(second, 0, 6 * rows, 0);
+        Arrays.fill(wanted, 0, rows, 0);
+        Arrays.fill(softness, 0, rows, worldSoftness);
+        Arrays.fill(lower, 0, rows, Double.NEGATIVE_INFINITY);
+        Arrays.fill(upper, 0, rows, Double.POSITIVE_INFINITY);
+    }
+
+    private void grow(int rows) {
+        first = new double[6 * rows];
+        second = new double[6 * rows];
+        firstResponse = new double[6 * rows];
+        secondResponse = new double[6 * rows];
+        wanted = new double[rows];
+        softness = new double[rows];
+        lower = new double[rows];
+        upper = new double[rows];
+        force = new double[rows];
+        state = new byte[rows];
+        next = new byte[rows];
+        solution = new double[rows];
+    }
+
+    /** Writes a vector into the linear part of a row's Jacobian. */
+    static void setLinear(double[] jacobian, int row, double x, double y, double z) {
+        jacobian[6 * row] = x;
+        jacobian[6 * row + 1] = y;
+        jacobian[6 * row + 2] = z;
+    }
+
+    /** Writes a vector into the angular part of a row's Jacobian. */
+    static void setAngular(double[] jacobian, int row, double x, double y, double z) {
+        jacobian[6 * row + 3] = x;
+        jacobian[6 * row + 4] = y;
+        jacobian[6 * row + 5] = z;
+    }
+
+    /** Computes the right-hand side and the responses of a joint's rows; the bodies are prepared. */
+    void prepare(Joint joint, double rate) {
+        int from = joint.firstRow;
+        int to = from + joint.rowCount();
+        Body one = joint.first;
+        Body two = joint.second;
+        for (int row = from; row < to; row++) {
+            respond(one, first, firstResponse, row);
+            double free = dot6(first, 6 * row, one.unconstrained);
+            if (two != null) {
+                respond(two, second, secondResponse, row);
+                free += dot6(second, 6 * row, two.unconstrained);
+            }
+            wanted[row] = wanted[row] * rate - free;
+            softness[row] *= rate;
+        }
+    }
+
+    private static void respond(Body body, double[] jacobian, double[] response, int row) {
+        int at = 6 * row;
+        double[] inverse = body.inverseInertia;
+        for (int axis = 0; axis < 3; axis++) {
+            response[at + axis] = jacobian[at + axis] * body.inverseMass;
+            response[at + 3 + axis] = Rotations.dot(inverse, 3 * axis, jacobian, at + 3);
+        }
+    }
+
+    /** Adds what a row's force does to the accelerations of the bodies. */
+    void accelerate(Joint joint) {
+        int from = joint.firstRow;
+        int to = from + joint.rowCount();
+        for (int row = from; row < to; row++) {
+            add(firstResponse, row, force[row], joint.first.acceleration);
+            if (joint.second != null) {
+                add(secondResponse, row, force[row], joint.second.acceleration);
+            }
+        }
+    }
+
+    private static void add(double[] response, int row, double factor, double[] acceleration) {
+        for (int i = 0; i < 6; i++) {
+            acceleration[i] += response[6 * row + i] * factor;
+        }
+    }
+
+    /** Tells by how much a row is exceeded: (A λ - b), with the accelerations of the present forces. */
+    double excess(Joint joint, int row) {
+        double motion = dot6(first, 6 * row, joint.first.acceleration);
+        if (joint.second != null) {
+            motion += dot6(second, 6 * row, joint.second.acceleration);
+        }
+        return motion + softness[row] * force[row] - wanted[row];
+    }
+
+    static double dot6(double[] jacobian, int at, double[] motion) {
+        return Rotations.dot(jacobian, at, motion, 0) + Rotations.dot(jacobian, at + 3, motion, 3);
+    }
+}

@@ -1,0 +1,116 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * All points at which two bodies, or a body and something fixed, touch during one step: ODE's contact joints.
+ *
+ * <p>Three rows per point: along the normal the bodies must not come closer and only push; in the two directions across,
+ * unlimited friction holds them but gives way softly (ODE's force dependent slip).
+ */
+final class ContactJoint extends Joint {
+
+    private static final int ROWS_PER_POINT = 3;
+
+    private final List<ContactPoint> points = new ArrayList<>(4);
+    private final ContactSurface surface;
+    private final double sign;
+
+    private final double[] normal = new double[3];
+    private final double[] across = new double[3];
+    private final double[] along = new double[3];
+
+    /**
+     * Joins two bodies.
+     *
+     * @param first a body
+     * @param second another one, or none
+     * @param surface how they behave in contact
+     * @param sign 1 if the points' normals look towards the first body, -1 if away from it
+     */
+    ContactJoint(Body first, @Nullable Body second, ContactSurface surface, double sign) {
+        super(first, second);
+        this.surface = surface;
+        this.sign = sign;
+    }
+
+    void add(ContactPoint point) {
+        points.add(point);
+    }
+
+    /** Takes this joint off its bodies; contacts are always the last of a body's joints. */
+    void detach() {
+        first.removeContacts();
+        if (second != null) {
+            second.removeContacts();
+        }
+    }
+
+    @Override
+    int rowCount() {
+        return ROWS_PER_POINT * points.size();
+    }
+
+    @Override
+    void writeRows(ConstraintRows rows, double rate) {
+        for (int i = 0; i < points.size(); i++) {
+            writeRows(rows, firstRow + ROWS_PER_POINT * i, points.get(i).numbers, rate);
+        }
+    }
+
+    private void writeRows(ConstraintRows rows, int row, double[] numbers, double rate) {
+        for (int axis = 0; axis < 3; axis++) {
+            normal[axis] = sign * numbers[3 + axis];
+        }
+        Rotations.squareTo(normal, across, along);
+        writeDirection(rows, row, numbers, normal);
+        writeDirection(rows, row + 1, numbers, across);
+        writeDirection(rows, row + 2, numbers, along);
+        double depth = Math.max(0, numbers[6] - PhysicsConstants.CONTACT_SURFACE_LAYER);
+        double approach = surface.bounces() ? -openingSpeed(rows, row) : 0;
+        rows.wanted[row] = Math.max(rate * surface.errorReduction() * depth, surface.thrownBack(approach));
+        rows.softness[row] = surface.softness();
+        rows.softness[row + 1] = surface.slip();
+        rows.softness[row + 2] = surface.slip();
+        rows.lower[row] = 0;
+    }
+
+    private void writeDirection(ConstraintRows rows, int row, double[] numbers, double[] direction) {
+        write(rows.first, row, first, numbers, direction, 1);
+        if (second != null) {
+            write(rows.second, row, second, numbers, direction, -1);
+        }
+    }
+
+    private static void write(double[] jacobian, int row, Body body, double[] point, double[] direction, double sign) {
+        double[] centre = body.place();
+        double armX = point[0] - centre[0];
+        double armY = point[1] - centre[1];
+        double armZ = point[2] - centre[2];
+        double x = sign * direction[0];
+        double y = sign * direction[1];
+        double z = sign * direction[2];
+        ConstraintRows.setLinear(jacobian, row, x, y, z);
+        ConstraintRows.setAngular(jacobian, row, armY * z - armZ * y, armZ * x - armX * z, armX * y - armY * x);
+    }
+
+    private double openingSpeed(ConstraintRows rows, int row) {
+        double speed = ConstraintRows.dot6(rows.first, 6 * row, first.velocity);
+        return second == null ? speed : speed + ConstraintRows.dot6(rows.second, 6 * row, second.velocity);
+    }
+
+    @Override
+    void readForces(ConstraintRows rows) {
+        for (int i = 0; i < points.size(); i++) {
+            int row = firstRow + ROWS_PER_POINT * i;
+            double[] force = points.get(i).force;
+            for (int axis = 0; axis < 3; axis++) {
+                force[axis] = rows.first[6 * row + axis] * rows.force[row]
+                        + rows.first[6 * row + 6 + axis] * rows.force[row + 1]
+                        + rows.first[6 * row + 12 + axis] * rows.force[row + 2];
+            }
+        }
+    }
+}

@@ -1,0 +1,50 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Bodies that are connected by joints, however far; what happens to one of them may matter to all. */
+final class Island {
+
+    private final List<Body> bodies = new ArrayList<>();
+    private final List<Joint> joints = new ArrayList<>();
+    private final List<Body> stack = new ArrayList<>();
+
+    List<Body> bodies() {
+        return bodies;
+    }
+
+    List<Joint> joints() {
+        return joints;
+    }
+
+    /** Gathers all that is connected with a body, and wakes it; in ODE's order ({@code BuildIslands...}). */
+    void gather(Body start) {
+        bodies.clear();
+        joints.clear();
+        start.visited = true;
+        stack.add(start);
+        while (!stack.isEmpty()) {
+            Body body = stack.remove(stack.size() - 1);
+            body.islandIndex = bodies.size();
+            bodies.add(body);
+            for (int i = body.joints.size() - 1; i >= 0; i--) {
+                visit(body.joints.get(i), body);
+            }
+        }
+    }
+
+    private void visit(Joint joint, Body from) {
+        if (joint.visited) {
+            return;
+        }
+        joint.visited = true;
+        joints.add(joint);
+        Body other = joint.opposite(from);
+        if (other != null && !other.visited) {
+            other.visited = true;
+            other.stir();
+            stack.add(other);
+        }
+    }
+}

@@ -1,0 +1,53 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import java.util.List;
+
+/** Moves the bodies of one island at a time; keeps the arrays for it from step to step. */
+final class IslandStepper {
+
+    private final ConstraintRows rows = new ConstraintRows();
+    private final ForceSolver solver = new ForceSolver(rows);
+    private final PlanCache plans = new PlanCache();
+
+    /**
+     * Makes one step.
+     *
+     * @param island the bodies and all joints between them
+     * @param seconds length of the step
+     */
+    void step(Island island, double seconds) {
+        List<Body> bodies = island.bodies();
+        List<Joint> joints = island.joints();
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).addOwnForces(seconds);
+            bodies.get(i).clearAcceleration();
+        }
+        if (!joints.isEmpty()) {
+            findForces(bodies, joints, seconds);
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).move(seconds);
+        }
+    }
+
+    private void findForces(List<Body> bodies, List<Joint> joints, double seconds) {
+        double rate = 1 / seconds;
+        EliminationPlan plan = plans.planFor(joints, bodies.size());
+        rows.reset(plan.rows(), PhysicsConstants.SOFTNESS);
+        for (int k = 0; k < plan.joints(); k++) {
+            Joint joint = joints.get(plan.order[k]);
+            joint.firstRow = plan.firstRow[k];
+            joint.writeRows(rows, rate);
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).prepare(seconds);
+        }
+        for (int i = 0; i < joints.size(); i++) {
+            rows.prepare(joints.get(i), rate);
+        }
+        solver.solve(plan, joints, bodies);
+        for (int i = 0; i < joints.size(); i++) {
+            joints.get(i).readForces(rows);
+        }
+    }
+}

@@ -1,0 +1,148 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import org.robonewbie.simulator.physics.Rotation;
+
+/**
+ * Rotations and vectors in plain arrays: matrices have nine numbers, row by row, quaternions w, x, y, z.
+ *
+ * <p>The records of the public interface say the same more readably; these make no objects.
+ */
+final class Rotations {
+
+    private Rotations() {}
+
+    static double[] identity() {
+        return new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    }
+
+    static double dot(double[] a, int aAt, double[] b, int bAt) {
+        return a[aAt] * b[bAt] + a[aAt + 1] * b[bAt + 1] + a[aAt + 2] * b[bAt + 2];
+    }
+
+    /** Turns a vector: {@code to = matrix · from}. */
+    static void apply(double[] matrix, double[] from, double[] to) {
+        for (int axis = 0; axis < 3; axis++) {
+            to[axis] = dot(matrix, 3 * axis, from, 0);
+        }
+    }
+
+    /** Turns a vector back: {@code to = matrixᵀ · from}. */
+    static void applyInverse(double[] matrix, double[] from, double[] to) {
+        for (int axis = 0; axis < 3; axis++) {
+            to[axis] = matrix[axis] * from[0] + matrix[3 + axis] * from[1] + matrix[6 + axis] * from[2];
+        }
+    }
+
+    /** Turns a diagonal matrix: {@code to = matrix · diag(x, y, z) · matrixᵀ}. */
+    static void turnedDiagonal(double[] matrix, double x, double y, double z, double[] to) {
+        for (int row = 0; row < 3; row++) {
+            double rx = matrix[3 * row] * x;
+            double ry = matrix[3 * row + 1] * y;
+            double rz = matrix[3 * row + 2] * z;
+            for (int column = 0; column <= row; column++) {
+                double value = rx * matrix[3 * column] + ry * matrix[3 * column + 1] + rz * matrix[3 * column + 2];
+                to[3 * row + column] = value;
+                to[3 * column + row] = value;
+            }
+        }
+    }
+
+    /** Turns a quaternion by an angular velocity (elements 3 to 5) for a short time, to first order, as ODE does. */
+    static void turn(double[] q, double[] velocity, double seconds) {
+        double half = 0.5 * seconds;
+        double x = velocity[3];
+        double y = velocity[4];
+        double z = velocity[5];
+        double q0 = q[0] + half * (-x * q[1] - y * q[2] - z * q[3]);
+        double q1 = q[1] + half * (x * q[0] + y * q[3] - z * q[2]);
+        double q2 = q[2] + half * (-x * q[3] + y * q[0] + z * q[1]);
+        double q3 = q[3] + half * (x * q[2] - y * q[1] + z * q[0]);
+        double factor = 1 / Math.sqrt(q0 * q0 + q1 * q1 + q2 * q2 + q3 * q3);
+        q[0] = q0 * factor;
+        q[1] = q1 * factor;
+        q[2] = q2 * factor;
+        q[3] = q3 * factor;
+    }
+
+    static void toMatrix(double[] q, double[] matrix) {
+        double xx = 2 * q[1] * q[1];
+        double yy = 2 * q[2] * q[2];
+        double zz = 2 * q[3] * q[3];
+        matrix[0] = 1 - yy - zz;
+        matrix[1] = 2 * (q[1] * q[2] - q[0] * q[3]);
+        matrix[2] = 2 * (q[1] * q[3] + q[0] * q[2]);
+        matrix[3] = 2 * (q[1] * q[2] + q[0] * q[3]);
+        matrix[4] = 1 - xx - zz;
+        matrix[5] = 2 * (q[2] * q[3] - q[0] * q[1]);
+        matrix[6] = 2 * (q[1] * q[3] - q[0] * q[2]);
+        matrix[7] = 2 * (q[2] * q[3] + q[0] * q[1]);
+        matrix[8] = 1 - xx - yy;
+    }
+
+    static void toQuaternion(double[] matrix, double[] q) {
+        double trace = matrix[0] + matrix[4] + matrix[8];
+        if (trace >= 0) {
+            double root = Math.sqrt(trace + 1);
+            double factor = 0.5 / root;
+            q[0] = 0.5 * root;
+            q[1] = (matrix[7] - matrix[5]) * factor;
+            q[2] = (matrix[2] - matrix[6]) * factor;
+            q[3] = (matrix[3] - matrix[1]) * factor;
+        } else {
+            fromLargestDiagonal(matrix, q);
+        }
+        double length = Math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+        for (int i = 0; i < 4; i++) {
+            q[i] /= length;
+        }
+    }
+
+    private static void fromLargestDiagonal(double[] matrix, double[] q) {
+        int i = matrix[4] > matrix[0] ? 1 : 0;
+        i = matrix[8] > matrix[4 * i] ? 2 : i;
+        int j = (i + 1) % 3;
+        int k = (i + 2) % 3;
+        double root = Math.sqrt(matrix[4 * i] - (matrix[4 * j] + matrix[4 * k]) + 1);
+        double factor = 0.5 / root;
+        q[1 + i] = 0.5 * root;
+        q[1 + j] = (matrix[3 * i + j] + matrix[3 * j + i]) * factor;
+        q[1 + k] = (matrix[3 * k + i] + matrix[3 * i + k]) * factor;
+        q[0] = (matrix[3 * k + j] - matrix[3 * j + k]) * factor;
+    }
+
+    static void copy(Rotation from, double[] to) {
+        to[0] = from.xx();
+        to[1] = from.xy();
+        to[2] = from.xz();
+        to[3] = from.yx();
+        to[4] = from.yy();
+        to[5] = from.yz();
+        to[6] = from.zx();
+        to[7] = from.zy();
+        to[8] = from.zz();
+    }
+
+    /** Finds two directions that are square to a unit vector and to each other, the very ones that ODE takes. */
+    static void squareTo(double[] normal, double[] one, double[] two) {
+        double x = normal[0];
+        double y = normal[1];
+        double z = normal[2];
+        if (Math.abs(z) > Math.sqrt(0.5)) {
+            double square = y * y + z * z;
+            double factor = 1 / Math.sqrt(square);
+            set(one, 0, -z * factor, y * factor);
+            set(two, square * factor, -x * one[2], x * one[1]);
+        } else {
+            double square = x * x + y * y;
+            double factor = 1 / Math.sqrt(square);
+            set(one, -y * factor, x * factor, 0);
+            set(two, -z * one[1], z * one[0], square * factor);
+        }
+    }
+
+    static void set(double[] vector, double x, double y, double z) {
+        vector[0] = x;
+        vector[1] = y;
+        vector[2] = z;
+    }
+}

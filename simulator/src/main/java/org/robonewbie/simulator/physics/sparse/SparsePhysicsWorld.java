@@ -1,0 +1,83 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import org.robonewbie.simulator.physics.Assembly;
+import org.robonewbie.simulator.physics.Collider;
+import org.robonewbie.simulator.physics.Contact;
+import org.robonewbie.simulator.physics.Material;
+import org.robonewbie.simulator.physics.PhysicsWorld;
+import org.robonewbie.simulator.physics.ode.OdeCollisions;
+
+/**
+ * A world that steps with our own solver and finds contacts with ODE's collision.
+ *
+ * <p>Its settings are those of SimSpark, and so is the order in which islands are gathered and forms are moved, since the
+ * order of contacts hangs on it.
+ */
+public final class SparsePhysicsWorld implements PhysicsWorld {
+
+    private final OdeCollisions collisions = new OdeCollisions();
+    private final Assembly scenery = new SparseAssembly(this, collisions.scenery(), false);
+    private final List<Body> bodies = new ArrayList<>();
+    private final ContactList contacts = new ContactList();
+    private final Island island = new Island();
+    private final IslandStepper stepper = new IslandStepper();
+
+    /** Makes an empty world. */
+    public SparsePhysicsWorld() {}
+
+    void add(Body body) {
+        bodies.add(body);
+    }
+
+    void remove(Collection<Body> removed) {
+        contacts.dissolve();
+        bodies.removeAll(removed);
+    }
+
+    @Override
+    public Assembly addAssembly() {
+        return new SparseAssembly(this, collisions.addGroup(), true);
+    }
+
+    @Override
+    public Assembly scenery() {
+        return scenery;
+    }
+
+    @Override
+    public Collider addGround(Material material, Object owner) {
+        SparseCollider ground = new SparseCollider(null, material, owner);
+        collisions.addGround(ground);
+        return ground;
+    }
+
+    @Override
+    public void findContacts() {
+        contacts.begin();
+        collisions.find(contacts);
+    }
+
+    @Override
+    public List<Contact> contacts() {
+        return contacts.points();
+    }
+
+    @Override
+    public void step(double seconds) {
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).watchRest();
+            bodies.get(i).unvisit();
+        }
+        for (int i = bodies.size() - 1; i >= 0; i--) {
+            Body body = bodies.get(i);
+            if (!body.visited && !body.isAsleep()) {
+                island.gather(body);
+                stepper.step(island, seconds);
+            }
+        }
+        contacts.dissolve();
+    }
+}

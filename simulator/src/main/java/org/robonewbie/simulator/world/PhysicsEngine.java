@@ -1,0 +1,44 @@
+package org.robonewbie.simulator.world;
+
+import java.util.Locale;
+import org.robonewbie.simulator.physics.PhysicsWorld;
+import org.robonewbie.simulator.physics.ode.OdePhysicsWorld;
+import org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld;
+
+/** What computes the motion of all bodies. Both solve the same equations; their results differ by rounding alone. */
+public enum PhysicsEngine {
+    /** The exact step of ode4j, the Java edition of the engine in rcssserver3d; slow when robots pile up. */
+    EXACT {
+        @Override
+        public PhysicsWorld newWorld() {
+            return new OdePhysicsWorld();
+        }
+    },
+    /** Our own step, which makes use of the robot being a tree of bodies. */
+    FAST {
+        @Override
+        public PhysicsWorld newWorld() {
+            return new SparsePhysicsWorld();
+        }
+    };
+
+    /** The engine that is used where none is named. */
+    public static final PhysicsEngine STANDARD = EXACT;
+
+    /**
+     * Makes an empty world.
+     *
+     * @return the new world
+     */
+    public abstract PhysicsWorld newWorld();
+
+    /**
+     * Names the engine as on the command line.
+     *
+     * @return "exact" or "fast"
+     */
+    @Override
+    public String toString() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+}

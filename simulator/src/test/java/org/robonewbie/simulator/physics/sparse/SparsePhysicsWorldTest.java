@@ -1,0 +1,167 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.physics.Contact;
+import org.robonewbie.simulator.physics.PhysicsWorld;
+import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.physics.RigidBody;
+import org.robonewbie.simulator.physics.ode.OdePhysicsWorld;
+import org.robonewbie.simulator.world.BallProperties;
+import org.robonewbie.simulator.world.PhysicsEngine;
+import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+/** Our own step against the engine's: the same equations must give the same motion, up to rounding. */
+class SparsePhysicsWorldTest {
+
+    private static final int SCENES = 300;
+    private static final double VELOCITY_TOLERANCE = 1e-7;
+    private static final double NEWTON_TOLERANCE = 1e-5;
+
+    @Test
+    void oneStepOfAnyRandomSceneIsThatOfTheEngine() {
+        for (long seed = 0; seed < SCENES; seed++) {
+            RandomScene ours = stepped(new SparsePhysicsWorld(), seed);
+            RandomScene theirs = stepped(new OdePhysicsWorld(), seed);
+
+            for (int i = 0; i < ours.bodies().size(); i++) {
+                RigidBody our = ours.bodies().get(i);
+                RigidBody their = theirs.bodies().get(i);
+                assertThat(our.velocity().distanceTo(their.velocity()))
+                        .as("seed %d, body %d", seed, i)
+                        .isLessThan(VELOCITY_TOLERANCE);
+                assertThat(our.angularVelocity().distanceTo(their.angularVelocity()))
+                        .as("seed %d, body %d", seed, i)
+                        .isLessThan(10 * VELOCITY_TOLERANCE);
+            }
+        }
+    }
+
+    @Test
+    void contactsOfAnyRandomSceneAreThoseOfTheEngineInTheSameOrderAndWithTheSameForce() {
+        int compared = 0;
+        for (long seed = 0; seed < SCENES; seed++) {
+            List<Contact> ours = stepped(new SparsePhysicsWorld(), seed).world().contacts();
+            List<Contact> theirs = stepped(new OdePhysicsWorld(), seed).world().contacts();
+
+            assertThat(ours).hasSameSizeAs(theirs);
+            for (int i = 0; i < ours.size(); i++) {
+                assertThat(ours.get(i).first().owner())
+                        .isEqualTo(theirs.get(i).first().owner());
+                assertThat(ours.get(i).position().distanceTo(theirs.get(i).position()))
+                        .isLessThan(1e-12);
+                assertThat(ours.get(i).forceOnFirst().distanceTo(theirs.get(i).forceOnFirst()))
+                        .as("seed %d, contact %d", seed, i)
+                        .isLessThan(NEWTON_TOLERANCE
+                                * (1 + theirs.get(i).forceOnFirst().length()));
+                compared++;
+            }
+        }
+        assertThat(compared).isGreaterThan(1000);
+    }
+
+    private static RandomScene stepped(PhysicsWorld world, long seed) {
+        RandomScene scene = new RandomScene(world, seed);
+        scene.command();
+        scene.step();
+        return scene;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 300, 1e-8", "3, 60, 1e-7"})
+    void robotsThatThrashMoveAsInTheEngine(int robots, int cycles, double metres) {
+        List<Pose> ours = thrash(PhysicsEngine.FAST, robots, cycles);
+        List<Pose> theirs = thrash(PhysicsEngine.EXACT, robots, cycles);
+
+        for (int i = 0; i < ours.size(); i++) {
+            assertThat(ours.get(i).position().distanceTo(theirs.get(i).position()))
+                    .isLessThan(metres);
+        }
+    }
+
+    @Test
+    void equalCallsGiveBitIdenticalWorlds() {
+        assertThat(thrash(PhysicsEngine.FAST, 3, 100)).isEqualTo(thrash(PhysicsEngine.FAST, 3, 100));
+    }
+
+    private static List<Pose> thrash(PhysicsEngine engine, int robots, int cycles) {
+        SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, engine.newWorld());
+        Random random = new Random(5);
+        for (int i = 0; i < robots; i++) {
+            world.addRobot(RobotType.values()[i]).moveUpright(new Vector3(0.3 * i, 0, 0.5 + 0.2 * i), 70 * i);
+        }
+        for (int t = 0; t < cycles; t++) {
+            for (Robot robot : world.robots()) {
+                for (int hinge = 0;
+                        t % 25 == 0 && hinge < robot.model().hinges().size();
+                        hinge++) {
+                    robot.setMotorSpeed(hinge, 6 * random.nextDouble() - 3);
+                }
+            }
+            world.step();
+        }
+        List<Pose> poses = new ArrayList<>();
+        for (Robot robot : world.robots()) {
+            for (int link = 0; link < robot.model().links().size(); link++) {
+                poses.add(robot.linkPose(link));
+            }
+        }
+        return poses;
+    }
+
+    @Test
+    void robotFallsAsleepInTheSameCycleAsInTheEngine() {
+        SoccerWorld ours = standing(PhysicsEngine.FAST);
+        SoccerWorld theirs = standing(PhysicsEngine.EXACT);
+        int cyclesAsleep = 0;
+
+        for (int t = 0; t < 300; t++) {
+            ours.step();
+            theirs.step();
+            boolean asleep = theirs.robots().get(0).isAsleep();
+            cyclesAsleep += asleep ? 1 : 0;
+            assertThat(ours.robots().get(0).isAsleep()).as("cycle %d", t).isEqualTo(asleep);
+        }
+
+        assertThat(cyclesAsleep).isBetween(1, 299);
+    }
+
+    private static SoccerWorld standing(PhysicsEngine engine) {
+        SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, engine.newWorld());
+        world.addRobot(RobotType.TYPE_0).moveUpright(new Vector3(0, 1, 0.39), 0);
+        return world;
+    }
+
+    @Test
+    void removedRobotTouchesNothingAnyMore() {
+        SoccerWorld world = standing(PhysicsEngine.FAST);
+        world.step();
+        Robot robot = world.robots().get(0);
+        world.ball().place(new Vector3(0, 1, 1));
+
+        world.removeRobot(robot);
+        for (int t = 0; t < 100; t++) {
+            world.step();
+        }
+
+        assertThat(world.ball().position().z()).isLessThan(0.1);
+    }
+
+    @Test
+    void sceneryCannotBeRemoved() {
+        assertThatThrownBy(() -> new SparsePhysicsWorld().scenery().remove())
+                .isInstanceOf(UnsupportedOperationException.class)
+                .hasMessage("The scenery cannot be removed. Drop the whole world instead.");
+    }
+}
