@@ -65,10 +65,9 @@ final class FidelityCommand implements Callable<Integer> {
                     folder + " is not a folder. Name one with recordings (*.jsonl, *.jsonl.gz).");
         });
         AgentRoute route = route();
-        FidelityReport report =
-                directory.isPresent()
-                        ? FidelityBench.run(directory.get(), route, physics)
-                        : FidelityBench.run(route, physics);
+        FidelityReport report = directory.isPresent()
+                ? FidelityBench.run(directory.get(), route, physics)
+                : FidelityBench.run(route, physics);
         System.out.print(report.toTable());
         report.problems().forEach(System.err::println);
         if (json.isPresent()) {
