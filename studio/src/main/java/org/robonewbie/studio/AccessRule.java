@@ -12,8 +12,11 @@ import java.util.Set;
  */
 final class AccessRule {
 
-    /** Where the live feed is; everything else are files. */
+    /** Where the live feed is. */
     static final String LIVE_PATH = "/live";
+
+    /** Where files of the user's disk are read and written. */
+    static final String WORK_PATH = "/api/";
 
     private final Set<String> hosts;
     private final AccessToken token;
@@ -45,6 +48,9 @@ final class AccessRule {
         if (path.equals(LIVE_PATH)) {
             return refusalOfLive(origin, shownToken);
         }
+        if (path.startsWith(WORK_PATH)) {
+            return refusalOfWork(method, origin, shownToken);
+        }
         if (!method.equals("GET") && !method.equals("HEAD")) {
             return Optional.of("The studio's files can be read, but not changed with " + method + ".");
         }
@@ -55,10 +61,19 @@ final class AccessRule {
         if (origin.isEmpty()) {
             return Optional.of("Only a page of the studio may watch the simulation; this request names no origin.");
         }
-        if (!token.matches(shownToken)) {
-            return Optional.of(
-                    "The access token is missing or wrong. Open the address that the simulator has printed.");
+        return refusalOfToken(shownToken);
+    }
+
+    private Optional<String> refusalOfWork(String method, String origin, String shownToken) {
+        if (!method.equals("GET") && origin.isEmpty()) {
+            return Optional.of("Only a page of the studio may change files; this request names no origin.");
         }
-        return Optional.empty();
+        return refusalOfToken(shownToken);
+    }
+
+    private Optional<String> refusalOfToken(String shownToken) {
+        return token.matches(shownToken)
+                ? Optional.empty()
+                : Optional.of("The access token is missing or wrong. Open the address that the simulator has printed.");
     }
 }

@@ -75,7 +75,13 @@ final class SceneWriter {
         return json;
     }
 
-    private static JsonObject model(NaoModel model) {
+    /**
+     * Writes a robot's body.
+     *
+     * @param model the body
+     * @return its links and hinges
+     */
+    static JsonObject model(NaoModel model) {
         JsonArray links = new JsonArray();
         model.links().forEach(link -> links.add(link(link)));
         JsonArray hinges = new JsonArray();

@@ -11,8 +11,11 @@ import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.server.ServerConnector;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
 import org.eclipse.jetty.websocket.server.WebSocketUpgradeHandler;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.Viewer;
+import org.robonewbie.studio.motion.MotionRoom;
 
 /**
  * The studio of one running simulation: a web server on 127.0.0.1 with the pages and the live feed on one port.
@@ -52,6 +55,21 @@ public final class StudioServer implements Viewer.View {
      * @throws IOException if the port cannot be opened; the message says what to do
      */
     public static StudioServer start(SimulationControl simulation, int port, AccessToken token) throws IOException {
+        return start(simulation, port, token, StudioFolders.ofWorkingDirectory());
+    }
+
+    /**
+     * Starts the studio with other folders than those of the working directory.
+     *
+     * @param simulation what to show and steer
+     * @param port TCP port on 127.0.0.1, 0 for any free one
+     * @param token the secret of the pages
+     * @param folders what of the disk the pages may use
+     * @return the running studio
+     * @throws IOException if the port cannot be opened; the message says what to do
+     */
+    public static StudioServer start(SimulationControl simulation, int port, AccessToken token, StudioFolders folders)
+            throws IOException {
         silenceServerTalk();
         QueuedThreadPool threads = new QueuedThreadPool(MAX_THREADS, 2);
         threads.setName("studio");
@@ -67,7 +85,7 @@ public final class StudioServer implements Viewer.View {
         LiveFeed feed = new LiveFeed(simulation);
         AccessRule rule = new AccessRule(openPort, token);
         String policy = WebFiles.contentSecurityPolicy(openPort);
-        server.setHandler(new AccessGuard(rule, policy, live(server, feed)));
+        server.setHandler(new AccessGuard(rule, policy, live(server, feed, folders)));
         run(server);
         feed.start();
         return new StudioServer(server, feed, URI.create("http://127.0.0.1:" + openPort + "/?token=" + token.text()));
@@ -79,7 +97,7 @@ public final class StudioServer implements Viewer.View {
         }
     }
 
-    private static Handler live(Server server, LiveFeed feed) {
+    private static Handler live(Server server, LiveFeed feed, StudioFolders folders) {
         WebSocketUpgradeHandler live = WebSocketUpgradeHandler.from(server, container -> {
             container.setIdleTimeout(QUIET_LIMIT);
             container.setMaxTextMessageSize(MAX_COMMAND_BYTES);
@@ -87,7 +105,8 @@ public final class StudioServer implements Viewer.View {
             container.addMapping(
                     AccessRule.LIVE_PATH, (request, response, callback) -> new Spectator(feed, feed.simulation()));
         });
-        live.setHandler(new WebFiles());
+        MotionRoom motionRoom = new MotionRoom(folders.motions(), SceneWriter.model(NaoModel.of(RobotType.TYPE_0)));
+        live.setHandler(new Handler.Sequence(motionRoom, new WebFiles()));
         return live;
     }
 

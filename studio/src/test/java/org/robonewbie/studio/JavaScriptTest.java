@@ -5,17 +5,24 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.google.gson.Gson;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Random;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 
@@ -28,6 +35,8 @@ class JavaScriptTest {
     void scriptsPassTheirTests(@TempDir Path folder) throws Exception {
         Path node = Tool.NODE.orSkip();
         writeFrame(folder);
+        writeRobot(folder);
+        writeMotions(Files.createDirectory(folder.resolve("motions")));
 
         run(folder, List.of(node.toString(), "--test", "src/test/javascript/"));
     }
@@ -103,5 +112,73 @@ class JavaScriptTest {
                                     .toList());
             Files.writeString(folder.resolve("truth.json"), new Gson().toJson(truth));
         }
+    }
+
+    /** Writes the robot's description as the server gives it to pages. */
+    private static void writeRobot(Path folder) throws IOException {
+        try (SmallSimulation simulation = new SmallSimulation();
+                StudioServer studio = StudioServer.start(
+                        simulation, 0, AccessToken.random(), new StudioFolders(folder.resolve("none")))) {
+            String request = "GET /api/robot?" + studio.address().getQuery() + " HTTP/1.1";
+            String answer = RawHttp.send(
+                    studio.address(), request, "Host: " + studio.address().getAuthority());
+            Files.writeString(folder.resolve("robot.json"), answer.substring(answer.indexOf("\r\n\r\n") + 4));
+        }
+    }
+
+    /** Writes motion files of all kinds, and what the robot's own reader makes of them. */
+    private static void writeMotions(Path folder) throws IOException {
+        Random random = new Random(5);
+        for (int i = 0; i < 60; i++) {
+            byte[] content = randomMotion(random);
+            Path path = folder.resolve(i + ".txt");
+            Files.write(path, content);
+            MotionFile file = MotionFile.load(path);
+            double angle = Math.round(random.nextDouble() * 1000) / 100.0;
+            List<String> changed = new ArrayList<>();
+            List<double[]> keyframes = new ArrayList<>();
+            for (Keyframe keyframe : file.keyframes()) {
+                int index = keyframes.size();
+                Joint joint = Joint.values()[index % Joint.COUNT];
+                Keyframe next = new Keyframe(1234, keyframe.posture().with(joint, angle));
+                changed.add(file.withKeyframe(index, next).text());
+                double[] numbers = new double[1 + Joint.COUNT];
+                numbers[0] = keyframe.durationMillis();
+                System.arraycopy(keyframe.posture().toArray(), 0, numbers, 1, Joint.COUNT);
+                keyframes.add(numbers);
+            }
+            Map<String, Object> truth =
+                    Map.of("keyframes", keyframes, "errors", file.errors().size(), "angle", angle, "changed", changed);
+            Files.writeString(folder.resolve(i + ".json"), new Gson().toJson(truth));
+        }
+    }
+
+    private static byte[] randomMotion(Random random) {
+        List<String> ends = List.of("\n", "\r\n", "\r");
+        List<String> others = List.of("", "  ", "// Zoë: 1", "\t// x", "abc", "500 1 2", "5.5 1", "1e3", "500 1,5");
+        StringBuilder text = new StringBuilder(random.nextInt(6) == 0 ? "\uFEFF" : "");
+        int lines = random.nextInt(9);
+        for (int line = 0; line < lines; line++) {
+            boolean isFrame = random.nextBoolean();
+            text.append(isFrame ? randomFrame(random) : others.get(random.nextInt(others.size())));
+            boolean isLast = line == lines - 1 && random.nextBoolean();
+            text.append(isLast ? "" : ends.get(random.nextInt(ends.size())));
+        }
+        Charset charset = random.nextInt(4) == 0 ? StandardCharsets.ISO_8859_1 : StandardCharsets.UTF_8;
+        return text.toString()
+                .replace("\uFEFF", charset.newEncoder().canEncode("\uFEFF") ? "\uFEFF" : "")
+                .getBytes(charset);
+    }
+
+    private static String randomFrame(Random random) {
+        List<String> forms = List.of("%.0f", "%.1f", "%.4f", "%+.2f", "%e", "%.3f0");
+        StringBuilder text = new StringBuilder(random.nextInt(4) == 0 ? " \t" : "");
+        text.append(random.nextInt(3000));
+        for (int i = 0; i < Joint.COUNT; i++) {
+            text.append(random.nextInt(5) == 0 ? "\t " : " ");
+            text.append(String.format(
+                    Locale.ROOT, forms.get(random.nextInt(forms.size())), random.nextDouble() * 200 - 100));
+        }
+        return text.append(random.nextInt(3) == 0 ? "  // käse 1 2" : "").toString();
     }
 }

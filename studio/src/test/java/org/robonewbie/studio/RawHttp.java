@@ -17,8 +17,12 @@ final class RawHttp {
      * @return the whole answer
      */
     static String send(URI server, String... lines) throws IOException {
+        return sendText(server, String.join("\r\n", lines) + "\r\nConnection: close\r\n\r\n");
+    }
+
+    /** Sends a whole request to its last character. */
+    static String sendText(URI server, String request) throws IOException {
         try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.getPort())) {
-            String request = String.join("\r\n", lines) + "\r\nConnection: close\r\n\r\n";
             socket.getOutputStream().write(request.getBytes(StandardCharsets.UTF_8));
             return new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         }

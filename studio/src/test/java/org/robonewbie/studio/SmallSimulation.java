@@ -6,8 +6,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
@@ -42,6 +44,17 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
     private volatile WorldSnapshot latest;
     private long cycle;
     private double gameTime;
+
+    /** Waits until something has happened, or until it is clear that it never will. */
+    static void awaitTrue(BooleanSupplier condition) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
+        while (!condition.getAsBoolean()) {
+            if (System.nanoTime() > end) {
+                throw new AssertionError("It did not happen within 20 s.");
+            }
+            LockSupport.parkNanos(5_000_000);
+        }
+    }
 
     private record Member(
             Robot robot,

@@ -5,7 +5,7 @@ import { Hand } from './field/hand.js';
 import { Connection } from './live/connection.js';
 import { readFrame } from './live/state-frame.js';
 import { byId } from './panels/elements.js';
-import { deeds, listenToKeys } from './panels/keys.js';
+import { deeds, FIELD_MOUSE, listenToKeys } from './panels/keys.js';
 import { banner, notes, tell } from './panels/messages.js';
 import { roomsPanel } from './panels/rooms.js';
 import { scoreBoardPanel } from './panels/score-board.js';
@@ -23,6 +23,15 @@ import {
   withRefusal,
   withScene,
 } from './state/studio-state.js';
+
+const MOTION_MOUSE = [
+  ['Drag a limb', 'turn its joints'],
+  ['Shift, drag', 'the whole arm or leg follows'],
+  ['Drag the torso', 'the feet stay where they are'],
+  ['Drag the ground', 'turn the view'],
+  ['Drag a keyframe', 'change its time'],
+  ['Shift, click', 'choose several keyframes'],
+];
 
 const options = new URLSearchParams(location.search);
 const token = options.get('token') ?? '';
@@ -112,29 +121,60 @@ const draws = [
   trainerPanel(send),
   banner(),
 ];
-roomsPanel();
+/** @type {Awaited<ReturnType<typeof import('./motion/motion-room.js').openMotionRoom>> | undefined} */
+let motionRoom;
+let opening = false;
+const room = roomsPanel(enter);
 setShadows(shadows);
 new Hand(view, desk, { now: () => state, send, changed: touch });
-listenToKeys(
-  deeds(
-    {
-      turn: (right, up) => (desk.turn(right, up), touch()),
-      zoom: (factor) => (desk.zoom(factor), touch()),
-      camera: (index) => chooseCamera(CAMERAS[index].mode),
-      next: () => (desk.choose((desk.chosen + 1) % Math.max(1, state.scene?.robots.length ?? 1)), touch()),
-    },
-    time,
-    send,
-  ),
+const fieldDeeds = deeds(
+  {
+    turn: (right, up) => (desk.turn(right, up), touch()),
+    zoom: (factor) => (desk.zoom(factor), touch()),
+    camera: (index) => chooseCamera(CAMERAS[index].mode),
+    next: () => (desk.choose((desk.chosen + 1) % Math.max(1, state.scene?.robots.length ?? 1)), touch()),
+  },
+  time,
+  send,
 );
+listenToKeys(() => (room() === 'motion' ? { deeds: motionRoom?.deeds ?? [], mouse: MOTION_MOUSE } : { deeds: fieldDeeds, mouse: FIELD_MOUSE }));
 themeSwitch(options.get('theme'), (theme) => {
   view.setTheme(theme);
+  motionRoom?.setTheme(theme);
   touch();
 });
 new ResizeObserver(() => {
   view.resize();
   touch();
 }).observe(view.stage);
+
+/** @param {import('./panels/rooms.js').RoomName} entered */
+async function enter(entered) {
+  touch();
+  if (entered !== 'motion') {
+    return;
+  }
+  motionRoom?.touch();
+  if (!motionRoom && !opening && token !== '') {
+    opening = true;
+    try {
+      const { openMotionRoom } = await import('./motion/motion-room.js');
+      const wanted = decodeURIComponent(location.hash.split('/')[1] ?? '') || undefined;
+      motionRoom = await openMotionRoom({ token, note, quality: chooser.quality, robotOfRun, wanted });
+      motionRoom.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
+    } catch (error) {
+      note(`The motion editor cannot open: ${/** @type {Error} */ (error).message}`);
+    }
+    opening = false;
+  }
+}
+
+/** The robot that the field's camera follows, whose posture can become a keyframe. */
+function robotOfRun() {
+  const player = state.scene?.robots[desk.chosen];
+  const robot = state.frame?.robots[desk.chosen];
+  return player && robot && state.connection === 'live' ? { name: `${player.team} ${player.number}`.trim() || 'the robot', degrees: robot.degrees } : undefined;
+}
 
 /** Lets the browser show the page before the graphics are set up, which takes a while without a graphics card. */
 function firstPaint() {
@@ -167,9 +207,13 @@ function turn(now) {
     view.setQuality(chooser.quality);
     stale = true;
   }
-  hasDrawn = stale || (chooser.quality.smooth && smoothing.isMoving(now));
+  const inField = room() === 'field';
+  hasDrawn = inField && (stale || (chooser.quality.smooth && smoothing.isMoving(now)));
   if (hasDrawn) {
     drawPicture(now, Math.min(0.2, (now - lastTurn) / 1000));
+  }
+  if (!inField) {
+    motionRoom?.turn(Math.min(0.2, (now - lastTurn) / 1000));
   }
   lastTurn = now;
   if (owesAnswer) {
@@ -212,5 +256,8 @@ Object.assign(window, {
     view,
     desk,
     chooser,
+    get motion() {
+      return motionRoom;
+    },
   },
 });

@@ -8,6 +8,7 @@ import { byId, element } from './elements.js';
  * @property {string} shown as people read them
  * @property {string} text
  * @property {() => void} act
+ * @property {boolean} [ctrl] whether Ctrl must be held
  */
 
 /**
@@ -21,7 +22,6 @@ import { byId, element } from './elements.js';
  * @returns {Deed[]}
  */
 export function deeds(desk, time, send) {
-  const help = /** @type {HTMLDialogElement} */ (byId('help'));
   return [
     { keys: [' '], shown: 'Space', text: 'pause or play', act: time.toggle },
     { keys: ['.'], shown: '.', text: 'one cycle (20 ms)', act: () => time.step(1) },
@@ -45,11 +45,11 @@ export function deeds(desk, time, send) {
     { keys: ['ArrowDown'], shown: '↓', text: 'look from lower', act: () => desk.turn(0, -4) },
     { keys: ['PageUp'], shown: 'Page up', text: 'nearer', act: () => desk.zoom(0.85) },
     { keys: ['PageDown'], shown: 'Page down', text: 'farther', act: () => desk.zoom(1.18) },
-    { keys: ['?'], shown: '?', text: 'this list', act: () => (help.open ? help.close() : help.showModal()) },
   ];
 }
 
-const MOUSE = [
+/** What the mouse does on the pitch. */
+export const FIELD_MOUSE = [
   ['Drag the ground', 'turn the view'],
   ['Right button, Shift', 'drag to move the view'],
   ['Wheel', 'nearer, farther'],
@@ -57,30 +57,49 @@ const MOUSE = [
   ['Click a robot', 'follow it'],
 ];
 
-/** @param {Deed[]} list */
-export function listenToKeys(list) {
+/**
+ * Listens to the keys of the room that one is in, and explains them.
+ *
+ * @param {() => {deeds: Deed[], mouse: string[][]}} current
+ */
+export function listenToKeys(current) {
   const help = /** @type {HTMLDialogElement} */ (byId('help'));
-  /** @param {string} key @param {string} text */
-  const row = (key, text) => element('div', {}, element('dt', {}, element('kbd', {}, key)), element('dd', {}, text));
-  const close = element('button', { type: 'button', class: 'primary' }, 'Close');
-  close.addEventListener('click', () => help.close());
-  help.append(
-    element('h2', {}, 'Keys and mouse'),
-    element('dl', {}, ...list.map((deed) => row(deed.shown, deed.text)), ...MOUSE.map(([key, text]) => row(key, text))),
-    close,
-  );
-  byId('help-button').addEventListener('click', () => help.showModal());
+  const explain = () => {
+    fillHelp(help, current());
+    help.showModal();
+  };
+  byId('help-button').addEventListener('click', explain);
   document.addEventListener('keydown', (event) => {
     const target = /** @type {HTMLElement} */ (event.target);
-    const typing = ['SELECT', 'INPUT', 'TEXTAREA'].includes(target.tagName);
-    const pressing = target.tagName === 'BUTTON' && event.key === ' ';
-    if (typing || pressing || event.ctrlKey || event.metaKey || event.altKey || (help.open && event.key !== '?')) {
+    const ctrl = event.ctrlKey || event.metaKey;
+    const typing = ['SELECT', 'INPUT', 'TEXTAREA'].includes(target.tagName) && /** @type {HTMLInputElement} */ (target).type !== 'range';
+    const pressing = ['BUTTON', 'A', 'SUMMARY'].includes(target.tagName) && event.key === ' ';
+    if ((typing && !(ctrl && event.key === 's')) || pressing || event.altKey || document.querySelector('dialog[open]')) {
       return;
     }
-    const deed = list.find(({ keys }) => keys.includes(event.key));
+    if (event.key === '?') {
+      explain();
+    }
+    const deed = current().deeds.find((each) => each.keys.includes(event.key) && Boolean(each.ctrl) === ctrl);
     if (deed) {
       event.preventDefault();
       deed.act();
     }
   });
+}
+
+/**
+ * @param {HTMLDialogElement} help
+ * @param {{deeds: Deed[], mouse: string[][]}} room
+ */
+function fillHelp(help, { deeds, mouse }) {
+  /** @param {string} key @param {string} text */
+  const row = (key, text) => element('div', {}, element('dt', {}, element('kbd', {}, key)), element('dd', {}, text));
+  const close = element('button', { type: 'button', class: 'primary' }, 'Close');
+  close.addEventListener('click', () => help.close());
+  help.replaceChildren(
+    element('h2', {}, 'Keys and mouse'),
+    element('dl', {}, ...deeds.map((deed) => row(deed.shown, deed.text)), ...mouse.map(([key, text]) => row(key, text)), row('?', 'this list')),
+    close,
+  );
 }

@@ -1,11 +1,34 @@
-/** The rooms of the studio. Only rooms that one can enter are listed. */
+/** The rooms of the studio and the way from one to the other: the fragment of the address names the room. */
 import { byId, element } from './elements.js';
 
-/** @type {Array<{name: string, fragment: string}>} */
-const ROOMS = [{ name: 'Field', fragment: '#field' }];
+/** @typedef {'field' | 'motion'} RoomName */
 
-export function roomsPanel() {
-  byId('rooms').append(
-    ...ROOMS.map(({ name, fragment }) => element('a', { href: fragment, 'aria-current': 'page' }, name)),
-  );
+/** Only rooms that one can enter are listed. @type {Array<{room: RoomName, name: string, hint: string}>} */
+const ROOMS = [
+  { room: 'field', name: 'Field', hint: 'Watch and steer the game' },
+  { room: 'motion', name: 'Motion', hint: 'Shape motions' },
+];
+
+/**
+ * @param {(room: RoomName) => void} entered
+ * @returns {() => RoomName} the room that one is in
+ */
+export function roomsPanel(entered) {
+  const links = ROOMS.map(({ room, name, hint }) => element('a', { href: `#${room}`, title: hint }, name));
+  byId('rooms').append(...links);
+  const current = () => ROOMS.find(({ room }) => location.hash.split('/')[0] === `#${room}`)?.room ?? 'field';
+  const show = () => {
+    const now = current();
+    ROOMS.forEach(({ room }, i) => {
+      byId(`${room}-room`).hidden = room !== now;
+      links[i].toggleAttribute('aria-current', room === now);
+      if (room === now) {
+        links[i].setAttribute('aria-current', 'page');
+      }
+    });
+    entered(now);
+  };
+  window.addEventListener('hashchange', show);
+  queueMicrotask(show);
+  return current;
 }

@@ -35,7 +35,7 @@ export const POSE = 7;
  * @param {RobotModel} model the robot's body
  * @param {ArrayLike<number>} torso pose of the torso, seven numbers
  * @param {ArrayLike<number>} degrees angle of each hinge
- * @param {Float32Array} poses receives seven numbers per link
+ * @param {Float32Array | Float64Array} poses receives seven numbers per link
  */
 export function computeLinkPoses(model, torso, degrees, poses) {
   for (let i = 0; i < POSE; i++) {
@@ -122,7 +122,7 @@ function difference(a, b) {
 }
 
 /**
- * @param {Float32Array} poses
+ * @param {Float32Array | Float64Array} poses
  * @param {number} from
  * @param {number} to
  */
@@ -135,7 +135,7 @@ function copyPosition(poses, from, to) {
 /**
  * Moves one pose by a vector given in the frame of another.
  *
- * @param {Float32Array} poses
+ * @param {Float32Array | Float64Array} poses
  * @param {number} frame
  * @param {number[]} vector
  * @param {number} moved
@@ -148,7 +148,7 @@ function addRotated(poses, frame, vector, moved) {
 }
 
 /**
- * @param {Float32Array} poses
+ * @param {Float32Array | Float64Array} poses
  * @param {number} parent
  * @param {number[]} axis
  * @param {number} degrees

@@ -1,0 +1,214 @@
+package org.robonewbie.studio.motion;
+
+import com.google.gson.Gson;
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.URLDecoder;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.io.Content;
+import org.eclipse.jetty.server.Handler;
+import org.eclipse.jetty.server.Request;
+import org.eclipse.jetty.server.Response;
+import org.eclipse.jetty.util.Callback;
+import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.MotionFormatException;
+
+/**
+ * Answers the motion editor below {@code /api/}: the robot, motion files, drafts of unsaved work, the own postures, and trials
+ * on a physical robot.
+ *
+ * <pre>
+ * GET              /api/robot
+ * GET              /api/motions, /api/library/NAME
+ * GET PUT          /api/motions/NAME      header Known-Version on PUT: what the page has seen, empty for a new file
+ * GET PUT DELETE   /api/drafts/NAME
+ * GET PUT          /api/poses
+ * POST             /api/trial             header Start: standing, back or front
+ * </pre>
+ */
+public final class MotionRoom extends Handler.Abstract {
+
+    /** The beginning of all paths that are answered here. */
+    public static final String PATH = "/api/";
+
+    private static final Pattern FILE = Pattern.compile("/api/(motions|library|drafts)/([^/]+)");
+    private static final int MOST_BYTES = 2_000_000;
+    private static final String POSES = "poses";
+
+    private final MotionFolder motions;
+    private final MotionFolder drafts;
+    private final MotionFolder own;
+    private final String robot;
+
+    /**
+     * Opens the room.
+     *
+     * @param folder where the motions are; it need not exist
+     * @param model the robot's limbs and hinges as JSON
+     */
+    public MotionRoom(Path folder, JsonObject model) {
+        this.motions = new MotionFolder(folder);
+        this.own = new MotionFolder(folder.resolve(".studio"));
+        this.drafts = new MotionFolder(folder.resolve(".studio").resolve("drafts"));
+        this.robot = RobotDescription.write(model);
+    }
+
+    @Override
+    public boolean handle(Request request, Response response, Callback callback) throws Exception {
+        String path = Request.getPathInContext(request);
+        if (!path.startsWith(PATH)) {
+            return false;
+        }
+        try {
+            answer(request, path).send(response, callback);
+        } catch (RefusedException refusal) {
+            new Answer(refusal.status(), "text/plain;charset=utf-8", bytes(String.valueOf(refusal.getMessage())), "")
+                    .send(response, callback);
+        } catch (IOException e) {
+            String problem = "The file cannot be used: " + e.getMessage() + ". Is the folder " + motions.folder()
+                    + " writable, and is there room on the disk?";
+            new Answer(500, "text/plain;charset=utf-8", bytes(problem), "").send(response, callback);
+        }
+        return true;
+    }
+
+    @SuppressWarnings("ArrayRecordComponent")
+    private record Answer(int status, String type, byte[] content, String version) {
+
+        static Answer json(String text) {
+            return new Answer(200, "application/json", bytes(text), "");
+        }
+
+        static Answer file(byte[] content) {
+            return new Answer(200, "application/octet-stream", content, MotionFolder.version(content));
+        }
+
+        void send(Response response, Callback callback) {
+            response.setStatus(status);
+            response.getHeaders()
+                    .put(HttpHeader.CONTENT_TYPE, type)
+                    .put(HttpHeader.CACHE_CONTROL, "no-store")
+                    .put("Version", version);
+            response.write(true, ByteBuffer.wrap(content), callback);
+        }
+    }
+
+    private Answer answer(Request request, String path) throws IOException {
+        String order = request.getMethod() + " " + path;
+        Matcher file = FILE.matcher(path);
+        if (file.matches()) {
+            String name = URLDecoder.decode(file.group(2), StandardCharsets.UTF_8);
+            return fileAnswer(request, request.getMethod() + " " + file.group(1), name);
+        }
+        return switch (order) {
+            case "GET /api/robot" -> Answer.json(robot);
+            case "GET /api/motions" -> Answer.json(list());
+            case "GET /api/poses" -> Answer.file(own.read(POSES).orElse(new byte[0]));
+            case "PUT /api/poses" -> {
+                own.overwrite(POSES, body(request));
+                yield done();
+            }
+            case "POST /api/trial" -> Answer.json(trial(request));
+            default -> throw new RefusedException(404, "The studio does not know " + order + ". Load the page again.");
+        };
+    }
+
+    private Answer fileAnswer(Request request, String order, String name) throws IOException {
+        return switch (order) {
+            case "GET motions" -> Answer.file(found(motions.read(name), name));
+            case "GET library" -> Answer.file(found(ShippedMotions.read(name), name));
+            case "GET drafts" -> Answer.file(found(drafts.read(name), name));
+            case "PUT motions" -> {
+                String known = Optional.ofNullable(request.getHeaders().get("Known-Version"))
+                        .orElse("");
+                String version = motions.write(name, body(request), known);
+                yield new Answer(200, "text/plain", new byte[0], version);
+            }
+            case "PUT drafts" -> {
+                drafts.overwrite(name, body(request));
+                yield done();
+            }
+            case "DELETE drafts" -> {
+                drafts.remove(name);
+                yield done();
+            }
+            default -> throw new RefusedException(405, "The studio cannot do " + order + ".");
+        };
+    }
+
+    private static byte[] found(Optional<byte[]> content, String name) {
+        return content.orElseThrow(() -> new RefusedException(404, "There is no motion \"" + name + "\"."));
+    }
+
+    private static Answer done() {
+        return new Answer(200, "text/plain", new byte[0], "");
+    }
+
+    private static byte[] body(Request request) throws IOException {
+        if (request.getLength() < 0 || request.getLength() > MOST_BYTES) {
+            throw new RefusedException(413, "A motion file may have at most " + MOST_BYTES + " bytes.");
+        }
+        try (InputStream stream = Content.Source.asInputStream(request)) {
+            return stream.readNBytes(MOST_BYTES);
+        }
+    }
+
+    private String list() throws IOException {
+        JsonObject json = new JsonObject();
+        json.addProperty("folder", motions.folder().toString());
+        json.add("own", entries(motions.list()));
+        json.add("drafts", entries(drafts.list()));
+        JsonArray library = new JsonArray();
+        ShippedMotions.names().forEach(library::add);
+        json.add("library", library);
+        return json.toString();
+    }
+
+    private static JsonArray entries(List<MotionFolder.Entry> entries) {
+        JsonArray json = new JsonArray();
+        for (MotionFolder.Entry entry : entries) {
+            JsonObject object = new JsonObject();
+            object.addProperty("name", entry.name());
+            object.addProperty("version", entry.version());
+            json.add(object);
+        }
+        return json;
+    }
+
+    private static String trial(Request request) throws IOException {
+        String start = Optional.ofNullable(request.getHeaders().get("Start")).orElse("standing");
+        PhysicalTrial.Start from = Arrays.stream(PhysicalTrial.Start.values())
+                .filter(each -> each.name().toLowerCase(Locale.ROOT).equals(start))
+                .findFirst()
+                .orElseThrow(() -> new RefusedException(400, "A robot cannot start \"" + start + "\"."));
+        MotionFile file = MotionFile.parse("motion.txt", new String(body(request), StandardCharsets.UTF_8));
+        try {
+            return write(PhysicalTrial.of(file.motion(), from));
+        } catch (MotionFormatException e) {
+            throw new RefusedException(400, String.valueOf(e.getMessage()));
+        }
+    }
+
+    private static String write(PhysicalTrial trial) {
+        JsonObject json = new JsonObject();
+        json.addProperty("frameSeconds", PhysicalTrial.FRAME_SECONDS);
+        trial.fallSeconds().ifPresent(seconds -> json.addProperty("fallSeconds", seconds));
+        json.add("frames", new Gson().toJsonTree(trial.frames()));
+        return json.toString();
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
+    }
+}

@@ -1,0 +1,112 @@
+package org.robonewbie.studio.motion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.world.Robot;
+
+/**
+ * What happens when a real body plays a motion: where torso and joints were in every second cycle, and whether it fell.
+ *
+ * @param frames each the torso's pose, seven numbers, and the angle of each hinge in degrees
+ * @param fallSeconds when the torso was tilted by more than 60°, counted from the beginning of the motion; empty if it never
+ *     was, or if the robot did not stand at first
+ */
+@SuppressWarnings("ArrayRecordComponent")
+record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
+
+    /** Time between two frames in seconds: every second cycle. */
+    static final double FRAME_SECONDS = 2 * WorldSnapshot.CYCLE_SECONDS;
+
+    private static final int POSE_NUMBERS = 7;
+    private static final int LONGEST_MILLIS = 60_000;
+    private static final double SETTLE_SECONDS = 0.4;
+    private static final double LOOK_ON_SECONDS = 1;
+    private static final double FALLEN_COSINE = 0.5;
+
+    /** How the robot is before the motion. */
+    enum Start {
+        /** Standing, with slightly bent knees. */
+        STANDING,
+        /** Lying on its back. */
+        BACK,
+        /** Lying on its front. */
+        FRONT
+    }
+
+    /**
+     * Plays a motion.
+     *
+     * @param motion the motion, at most a minute
+     * @param start how the robot is before
+     * @return what happened
+     * @throws RefusedException if the motion is too long
+     */
+    static PhysicalTrial of(Motion motion, Start start) {
+        if (motion.durationMillis() > LONGEST_MILLIS) {
+            throw new RefusedException(
+                    400, "The motion takes " + motion.durationMillis() / 1000 + " s. A trial takes at most 60 s.");
+        }
+        TrialRobot robot = new TrialRobot();
+        prepare(robot, start);
+        Watch watch = new Watch(robot.body(), start == Start.STANDING);
+        watch.look();
+        robot.play(motion, watch::look);
+        robot.hold(LOOK_ON_SECONDS, watch::look);
+        return new PhysicalTrial(watch.frames, watch.fall);
+    }
+
+    private static void prepare(TrialRobot robot, Start start) {
+        Runnable nothing = () -> {};
+        robot.play(ShippedMotions.motion("stand"), nothing);
+        robot.hold(SETTLE_SECONDS, nothing);
+        if (start != Start.STANDING) {
+            robot.play(ShippedMotions.motion(start == Start.BACK ? "fall-back" : "fall-forward"), nothing);
+            robot.hold(2 * LOOK_ON_SECONDS, nothing);
+        }
+    }
+
+    /** Notes what the body does. */
+    private static final class Watch {
+
+        private final Robot robot;
+        private final boolean standsAtFirst;
+        private final List<float[]> frames = new ArrayList<>();
+        private OptionalDouble fall = OptionalDouble.empty();
+        private int cycles;
+
+        private Watch(Robot robot, boolean standsAtFirst) {
+            this.robot = robot;
+            this.standsAtFirst = standsAtFirst;
+        }
+
+        private void look() {
+            if (cycles % 2 == 0) {
+                frames.add(frame(robot));
+            }
+            if (standsAtFirst && fall.isEmpty() && robot.torso().rotation().zz() < FALLEN_COSINE) {
+                fall = OptionalDouble.of(cycles * WorldSnapshot.CYCLE_SECONDS);
+            }
+            cycles++;
+        }
+    }
+
+    private static float[] frame(Robot robot) {
+        Pose torso = robot.torso();
+        double[] rotation = torso.rotation().toQuaternion();
+        float[] frame = new float[POSE_NUMBERS + robot.model().hinges().size()];
+        frame[0] = (float) torso.position().x();
+        frame[1] = (float) torso.position().y();
+        frame[2] = (float) torso.position().z();
+        for (int i = 0; i < rotation.length; i++) {
+            frame[3 + i] = (float) rotation[i];
+        }
+        for (int i = POSE_NUMBERS; i < frame.length; i++) {
+            frame[i] = (float) robot.jointDegrees(i - POSE_NUMBERS);
+        }
+        return frame;
+    }
+}

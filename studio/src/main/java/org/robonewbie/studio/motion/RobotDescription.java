@@ -1,0 +1,51 @@
+package org.robonewbie.studio.motion;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.model.Link;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.Mirror;
+
+/** Tells the pages what they must know of the robot to edit its motions: joints in the order of the files, and masses. */
+final class RobotDescription {
+
+    private RobotDescription() {}
+
+    /**
+     * Writes the description.
+     *
+     * @param model the robot's limbs and hinges as JSON
+     * @return one JSON object
+     */
+    static String write(JsonObject model) {
+        JsonArray joints = new JsonArray();
+        for (Joint joint : Joint.values()) {
+            joints.add(joint(joint));
+        }
+        JsonArray links = new JsonArray();
+        for (Link link : NaoModel.of(RobotType.TYPE_0).links()) {
+            JsonObject json = new JsonObject();
+            json.addProperty("massKg", link.massKg());
+            json.addProperty("solid", link.collides());
+            links.add(json);
+        }
+        JsonObject json = new JsonObject();
+        json.add("joints", joints);
+        json.add("model", model);
+        json.add("links", links);
+        return json.toString();
+    }
+
+    private static JsonObject joint(Joint joint) {
+        JsonObject json = new JsonObject();
+        json.addProperty("name", joint.name());
+        json.addProperty("minDegrees", joint.minDegrees());
+        json.addProperty("maxDegrees", joint.maxDegrees());
+        json.addProperty("maxDegreesPerSecond", joint.maxDegreesPerSecond());
+        json.addProperty("partner", Mirror.partner(joint).ordinal());
+        json.addProperty("mirrorSign", Mirror.mirroredDegrees(joint, 1));
+        return json;
+    }
+}

@@ -1,0 +1,237 @@
+/** The motion editor without its picture: keeps the state, and brings files, drafts and trials together with it. */
+import { bodyMarks, jointMarks } from '../state/motion/checks.js';
+import {
+  atTime,
+  documentOf,
+  edited,
+  framesOf,
+  initialEditor,
+  isUnsaved,
+  judgeDisk,
+  played,
+  selected,
+  withFile,
+  withSaved,
+} from '../state/motion/editor-state.js';
+import { withInserted } from '../state/motion/motion-document.js';
+import { EMPTY_DOCUMENT, textOf } from '../state/motion/motion-text.js';
+import { readPostures, writePostures } from '../state/motion/poses.js';
+import { secondsText } from '../state/motion/timing.js';
+
+/**
+ * @typedef {import('../state/motion/editor-state.js').EditorState} EditorState
+ * @typedef {import('../state/motion/checks.js').Mark} Mark
+ * @typedef {import('../state/motion/poses.js').NamedPosture} NamedPosture
+ * @typedef {import('../state/motion/motion-text.js').Keyframe} Keyframe
+ * @typedef {import('./motion-files.js').MotionFiles} MotionFiles
+ * @typedef {import('./motion-files.js').MotionList} MotionList
+ */
+
+const DRAFT_MILLISECONDS = 400;
+const MARKS_MILLISECONDS = 120;
+const NAMELESS = 'untitled';
+const LAST_FILE = 'robonewbie-motion';
+
+export class Editor {
+  /**
+   * @param {import('../state/motion/body.js').Body} body
+   * @param {MotionFiles} files
+   * @param {object} listener
+   * @param {() => void} listener.changed everything must be drawn again
+   * @param {(text: string) => void} listener.note
+   */
+  constructor(body, files, listener) {
+    this.state = initialEditor(body);
+    this.files = files;
+    this.listener = listener;
+    /** @type {MotionList} */
+    this.list = { folder: '', own: [], drafts: [], library: [] };
+    /** @type {readonly Keyframe[]} */
+    this.clip = [];
+    /** @type {NamedPosture[]} */
+    this.postures = [];
+    /** @type {Mark[]} */
+    this.marks = [];
+    /** Whether the file was changed on the disk and here, so that the person must decide. */
+    this.conflict = false;
+    this.busy = false;
+    this.draftTimer = 0;
+    this.marksTimer = 0;
+  }
+
+  /** @param {EditorState} state */
+  set(state) {
+    const before = this.state;
+    this.state = state;
+    if (state.history !== before.history || state.saved !== before.saved) {
+      clearTimeout(this.draftTimer);
+      this.draftTimer = window.setTimeout(() => this.#keepDraft(), DRAFT_MILLISECONDS);
+    }
+    if (state.history.present !== before.history.present || state.manner !== before.manner) {
+      clearTimeout(this.marksTimer);
+      this.marksTimer = window.setTimeout(() => this.#check(), MARKS_MILLISECONDS);
+    }
+    this.listener.changed();
+  }
+
+  /** @param {(state: EditorState) => EditorState} edit */
+  apply(edit) {
+    this.set(edit(this.state));
+  }
+
+  /** @param {string} [wanted] the motion to begin with */
+  async begin(wanted) {
+    await this.refresh();
+    this.postures = readPostures(await this.files.postures());
+    const last = wanted ?? localStorage.getItem(LAST_FILE) ?? '';
+    const isOwn = this.list.own.some(({ name }) => name === last);
+    if (this.list.drafts.some(({ name }) => name === NAMELESS) && !isOwn) {
+      await this.#openDraft();
+    } else if (isOwn || this.list.library.includes(last)) {
+      await this.open(isOwn ? 'motions' : 'library', last);
+    } else {
+      await this.open('library', 'wave');
+    }
+  }
+
+  async refresh() {
+    this.list = await this.files.list();
+    this.listener.changed();
+  }
+
+  /** Looks whether another program has changed the open file. */
+  async lookAtDisk() {
+    const { name } = this.state;
+    await this.refresh();
+    const verdict = this.state.name === name ? judgeDisk(this.state, this.list.own) : 'same';
+    this.conflict = verdict === 'ask';
+    if (verdict === 'reload') {
+      await this.reload();
+      this.listener.note(`“${name}” was changed by another program and is shown as it is now.`);
+    } else if (verdict === 'gone') {
+      this.listener.note(`“${name}” is no longer in the folder. Save it to write it again.`);
+      this.set({ ...this.state, version: '', saved: EMPTY_DOCUMENT });
+    }
+  }
+
+  /** Takes the file as it is on the disk; what was here can be brought back by undo. */
+  async reload() {
+    const { document, version } = await this.files.read('motions', this.state.name);
+    this.conflict = false;
+    const taken = edited(this.state, document, 'Load again from the disk');
+    this.set(selected({ ...taken, version, saved: document }, this.state.last));
+  }
+
+  /** Stays with what is here; the next save replaces the file. */
+  keepMine() {
+    const known = this.list.own.find(({ name }) => name === this.state.name);
+    this.conflict = false;
+    this.set({ ...this.state, version: known?.version ?? '' });
+  }
+
+  /**
+   * @param {'motions' | 'library'} shelf
+   * @param {string} name
+   */
+  async open(shelf, name) {
+    await this.#keepDraft();
+    const { document, version } = await this.files.read(shelf, name);
+    const isOwn = shelf === 'motions';
+    const draft = this.list.drafts.some((each) => each.name === name) ? (await this.files.read('drafts', name)).document : undefined;
+    const isNew = draft !== undefined && textOf(draft) !== textOf(document);
+    this.conflict = false;
+    this.set(withFile(this.state, { name, version: isOwn ? version : '', document, draft: isNew ? draft : undefined }));
+    localStorage.setItem(LAST_FILE, name);
+    if (isNew) {
+      this.listener.note(`Unsaved work on “${name}” was recovered. Undo takes it back.`);
+    }
+  }
+
+  /** Begins a motion with one keyframe: standing. */
+  async create() {
+    await this.#keepDraft();
+    const document = withInserted(EMPTY_DOCUMENT, 0, { millis: 500, degrees: this.state.start });
+    this.set(withFile(this.state, { name: '', version: '', document }));
+  }
+
+  /** @param {readonly Keyframe[]} frames @param {string} name */
+  async take(frames, name) {
+    await this.#keepDraft();
+    const document = frames.reduce((each, frame, i) => withInserted(each, i, frame), EMPTY_DOCUMENT);
+    this.set(withFile(this.state, { name: '', version: '', document }));
+    this.listener.note(`${frames.length} keyframes were taken from ${name}. Save them under a name of your own.`);
+  }
+
+  /** @param {string} [asName] another name than before */
+  async save(asName) {
+    const name = asName ?? this.state.name;
+    const document = documentOf(this.state);
+    const known = asName === undefined || asName === this.state.name ? this.state.version : '';
+    const version = await this.files.write(name, document, known);
+    const nameBefore = this.state.name || NAMELESS;
+    this.conflict = false;
+    this.set(withSaved(this.state, name, version, document));
+    localStorage.setItem(LAST_FILE, name);
+    await Promise.all([nameBefore, name].map((each) => this.files.removeDraft(each)));
+    await this.refresh();
+    this.listener.note(`Saved. An agent plays it with motions.start("${name}").`);
+  }
+
+  /** @param {string} start standing, back or front */
+  async tryPhysically(start) {
+    this.busy = true;
+    this.listener.changed();
+    try {
+      const trial = await this.files.trial(documentOf(this.state), start);
+      this.set({ ...atTime({ ...this.state, trial }, 0), playing: true });
+      const fall = trial.fallSeconds;
+      if (start === 'standing') {
+        this.listener.note(fall === undefined ? 'The robot stays on its feet.' : `The robot falls after ${secondsText(1000 * fall)}.`);
+      }
+    } finally {
+      this.busy = false;
+      this.listener.changed();
+    }
+  }
+
+  /** @param {string} name @param {readonly number[]} degrees */
+  async keepPosture(name, degrees) {
+    this.postures = [...this.postures.filter((each) => each.name !== name), { name, degrees }];
+    await this.files.writePostures(writePostures(this.postures));
+    this.listener.changed();
+  }
+
+  /** @param {number} millis */
+  advance(millis) {
+    if (this.state.playing) {
+      this.set(played(this.state, millis));
+    }
+  }
+
+  async #openDraft() {
+    const { document } = await this.files.read('drafts', NAMELESS);
+    this.set(withFile(this.state, { name: '', version: '', document }));
+    this.listener.note('Your unsaved new motion was recovered.');
+  }
+
+  async #keepDraft() {
+    clearTimeout(this.draftTimer);
+    const { state } = this;
+    const name = state.name || NAMELESS;
+    try {
+      if (isUnsaved(state) && framesOf(state).length > 0 && (state.history.past.length > 0 || state.name === '')) {
+        await this.files.writeDraft(name, documentOf(state));
+      } else if (this.list.drafts.some((each) => each.name === name)) {
+        await this.files.removeDraft(name);
+      }
+    } catch {
+      this.listener.note('Unsaved work cannot be kept on the disk just now. It stays in this page; save it soon.');
+    }
+  }
+
+  #check() {
+    const frames = framesOf(this.state);
+    this.marks = [...jointMarks(this.state.body, frames), ...bodyMarks(this.state.body, frames, this.state.manner)];
+    this.listener.changed();
+  }
+}

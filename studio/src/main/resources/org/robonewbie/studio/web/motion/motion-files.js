@@ -1,0 +1,94 @@
+/** The motion files on the disk, as the studio's server gives and takes them. */
+import { decode, encode } from '../state/motion/motion-text.js';
+
+/**
+ * @typedef {import('../state/motion/motion-text.js').MotionDocument} MotionDocument
+ *
+ * @typedef {object} MotionList
+ * @property {string} folder
+ * @property {Array<{name: string, version: string}>} own
+ * @property {Array<{name: string, version: string}>} drafts
+ * @property {string[]} library
+ */
+
+export class MotionFiles {
+  /** @param {string} token */
+  constructor(token) {
+    this.token = token;
+  }
+
+  /** @returns {Promise<any>} the robot's description */
+  async robot() {
+    return (await this.#ask('GET', 'robot')).json();
+  }
+
+  /** @returns {Promise<MotionList>} */
+  async list() {
+    return (await this.#ask('GET', 'motions')).json();
+  }
+
+  /**
+   * @param {'motions' | 'library' | 'drafts'} shelf
+   * @param {string} name
+   * @returns {Promise<{document: MotionDocument, version: string}>}
+   */
+  async read(shelf, name) {
+    const answer = await this.#ask('GET', `${shelf}/${encodeURIComponent(name)}`);
+    return { document: decode(new Uint8Array(await answer.arrayBuffer())), version: answer.headers.get('Version') ?? '' };
+  }
+
+  /**
+   * @param {string} name
+   * @param {MotionDocument} document
+   * @param {string} known the version that this page has seen, empty for a new file
+   * @returns {Promise<string>} the new version
+   */
+  async write(name, document, known) {
+    const answer = await this.#ask('PUT', `motions/${encodeURIComponent(name)}`, encode(document), { 'Known-Version': known });
+    return answer.headers.get('Version') ?? '';
+  }
+
+  /** @param {string} name @param {MotionDocument} document */
+  async writeDraft(name, document) {
+    await this.#ask('PUT', `drafts/${encodeURIComponent(name)}`, encode(document));
+  }
+
+  /** @param {string} name */
+  async removeDraft(name) {
+    await this.#ask('DELETE', `drafts/${encodeURIComponent(name)}`);
+  }
+
+  /** @returns {Promise<string>} */
+  async postures() {
+    return (await this.#ask('GET', 'poses')).text();
+  }
+
+  /** @param {string} text */
+  async writePostures(text) {
+    await this.#ask('PUT', 'poses', new TextEncoder().encode(text));
+  }
+
+  /**
+   * @param {MotionDocument} document
+   * @param {string} start standing, back or front
+   * @returns {Promise<import('../state/motion/editor-state.js').Trial>}
+   */
+  async trial(document, start) {
+    return (await this.#ask('POST', 'trial', encode({ ...document, charset: 'utf-8' }), { Start: start })).json();
+  }
+
+  /**
+   * @param {string} method
+   * @param {string} path
+   * @param {Uint8Array} [body]
+   * @param {Record<string, string>} [headers]
+   */
+  async #ask(method, path, body, headers = {}) {
+    const content = /** @type {BodyInit | undefined} */ (body);
+    const answer = await fetch(`api/${path}`, { method, body: content, headers: { ...headers, 'Studio-Token': this.token } });
+    if (!answer.ok) {
+      throw Object.assign(new Error(await answer.text()), { status: answer.status });
+    }
+    return answer;
+  }
+}

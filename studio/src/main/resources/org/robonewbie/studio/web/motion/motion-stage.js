@@ -1,0 +1,176 @@
+/** The picture of the motion editor: the robot, ghosts of the neighbouring keyframes, centre of mass and support. */
+import * as THREE from 'three';
+import { CameraDesk } from '../field/camera-desk.js';
+import { Light, PALETTES, roomReflections } from '../field/light.js';
+import { RobotCrowd } from '../field/robot-crowd.js';
+import { Marker } from './marker.js';
+import { hingeDegrees } from '../state/motion/body.js';
+
+/**
+ * @typedef {import('../state/motion/body.js').Body} Body
+ * @typedef {import('../state/quality.js').Quality} Quality
+ *
+ * @typedef {object} Figure one robot in the picture
+ * @property {ArrayLike<number>} torso
+ * @property {readonly number[]} hinges
+ */
+
+const FLOORS = { light: { ground: 0xd3dce3, line: 0xb4c0ca }, dark: { ground: 0x1d252d, line: 0x35414c } };
+const FLOOR_METRES = 3;
+
+export class MotionStage {
+  /**
+   * @param {HTMLElement} stage
+   * @param {Body} body
+   * @param {Quality} quality
+   */
+  constructor(stage, body, quality) {
+    this.stage = stage;
+    this.body = body;
+    this.quality = quality;
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(38, 1, 0.02, 160);
+    this.camera.up.set(0, 0, 1);
+    this.light = new Light(this.scene);
+    this.robot = this.#crowd(1);
+    this.ghosts = this.#crowd(2);
+    const ghost = ghostMaterial();
+    this.ghosts.limbs.forEach(({ mesh }) => {
+      mesh.material = ghost;
+      mesh.renderOrder = 2;
+    });
+    this.ghosts.group.visible = false;
+    this.marker = new Marker(body);
+    this.floor = new THREE.Group();
+    this.scene.add(this.robot.group, this.ghosts.group, this.marker.group, this.floor);
+    this.renderer = new THREE.WebGLRenderer({ antialias: true, powerPreference: 'high-performance' });
+    this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
+    this.scene.environmentIntensity = 0.5;
+    stage.append(this.renderer.domElement);
+    this.desk = new CameraDesk(this.camera);
+    this.home();
+    this.desk.jumpTo(this.desk.view);
+  }
+
+  /** Looks at the robot from the front and a little from the side. */
+  home() {
+    this.desk.view = { target: [0, 0, 0.31], azimuthDegrees: 62, elevationDegrees: 12, distance: 1.35 };
+  }
+
+  /** @param {'light' | 'dark'} theme */
+  setTheme(theme) {
+    this.light.setPalette(PALETTES[theme]);
+    this.scene.fog = new THREE.Fog(PALETTES[theme].sky, 2.5, 7);
+    this.floor.clear();
+    const { ground, line } = FLOORS[theme];
+    const plane = new THREE.Mesh(
+      new THREE.CircleGeometry(8, 48),
+      new THREE.MeshBasicMaterial({ color: ground, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 }),
+    );
+    const grid = new THREE.GridHelper(2 * FLOOR_METRES, 20 * FLOOR_METRES, line, line);
+    grid.rotation.x = Math.PI / 2;
+    this.floor.add(plane, grid);
+  }
+
+  resize() {
+    const width = Math.max(1, this.stage.clientWidth);
+    const height = Math.max(1, this.stage.clientHeight);
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, Math.max(1, this.quality.pixelRatio)));
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /**
+   * @param {Figure} figure
+   * @param {Figure[]} ghosts at most two: before and after
+   */
+  show(figure, ghosts) {
+    this.robot.update([stateOf(figure)], this.camera.position);
+    this.ghosts.group.visible = ghosts.length > 0;
+    if (ghosts.length > 0) {
+      const two = [ghosts[0], ghosts[1] ?? ghosts[0]];
+      this.ghosts.update(two.map(stateOf), this.camera.position);
+    }
+  }
+
+  /**
+   * @param {number} seconds since the last picture
+   * @returns {boolean} whether the camera still moves
+   */
+  draw(seconds) {
+    const moves = this.desk.update([], seconds);
+    this.light.shine(this.desk.shown.target, this.camera.position);
+    this.renderer.render(this.scene, this.camera);
+    return moves;
+  }
+
+  /**
+   * The line of sight through a point of the page.
+   *
+   * @param {number} clientX
+   * @param {number} clientY
+   * @returns {THREE.Ray}
+   */
+  rayAt(clientX, clientY) {
+    const box = this.stage.getBoundingClientRect();
+    const caster = new THREE.Raycaster();
+    const place = new THREE.Vector2((2 * (clientX - box.left)) / box.width - 1, 1 - (2 * (clientY - box.top)) / box.height);
+    caster.setFromCamera(place, this.camera);
+    return caster.ray;
+  }
+
+  /** @param {number[]} point @returns {number[]} where it is on the page */
+  pageAt(point) {
+    const box = this.stage.getBoundingClientRect();
+    const place = new THREE.Vector3(point[0], point[1], point[2]).project(this.camera);
+    return [box.left + ((place.x + 1) / 2) * box.width, box.top + ((1 - place.y) / 2) * box.height];
+  }
+
+  /** @param {number} count */
+  #crowd(count) {
+    const crowd = new RobotCrowd();
+    crowd.setQuality({ ...this.quality, nearDetail: count === 1 ? 'fine' : 'coarse', farDetail: 'coarse', nearMetres: 100, mostNear: 22 });
+    const robots = Array.from({ length: count }, (_, id) => ({
+      id,
+      team: '',
+      side: /** @type {'left' | 'right'} */ (id === 0 ? 'left' : 'right'),
+      number: 0,
+      type: 'TYPE_0',
+    }));
+    crowd.setScene(/** @type {any} */ ({ robots, models: { TYPE_0: this.body.model } }));
+    return crowd;
+  }
+
+  /** @param {readonly number[]} posture @param {ArrayLike<number>} torso @returns {Figure} */
+  figure(posture, torso) {
+    return { torso, hinges: hingeDegrees(this.body, posture) };
+  }
+}
+
+/** @param {Figure} figure */
+function stateOf({ torso, hinges }) {
+  return { torso: Float32Array.from(torso), degrees: Float32Array.from(hinges) };
+}
+
+/** A clear shell in the colour of the team: blue before, orange after. */
+function ghostMaterial() {
+  const material = new THREE.MeshLambertMaterial({
+    transparent: true,
+    opacity: 0.22,
+    depthWrite: false,
+    polygonOffset: true,
+    polygonOffsetFactor: 3,
+    polygonOffsetUnits: 12,
+  });
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader
+      .replace('#include <common>', '#include <common>\nattribute vec3 teamColour;\nvarying vec3 vTeamColour;')
+      .replace('#include <begin_vertex>', '#include <begin_vertex>\nvTeamColour = teamColour;');
+    shader.fragmentShader = shader.fragmentShader
+      .replace('#include <common>', '#include <common>\nvarying vec3 vTeamColour;')
+      .replace('#include <color_fragment>', 'diffuseColor.rgb = vTeamColour;');
+  };
+  return material;
+}
+

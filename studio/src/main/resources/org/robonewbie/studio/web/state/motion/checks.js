@@ -1,0 +1,98 @@
+/**
+ * What a robot cannot do as a motion says: marks for the timeline. Pure.
+ *
+ * @typedef {import('./body.js').Body} Body
+ * @typedef {import('./motion-text.js').Keyframe} Keyframe
+ *
+ * @typedef {object} Mark
+ * @property {'speed' | 'collision' | 'range' | 'balance'} kind
+ * @property {number} from milliseconds
+ * @property {number} to milliseconds
+ * @property {string} text for people
+ */
+import { balanceOf } from './balance.js';
+import { placed, posesOf } from './body.js';
+import { collisionsOf } from './collisions.js';
+import { jointName, linkName } from './names.js';
+import { durationOf, postureAt, timesOf } from './timing.js';
+import { numberText } from './motion-text.js';
+import { CYCLE_MILLIS } from './motion-document.js';
+
+const MOST_SAMPLES = 160;
+const SPEED_TOLERANCE = 1.001;
+
+/**
+ * Joints that would have to turn faster than their motors can, and angles beyond the ranges. The way to the first keyframe
+ * is not judged, since from where the robot comes is not part of a motion.
+ *
+ * @param {Body} body
+ * @param {readonly Keyframe[]} frames
+ * @returns {Mark[]}
+ */
+export function jointMarks(body, frames) {
+  const times = timesOf(frames);
+  return frames.flatMap(({ millis, degrees }, i) => {
+    const to = times[i];
+    /** @type {Mark[]} */
+    const marks = [];
+    body.joints.forEach((joint, k) => {
+      if (degrees[k] < joint.minDegrees || degrees[k] > joint.maxDegrees) {
+        const text = `${jointName(joint.name)} at ${numberText(degrees[k])}° is beyond ${joint.minDegrees}° to ${joint.maxDegrees}°`;
+        marks.push({ kind: 'range', from: to, to, text });
+      }
+      const way = i === 0 ? 0 : Math.abs(degrees[k] - frames[i - 1].degrees[k]);
+      if (way * 1000 > joint.maxDegreesPerSecond * Math.max(1, millis) * SPEED_TOLERANCE) {
+        const least = Math.ceil((way / joint.maxDegreesPerSecond) * (1000 / CYCLE_MILLIS)) * CYCLE_MILLIS;
+        const text = `${jointName(joint.name)} turns ${way.toFixed(0)}° in ${millis} ms; its motor needs ${least} ms`;
+        marks.push({ kind: 'speed', from: to - millis, to, text });
+      }
+    });
+    return marks;
+  });
+}
+
+/**
+ * Samples the motion for limbs that run into each other and for moments in which it would not stand still.
+ *
+ * @param {Body} body
+ * @param {readonly Keyframe[]} frames
+ * @param {'upright' | 'soles'} manner
+ * @returns {Mark[]}
+ */
+export function bodyMarks(body, frames, manner) {
+  if (frames.length === 0) {
+    return [];
+  }
+  const step = Math.max(CYCLE_MILLIS, durationOf(frames) / MOST_SAMPLES);
+  const first = frames[0].millis;
+  /** @type {Mark[]} */
+  const marks = [];
+  for (let time = first; time <= durationOf(frames) + 1; time += step) {
+    const posture = postureAt(frames, frames[0].degrees, time);
+    const poses = posesOf(body, posture, placed(body, posture, manner));
+    const touching = collisionsOf(body, poses).map((pair) => pair.map((link) => linkName(body.model.links[link].name)));
+    if (touching.length > 0) {
+      extend(marks, 'collision', time, step, `${touching[0].join(' runs into ')}`);
+    }
+    if (balanceOf(body, poses).margin < 0) {
+      extend(marks, 'balance', time, step, 'The centre of mass is outside of the support: standing still it would tip over');
+    }
+  }
+  return marks;
+}
+
+/**
+ * @param {Mark[]} marks
+ * @param {'collision' | 'balance'} kind
+ * @param {number} time
+ * @param {number} step
+ * @param {string} text
+ */
+function extend(marks, kind, time, step, text) {
+  const last = marks.findLast((mark) => mark.kind === kind);
+  if (last && time - last.to < 1.5 * step) {
+    last.to = time;
+  } else {
+    marks.push({ kind, from: time, to: time, text });
+  }
+}

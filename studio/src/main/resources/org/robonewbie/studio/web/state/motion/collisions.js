@@ -1,0 +1,93 @@
+/**
+ * Which limbs of a robot run into each other: boxes against boxes by separating axes. Pure.
+ *
+ * @typedef {import('./body.js').Body} Body
+ */
+import { POSE, rotated } from '../kinematics.js';
+
+/** Limbs so few hinges apart touch each other anyway. */
+const NEIGHBOUR_HINGES = 3;
+const SLACK_METRES = 0.004;
+
+/** @type {WeakMap<Body, number[][]>} */
+const pairsOfBodies = new WeakMap();
+
+/**
+ * @param {Body} body
+ * @param {Float64Array} poses
+ * @returns {number[][]} pairs of links that overlap
+ */
+export function collisionsOf(body, poses) {
+  const boxes = body.model.links.map((link, i) => ({
+    centre: [0, 1, 2].map((axis) => poses[i * POSE + axis]),
+    axes: [0, 1, 2].map((axis) => rotated(poses, i, [0, 0, 0].with(axis, 1))),
+    half: link.size.map((edge) => Math.max(0.002, edge / 2 - SLACK_METRES)),
+  }));
+  return pairsOf(body).filter(([a, b]) => overlap(boxes[a], boxes[b]));
+}
+
+/** @param {Body} body */
+function pairsOf(body) {
+  const known = pairsOfBodies.get(body);
+  if (known) {
+    return known;
+  }
+  const pairs = [];
+  for (let a = 0; a < body.links.length; a++) {
+    for (let b = a + 1; b < body.links.length; b++) {
+      if (body.links[a].solid && body.links[b].solid && hingesBetween(body, a, b) > NEIGHBOUR_HINGES) {
+        pairs.push([a, b]);
+      }
+    }
+  }
+  pairsOfBodies.set(body, pairs);
+  return pairs;
+}
+
+/** @param {Body} body @param {number} a @param {number} b */
+function hingesBetween(body, a, b) {
+  const [wayA, wayB] = [a, b].map((link) => ancestors(body, link));
+  const shared = wayA.findIndex((link) => wayB.includes(link));
+  return shared + wayB.indexOf(wayA[shared]);
+}
+
+/** @param {Body} body @param {number} link */
+function ancestors(body, link) {
+  const way = [link];
+  for (let at = link; at !== 0; way.push(at)) {
+    at = body.model.hinges.find(({ child }) => child === at)?.parent ?? 0;
+  }
+  return way;
+}
+
+/**
+ * @typedef {{centre: number[], axes: number[][], half: number[]}} Box
+ * @param {Box} a
+ * @param {Box} b
+ */
+function overlap(a, b) {
+  const between = b.centre.map((value, i) => value - a.centre[i]);
+  if (Math.hypot(...between) > Math.hypot(...a.half) + Math.hypot(...b.half)) {
+    return false;
+  }
+  const edges = a.axes.flatMap((u) => b.axes.map((v) => crossed(u, v)));
+  return [...a.axes, ...b.axes, ...edges].every((axis) => {
+    const length = Math.hypot(...axis);
+    return length < 1e-6 || Math.abs(dot(between, axis)) <= extent(a, axis) + extent(b, axis);
+  });
+}
+
+/** @param {Box} box @param {number[]} axis */
+function extent(box, axis) {
+  return box.axes.reduce((sum, own, i) => sum + box.half[i] * Math.abs(dot(own, axis)), 0);
+}
+
+/** @param {number[]} a @param {number[]} b */
+function dot(a, b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/** @param {number[]} a @param {number[]} b */
+function crossed(a, b) {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}

@@ -1,0 +1,264 @@
+/**
+ * What the motion editor knows, as one value that is replaced, never changed. Pure.
+ *
+ * @typedef {import('./body.js').Body} Body
+ * @typedef {import('./motion-text.js').Keyframe} Keyframe
+ * @typedef {import('./motion-text.js').MotionDocument} MotionDocument
+ *
+ * @typedef {object} Trial what a physical robot did
+ * @property {number} frameSeconds
+ * @property {number} [fallSeconds]
+ * @property {number[][]} frames each the torso's pose and the angles of the model's hinges
+ *
+ * @typedef {object} EditorState
+ * @property {Body} body
+ * @property {string} name of the file, empty for one that has none yet
+ * @property {string} version by which the file is known on the disk, empty if it is not there
+ * @property {MotionDocument} saved what is on the disk or in the library
+ * @property {import('./history.js').History<MotionDocument>} history
+ * @property {number} first selected keyframe
+ * @property {number} last selected keyframe
+ * @property {number} time of the playhead, milliseconds
+ * @property {boolean} playing
+ * @property {boolean} looping
+ * @property {number} speed of the animation, 1 as in life
+ * @property {boolean} symmetric whether the other side does the same
+ * @property {'upright' | 'soles'} manner how the robot is put on the ground
+ * @property {boolean} ghosts whether the neighbouring keyframes are shown too
+ * @property {number} joint whose curve is shown
+ * @property {number[]} start posture before the motion
+ * @property {Trial | undefined} trial
+ */
+import { changed, historyOf, redone, undone } from './history.js';
+import { keyframesOf, wholeCycles, withInserted, withKeyframe } from './motion-document.js';
+import { EMPTY_DOCUMENT, textOf } from './motion-text.js';
+import { durationOf, keyframeAt, postureAt, timesOf } from './timing.js';
+import { postureFrom, symmetric } from './posture.js';
+import { STANDING } from './poses.js';
+
+const NEW_WAY_MILLIS = 500;
+
+/**
+ * @param {Body} body
+ * @returns {EditorState}
+ */
+export function initialEditor(body) {
+  return {
+    body,
+    name: '',
+    version: '',
+    saved: EMPTY_DOCUMENT,
+    history: historyOf(EMPTY_DOCUMENT),
+    first: 0,
+    last: 0,
+    time: 0,
+    playing: false,
+    looping: false,
+    speed: 1,
+    symmetric: false,
+    manner: 'soles',
+    ghosts: true,
+    joint: 0,
+    start: postureFrom(body, STANDING),
+    trial: undefined,
+  };
+}
+
+/** @param {EditorState} state @returns {MotionDocument} */
+export function documentOf(state) {
+  return state.history.present.value;
+}
+
+/** @param {EditorState} state @returns {Keyframe[]} */
+export function framesOf(state) {
+  return keyframesOf(documentOf(state));
+}
+
+/** @param {EditorState} state @returns {boolean} whether something would be lost */
+export function isUnsaved(state) {
+  return textOf(documentOf(state)) !== textOf(state.saved);
+}
+
+/** @param {EditorState} state @returns {number} milliseconds */
+export function lengthOf(state) {
+  return durationOf(framesOf(state));
+}
+
+/**
+ * @param {EditorState} state
+ * @param {{name: string, version: string, document: MotionDocument, draft?: MotionDocument}} file
+ * @returns {EditorState}
+ */
+export function withFile(state, { name, version, document, draft }) {
+  const history = historyOf(document);
+  const opened = {
+    ...state,
+    name,
+    version,
+    saved: name === '' ? EMPTY_DOCUMENT : document,
+    history: draft ? changed(history, draft, 'Recover unsaved work') : history,
+    playing: false,
+    trial: undefined,
+  };
+  return selected(opened, 0);
+}
+
+/**
+ * @param {EditorState} state
+ * @param {string} name
+ * @param {string} version
+ * @param {MotionDocument} document what was written
+ * @returns {EditorState}
+ */
+export function withSaved(state, name, version, document) {
+  return { ...state, name, version, saved: document };
+}
+
+/**
+ * Chooses keyframes; the playhead goes to the last one.
+ *
+ * @param {EditorState} state
+ * @param {number} index
+ * @param {boolean} [extending] whether those between are chosen too
+ * @returns {EditorState}
+ */
+export function selected(state, index, extending = false) {
+  const frames = framesOf(state);
+  const last = Math.max(0, Math.min(frames.length - 1, index));
+  return { ...state, first: extending ? state.first : last, last, time: timesOf(frames)[last] ?? 0, playing: false };
+}
+
+/** @param {EditorState} state @returns {[number, number]} the chosen keyframes in their order */
+export function selectionOf({ first, last }) {
+  return [Math.min(first, last), Math.max(first, last)];
+}
+
+/**
+ * @param {EditorState} state
+ * @param {number} time milliseconds
+ * @returns {EditorState}
+ */
+export function atTime(state, time) {
+  const limited = Math.max(0, Math.min(playableLength(state), time));
+  const index = Math.max(0, keyframeAt(framesOf(state), limited));
+  return { ...state, time: limited, first: index, last: index };
+}
+
+/** @param {EditorState} state @returns {number} milliseconds of the motion, or of the trial if there is one */
+export function playableLength(state) {
+  const { trial } = state;
+  return trial ? (trial.frames.length - 1) * trial.frameSeconds * 1000 : lengthOf(state);
+}
+
+/**
+ * @param {EditorState} state
+ * @param {number} millis how much time has passed
+ * @returns {EditorState}
+ */
+export function played(state, millis) {
+  const length = playableLength(state);
+  const time = state.time + millis * state.speed;
+  if (time < length) {
+    return atTime(state, time);
+  }
+  return state.looping && length > 0 ? atTime(state, time % length) : { ...atTime(state, length), playing: false };
+}
+
+/** @param {EditorState} state @returns {boolean} whether the playhead is on the last chosen keyframe */
+export function isOnKeyframe(state) {
+  const time = timesOf(framesOf(state))[state.last];
+  return time !== undefined && Math.abs(time - state.time) < 1;
+}
+
+/** @param {EditorState} state @returns {readonly number[]} the posture at the playhead */
+export function postureNow(state) {
+  const frames = framesOf(state);
+  return isOnKeyframe(state) ? frames[state.last].degrees : postureAt(frames, state.start, state.time);
+}
+
+/**
+ * @param {EditorState} state
+ * @param {MotionDocument} document
+ * @param {string} label for the undo button
+ * @param {string} [gesture] changes of one gesture are undone together
+ * @returns {EditorState}
+ */
+export function edited(state, document, label, gesture = '') {
+  return { ...state, history: changed(state.history, document, label, gesture), trial: undefined, playing: false };
+}
+
+/** @param {EditorState} state @returns {EditorState} */
+export function withUndo(state) {
+  return reselected({ ...state, history: undone(state.history), trial: undefined });
+}
+
+/** @param {EditorState} state @returns {EditorState} */
+export function withRedo(state) {
+  return reselected({ ...state, history: redone(state.history), trial: undefined });
+}
+
+/** @param {EditorState} state */
+function reselected(state) {
+  return selected(state, Math.min(state.last, framesOf(state).length - 1));
+}
+
+/**
+ * Gives the keyframe at the playhead a posture; where there is none, one is put in.
+ *
+ * @param {EditorState} state
+ * @param {readonly number[]} posture
+ * @param {string} label
+ * @param {string} [gesture]
+ * @returns {EditorState}
+ */
+export function posed(state, posture, label, gesture = '') {
+  const target = isOnKeyframe(state) ? state : withKeyframeHere(state, gesture);
+  const before = framesOf(target)[target.last].degrees;
+  const degrees = state.symmetric ? symmetric(state.body, before, posture) : [...posture];
+  return edited(target, withKeyframe(documentOf(target), target.last, { degrees }), label, gesture);
+}
+
+/**
+ * Puts a keyframe in at the playhead, or after the chosen one if the playhead is on it.
+ *
+ * @param {EditorState} state
+ * @param {string} [gesture]
+ * @returns {EditorState}
+ */
+export function withKeyframeHere(state, gesture = '') {
+  const frames = framesOf(state);
+  const times = timesOf(frames);
+  const length = times.at(-1) ?? 0;
+  const next = times.findIndex((time) => state.time < time - 1);
+  if (next < 0 || isOnKeyframe(state)) {
+    const at = frames.length === 0 || state.time >= length ? frames.length : state.last + 1;
+    const posture = { millis: NEW_WAY_MILLIS, degrees: postureNow(state) };
+    return selected(edited(state, withInserted(documentOf(state), at, posture), 'Insert keyframe', gesture), at);
+  }
+  const way = wholeCycles(state.time - (times[next - 1] ?? 0));
+  const rest = Math.max(0, frames[next].millis - way);
+  const shortened = withKeyframe(documentOf(state), next, { millis: Math.max(20, rest) });
+  const inserted = withInserted(shortened, next, { millis: way, degrees: postureNow(state) });
+  return selected(edited(state, inserted, 'Insert keyframe', gesture), next);
+}
+
+/**
+ * Says whether a file that has changed on the disk can be taken at once, or whether the person must decide.
+ *
+ * @param {EditorState} state
+ * @param {Array<{name: string, version: string}>} files on the disk
+ * @returns {'same' | 'reload' | 'ask' | 'gone'}
+ */
+export function judgeDisk(state, files) {
+  if (state.version === '') {
+    return 'same';
+  }
+  const found = files.find(({ name }) => name === state.name);
+  if (!found) {
+    return 'gone';
+  }
+  if (found.version === state.version) {
+    return 'same';
+  }
+  return isUnsaved(state) ? 'ask' : 'reload';
+}

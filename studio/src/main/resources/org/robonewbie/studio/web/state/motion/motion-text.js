@@ -1,0 +1,152 @@
+/**
+ * Reads and writes the text of motion files without losing anything: every line keeps its characters, comments, digits and
+ * line end until somebody changes it. The same rules as the Java class MotionFile. Pure.
+ *
+ * @typedef {object} Keyframe
+ * @property {number} millis time of the way to this posture
+ * @property {readonly number[]} degrees 22 angles in the order of the file
+ *
+ * @typedef {object} Line
+ * @property {string} text
+ * @property {string} end the line end as it was, or nothing
+ * @property {Keyframe} [keyframe] of a line with a keyframe
+ * @property {string} [problem] of a line that cannot be understood
+ *
+ * @typedef {object} MotionDocument
+ * @property {'utf-8' | 'latin-1'} charset
+ * @property {string} mark the byte order mark, if there was one
+ * @property {readonly Line[]} lines
+ */
+
+export const JOINT_COUNT = 22;
+
+const INTEGER = /^[+-]?\d{1,9}$/;
+const DECIMAL = /^[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$/;
+const MARK = '\uFEFF';
+
+/** A document without any line. @type {MotionDocument} */
+export const EMPTY_DOCUMENT = { charset: 'utf-8', mark: '', lines: [] };
+
+/**
+ * @param {Uint8Array} bytes content of a file
+ * @returns {MotionDocument}
+ */
+export function decode(bytes) {
+  try {
+    const text = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
+    return parse(text);
+  } catch {
+    const characters = Array.from(bytes, (byte) => String.fromCharCode(byte));
+    return { ...parse(characters.join('')), charset: 'latin-1' };
+  }
+}
+
+/**
+ * @param {MotionDocument} document
+ * @returns {Uint8Array} the bytes of the file
+ */
+export function encode(document) {
+  const text = textOf(document);
+  const codes = Array.from(text, (character) => character.codePointAt(0) ?? 0);
+  const isLatin = document.charset === 'latin-1' && codes.every((code) => code < 256);
+  return isLatin ? Uint8Array.from(codes) : new TextEncoder().encode(text);
+}
+
+/**
+ * @param {string} text
+ * @returns {MotionDocument}
+ */
+export function parse(text) {
+  const mark = text.startsWith(MARK) ? MARK : '';
+  const lines = [];
+  for (const [whole, content, end] of text.slice(mark.length).matchAll(/([^\r\n]*)(\r\n|\r|\n|$)/g)) {
+    if (whole !== '') {
+      lines.push(parseLine(content, end));
+    }
+  }
+  return { charset: 'utf-8', mark, lines };
+}
+
+/** @param {MotionDocument} document */
+export function textOf(document) {
+  return document.mark + document.lines.map(({ text, end }) => text + end).join('');
+}
+
+/**
+ * @param {string} text
+ * @param {string} end
+ * @returns {Line}
+ */
+export function parseLine(text, end) {
+  const words = wordsOf(text);
+  if (words.length === 0) {
+    return { text, end };
+  }
+  const wrong = words.findIndex(({ word }, i) => !(i === 0 ? INTEGER.test(word) : isDecimal(word)));
+  if (wrong === 0) {
+    return { text, end, problem: `found “${words[0].word}”, expected the time in whole milliseconds, such as 500` };
+  }
+  if (wrong > 0) {
+    return { text, end, problem: `found “${words[wrong].word}”, expected an angle in degrees, such as -12.5` };
+  }
+  if (words.length !== 1 + JOINT_COUNT) {
+    return { text, end, problem: `${words.length - 1} angles, expected ${JOINT_COUNT}, one for each joint` };
+  }
+  const [millis, ...degrees] = words.map(({ word }) => Number(word) + 0);
+  return { text, end, keyframe: { millis, degrees } };
+}
+
+/**
+ * Writes a keyframe as a new line.
+ *
+ * @param {Keyframe} keyframe
+ * @param {string} end
+ * @returns {Line}
+ */
+export function newLine(keyframe, end) {
+  return { text: [keyframe.millis, ...keyframe.degrees].map(numberText).join(' '), end, keyframe };
+}
+
+/**
+ * Puts other numbers into a line; numbers that stay the same keep their digits, and so do blanks and comments.
+ *
+ * @param {Line} line one with a keyframe
+ * @param {Keyframe} keyframe
+ * @returns {Line}
+ */
+export function changedLine(line, keyframe) {
+  const before = /** @type {Keyframe} */ (line.keyframe);
+  const [old, wanted] = [before, keyframe].map(({ millis, degrees }) => [millis, ...degrees]);
+  let text = '';
+  let copied = 0;
+  wordsOf(line.text).forEach(({ word, at }, i) => {
+    text += line.text.slice(copied, at) + (old[i] === wanted[i] ? word : numberText(wanted[i]));
+    copied = at + word.length;
+  });
+  return { text: text + line.text.slice(copied), end: line.end, keyframe };
+}
+
+/**
+ * @param {number} value
+ * @returns {string} its digits without exponent
+ */
+export function numberText(value) {
+  const text = String(value === 0 ? 0 : value);
+  return text.includes('e') ? value.toFixed(20).replace(/\.?0+$/, '') : text;
+}
+
+/** @param {string} word */
+function isDecimal(word) {
+  return DECIMAL.test(word) && Number.isFinite(Number(word));
+}
+
+/**
+ * The words before a comment.
+ *
+ * @param {string} text
+ */
+function wordsOf(text) {
+  const comment = text.indexOf('//');
+  const content = comment < 0 ? text : text.slice(0, comment);
+  return Array.from(content.matchAll(/[^ \t]+/g), (match) => ({ word: match[0], at: match.index }));
+}

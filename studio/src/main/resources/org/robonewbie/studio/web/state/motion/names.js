@@ -1,0 +1,42 @@
+/** Names of joints and limbs for people. Pure. */
+
+/** @param {string} name such as LEFT_HIP_YAW_PITCH @returns {string} such as “left hip yaw-pitch” */
+export function jointName(name) {
+  return name.toLowerCase().replace('yaw_pitch', 'yaw-pitch').replaceAll('_', ' ');
+}
+
+/** @param {string} name @returns {string} the same without the side, such as “Hip yaw-pitch” */
+export function shortJointName(name) {
+  const text = jointName(name).replace(/^(left|right) /, '');
+  return text[0].toUpperCase() + text.slice(1);
+}
+
+/** @type {Record<string, string>} */
+const LIMBS = {
+  body: 'torso',
+  head: 'head',
+  neck: 'neck',
+  upperarm: 'upper arm',
+  lowerarm: 'forearm',
+  thigh: 'thigh',
+  shank: 'shank',
+  foot: 'foot',
+};
+
+/** @param {string} name such as “llowerarm” @returns {string} such as “left forearm” */
+export function linkName(name) {
+  if (name in LIMBS) {
+    return LIMBS[name];
+  }
+  const side = name.startsWith('l') ? 'left' : 'right';
+  return `${side} ${LIMBS[name.slice(1)] ?? name.slice(1)}`;
+}
+
+/** The joints as people look for them. @type {Array<{title: string, test: RegExp}>} */
+export const JOINT_GROUPS = [
+  { title: 'Head', test: /^NECK/ },
+  { title: 'Left arm', test: /^LEFT_(SHOULDER|ARM)/ },
+  { title: 'Right arm', test: /^RIGHT_(SHOULDER|ARM)/ },
+  { title: 'Left leg', test: /^LEFT_(HIP|KNEE|FOOT)/ },
+  { title: 'Right leg', test: /^RIGHT_(HIP|KNEE|FOOT)/ },
+];

@@ -1,0 +1,198 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.nao.motion.MotionFile;
+
+/** Files are read and written below one folder only, and only for pages of the studio. */
+class MotionAccessTest {
+
+    private static final AccessToken TOKEN = AccessToken.random();
+
+    @TempDir
+    private Path place;
+
+    private final SmallSimulation simulation = new SmallSimulation();
+    private Path folder = Path.of(".");
+    private StudioServer studio;
+
+    @BeforeEach
+    void start() throws IOException {
+        folder = Files.createDirectory(place.resolve("motions"));
+        Files.writeString(place.resolve("secret.txt"), "secret");
+        studio = StudioServer.start(simulation, 0, TOKEN, new StudioFolders(folder));
+    }
+
+    @AfterEach
+    void close() {
+        studio.close();
+        simulation.close();
+    }
+
+    private String send(String order, String body, String... headers) throws IOException {
+        List<String> lines = Stream.concat(
+                        Stream.of(
+                                order + " HTTP/1.1",
+                                "Host: " + studio.address().getAuthority(),
+                                "Content-Length: " + body.length()),
+                        Stream.of(headers))
+                .toList();
+        String request = String.join("\r\n", lines) + "\r\nConnection: close\r\n\r\n" + body;
+        return RawHttp.sendText(studio.address(), request);
+    }
+
+    private String asPage(String order, String body, String... headers) throws IOException {
+        String[] all = Stream.concat(
+                        Stream.of("Origin: http://" + studio.address().getAuthority(), "Studio-Token: " + TOKEN.text()),
+                        Stream.of(headers))
+                .toArray(String[]::new);
+        return send(order, body, all);
+    }
+
+    @Test
+    void fileIsWrittenAndReadBack() throws IOException {
+        String answer = asPage("PUT /api/motions/my%20kick", "// hello\n");
+
+        assertThat(answer).startsWith("HTTP/1.1 200");
+        assertThat(folder.resolve("my kick.txt")).hasContent("// hello\n");
+        assertThat(asPage("GET /api/motions/my%20kick", "")).endsWith("// hello\n");
+        assertThat(asPage("GET /api/motions", "")).contains("\"name\":\"my kick\"");
+        try (Stream<Path> files = Files.list(folder)) {
+            assertThat(files).hasSize(1);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "..%2fsecret",
+                "%2e%2e%2fsecret",
+                "..%5csecret",
+                "..",
+                "%2e%2e",
+                ".hidden",
+                "a%2fb",
+                "%00",
+                "a%00b",
+                "con",
+                "NUL",
+                "%2fetc%2fpasswd",
+                "..%252fsecret"
+            })
+    void namesThatLeadElsewhereAreRefused(String name) throws IOException {
+        for (String shelf : List.of("motions", "drafts", "library")) {
+            assertThat(asPage("GET /api/" + shelf + "/" + name, ""))
+                    .containsPattern("^HTTP/1.1 40[0-9]")
+                    .doesNotContain("\r\n\r\nsecret");
+            assertThat(asPage("PUT /api/" + shelf + "/" + name, "evil")).containsPattern("^HTTP/1.1 40[0-9]");
+        }
+        assertThat(place.resolve("secret.txt")).hasContent("secret");
+        try (Stream<Path> files = Files.walk(place)) {
+            assertThat(files.filter(Files::isRegularFile)).hasSize(1);
+        }
+    }
+
+    @Test
+    void linkOutOfTheFolderIsRefused() throws IOException {
+        Files.createSymbolicLink(folder.resolve("link.txt"), place.resolve("secret.txt"));
+
+        assertThat(asPage("GET /api/motions/link", ""))
+                .startsWith("HTTP/1.1 403")
+                .contains("outside of");
+        assertThat(asPage("PUT /api/motions/link", "evil")).startsWith("HTTP/1.1 403");
+        assertThat(asPage("GET /api/motions", "")).doesNotContain("link");
+        assertThat(place.resolve("secret.txt")).hasContent("secret");
+    }
+
+    @Test
+    void pagesOfOthersMayNotChangeFiles() throws IOException {
+        String put = "PUT /api/motions/evil";
+        String token = "Studio-Token: " + TOKEN.text();
+        String own = "Origin: http://" + studio.address().getAuthority();
+
+        assertThat(send(put, "x", token, "Origin: http://evil.example")).startsWith("HTTP/1.1 403");
+        assertThat(send(put, "x", token))
+                .startsWith("HTTP/1.1 403")
+                .contains("Only a page of the studio may change files; this request names no origin.");
+        assertThat(send(put, "x", own)).startsWith("HTTP/1.1 403").contains("token is missing or wrong");
+        assertThat(send(put, "x", own, "Studio-Token: wrong")).startsWith("HTTP/1.1 403");
+        assertThat(send("GET /api/motions", "")).startsWith("HTTP/1.1 403");
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void fileThatAnotherProgramHasChangedIsNotOverwritten() throws IOException {
+        String version = header(asPage("PUT /api/motions/mine", "a"), "Version");
+        Files.writeString(folder.resolve("mine.txt"), "b");
+
+        assertThat(asPage("PUT /api/motions/mine", "c", "Known-Version: " + version))
+                .startsWith("HTTP/1.1 409")
+                .contains("\"mine\" was changed by another program since it was opened here.");
+        assertThat(asPage("PUT /api/motions/mine", "c"))
+                .startsWith("HTTP/1.1 409")
+                .contains("There is a motion \"mine\" already. Choose another name.");
+        assertThat(folder.resolve("mine.txt")).hasContent("b");
+    }
+
+    @Test
+    void fileThatIsTooLargeIsRefused() throws IOException {
+        assertThat(send(
+                        "PUT /api/motions/mine",
+                        "",
+                        "Origin: http://" + studio.address().getAuthority(),
+                        "Studio-Token: " + TOKEN.text(),
+                        "Transfer-Encoding: chunked"))
+                .containsPattern("^HTTP/1.1 4[0-9][0-9]");
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void draftsComeAndGo() throws IOException {
+        asPage("PUT /api/drafts/mine", "draft");
+        assertThat(asPage("GET /api/drafts/mine", "")).endsWith("draft");
+
+        asPage("DELETE /api/drafts/mine", "");
+
+        assertThat(asPage("GET /api/drafts/mine", ""))
+                .startsWith("HTTP/1.1 404")
+                .contains("There is no motion \"mine\".");
+    }
+
+    @Test
+    void everyMotionOfTheLibraryCanBeOpened() throws IOException {
+        assertThat(asPage("GET /api/motions", "")).contains("\"wave\"", "\"walk-forward\"", "\"stand\"");
+        String wave = asPage("GET /api/library/wave", "");
+        String content = wave.substring(wave.indexOf("\r\n\r\n") + 4);
+
+        assertThat(MotionFile.parse("wave.txt", content).motion().keyframes()).hasSizeGreaterThan(2);
+    }
+
+    @Test
+    void trialOfSomethingThatIsNoMotionSaysWhy() throws IOException {
+        assertThat(asPage("POST /api/trial", "500 1 2\n"))
+                .startsWith("HTTP/1.1 400")
+                .contains("2 angles, expected 22");
+        assertThat(asPage("POST /api/trial", "", "Start: flying"))
+                .startsWith("HTTP/1.1 400")
+                .contains("A robot cannot start \"flying\".");
+    }
+
+    private static String header(String answer, String name) {
+        return answer.lines()
+                .filter(line -> line.startsWith(name + ": "))
+                .map(line -> line.substring(name.length() + 2))
+                .findFirst()
+                .orElseThrow();
+    }
+}
