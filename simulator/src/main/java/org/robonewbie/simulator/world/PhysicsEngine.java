@@ -23,7 +23,7 @@ public enum PhysicsEngine {
     };
 
     /** The engine that is used where none is named. */
-    public static final PhysicsEngine STANDARD = EXACT;
+    public static final PhysicsEngine STANDARD = FAST;
 
     /**
      * Makes an empty world.
