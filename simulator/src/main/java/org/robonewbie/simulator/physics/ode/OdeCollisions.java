@@ -19,6 +19,8 @@ public final class OdeCollisions {
     /** How many numbers describe a point: its place, the normal that looks towards the first form, and the depth. */
     public static final int NUMBERS_PER_POINT = 7;
 
+    private static final long MOVABLE = 1;
+    private static final long FIXED = 2;
     private static final int MAX_CONTACTS_PER_PAIR = 4;
 
     static {
@@ -79,10 +81,13 @@ public final class OdeCollisions {
          *
          * @param shape what it looks like
          * @param collider what is reported when it touches something
+         * @param movable whether it can move; two forms that cannot are not looked at
          * @return the form, at the world's origin
          */
-        public Form add(Shape shape, Collider collider) {
+        public Form add(Shape shape, Collider collider, boolean movable) {
             DGeom geometry = OdeAssembly.geometry(space, shape);
+            geometry.setCategoryBits(movable ? MOVABLE : FIXED);
+            geometry.setCollideBits(movable ? MOVABLE | FIXED : MOVABLE);
             geometry.setData(collider);
             return new Form(geometry);
         }
@@ -109,15 +114,6 @@ public final class OdeCollisions {
      */
     public Group scenery() {
         return scenery;
-    }
-
-    /**
-     * Adds the ground: an endless plane at z = 0.
-     *
-     * @param collider what is reported when it is touched
-     */
-    public void addGround(Collider collider) {
-        OdeHelper.createPlane(space, 0, 0, 1, 0).setData(collider);
     }
 
     /**

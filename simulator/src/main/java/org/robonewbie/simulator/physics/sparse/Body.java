@@ -7,7 +7,6 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.Rotation;
-import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
 /**
  * A rigid body: Newton and Euler for one lump of matter.
@@ -15,6 +14,9 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
  * <p>Arrays hold x, y, z; arrays of six hold a linear part and then an angular part, all along the world's axes.
  */
 final class Body implements RigidBody {
+
+    /** Stands where no body is known yet. */
+    static final Body NONE = new Body(new MassDistribution(1, new Vector3(1, 1, 1)), Vector3.ZERO, new MoveClock());
 
     private static final double GRAVITY = -9.81;
     private static final double RESTING_SPEED_SQUARED = 0.01 * 0.01;
@@ -45,11 +47,13 @@ final class Body implements RigidBody {
     private final boolean evenlyHeavy;
     private final double[] position = new double[3];
     private final double[] quaternion = {1, 0, 0, 0};
-    private final List<OdeCollisions.Form> forms = new ArrayList<>();
+    private final MoveClock clock;
+    private final List<Form> forms = new ArrayList<>();
     private boolean asleep;
     private int restingStepsLeft = STEPS_TO_FALL_ASLEEP;
 
-    Body(MassDistribution distribution, Vector3 position) {
+    Body(MassDistribution distribution, Vector3 position, MoveClock clock) {
+        this.clock = clock;
         mass = distribution.massKg();
         inverseMass = 1 / mass;
         Vector3 moments = distribution.inertia();
@@ -66,9 +70,9 @@ final class Body implements RigidBody {
         return quaternion;
     }
 
-    void attach(OdeCollisions.Form form) {
+    void attach(Form form) {
         forms.add(form);
-        form.place(position, rotation);
+        form.moved(clock);
     }
 
     void removeContacts() {
@@ -142,12 +146,12 @@ final class Body implements RigidBody {
         Rotations.turn(quaternion, velocity, seconds);
         Rotations.toMatrix(quaternion, rotation);
         Arrays.fill(force, 0);
-        placeForms();
+        tellForms();
     }
 
-    private void placeForms() {
+    private void tellForms() {
         for (int i = 0; i < forms.size(); i++) {
-            forms.get(i).place(position, rotation);
+            forms.get(i).moved(clock);
         }
     }
 
@@ -175,14 +179,14 @@ final class Body implements RigidBody {
     @Override
     public void setPosition(Vector3 place) {
         set(position, place);
-        placeForms();
+        tellForms();
     }
 
     @Override
     public void setRotation(Rotation turn) {
         Rotations.copy(turn, rotation);
         Rotations.toQuaternion(rotation, quaternion);
-        placeForms();
+        tellForms();
     }
 
     @Override

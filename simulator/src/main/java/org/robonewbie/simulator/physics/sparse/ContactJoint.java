@@ -15,12 +15,17 @@ final class ContactJoint extends Joint {
     private static final int ROWS_PER_POINT = 3;
 
     private final List<ContactPoint> points = new ArrayList<>(4);
-    private final ContactSurface surface;
-    private final double sign;
+    private ContactSurface surface = ContactSurface.HARD;
+    private double sign;
 
     private final double[] normal = new double[3];
     private final double[] across = new double[3];
     private final double[] along = new double[3];
+
+    /** Makes a joint that holds nothing yet. */
+    ContactJoint() {
+        super(Body.NONE, null);
+    }
 
     /**
      * Joins two bodies.
@@ -29,19 +34,23 @@ final class ContactJoint extends Joint {
      * @param second another one, or none
      * @param surface how they behave in contact
      * @param sign 1 if the points' normals look towards the first body, -1 if away from it
+     * @return this joint
      */
-    ContactJoint(Body first, @Nullable Body second, ContactSurface surface, double sign) {
-        super(first, second);
+    ContactJoint between(Body first, @Nullable Body second, ContactSurface surface, double sign) {
+        this.first = first;
+        this.second = second;
         this.surface = surface;
         this.sign = sign;
+        return this;
     }
 
     void add(ContactPoint point) {
         points.add(point);
     }
 
-    /** Takes this joint off its bodies; contacts are always the last of a body's joints. */
+    /** Forgets its points and leaves its bodies; contacts are always the last of a body's joints. */
     void detach() {
+        points.clear();
         first.removeContacts();
         if (second != null) {
             second.removeContacts();

@@ -2,24 +2,28 @@ package org.robonewbie.simulator.physics.sparse;
 
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import org.robonewbie.simulator.physics.Collider;
 import org.robonewbie.simulator.physics.Contact;
-import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
-/** The contacts of a step: points to be read, and joints between the bodies that they touch. */
+/**
+ * The contacts of a step: points to be read, and joints between the bodies that they touch.
+ *
+ * <p>Points and joints are kept and used again, so that contacts cost no memory in the long run.
+ */
 final class ContactList implements OdeCollisions.Listener {
 
-    /** Two materials that met. */
-    private record Pair(Material first, Material second) {}
-
-    private final Map<Pair, ContactSurface> surfaces = new HashMap<>();
+    private final Surfaces surfaces;
     private final List<Contact> points = new ArrayList<>();
     private final List<Contact> readOnly = Collections.unmodifiableList(points);
+    private final List<ContactPoint> spentPoints = new ArrayList<>();
     private final List<ContactJoint> joints = new ArrayList<>();
+    private final List<ContactJoint> spentJoints = new ArrayList<>();
+
+    ContactList(Surfaces surfaces) {
+        this.surfaces = surfaces;
+    }
 
     List<Contact> points() {
         return readOnly;
@@ -28,13 +32,17 @@ final class ContactList implements OdeCollisions.Listener {
     /** Forgets the contacts of the last step. */
     void begin() {
         dissolve();
+        for (int i = 0; i < points.size(); i++) {
+            spentPoints.add((ContactPoint) points.get(i));
+        }
         points.clear();
     }
 
     /** Takes the joints off the bodies; the points can still be read. */
     void dissolve() {
-        for (ContactJoint joint : joints) {
-            joint.detach();
+        for (int i = 0; i < joints.size(); i++) {
+            joints.get(i).detach();
+            spentJoints.add(joints.get(i));
         }
         joints.clear();
     }
@@ -45,24 +53,27 @@ final class ContactList implements OdeCollisions.Listener {
         SparseCollider other = (SparseCollider) second;
         int from = points.size();
         for (int i = 0; i < count; i++) {
-            ContactPoint point = new ContactPoint(one, other);
+            ContactPoint point = newPoint();
             point.set(one, other, numbers, i);
             points.add(point);
         }
-        if (one.material() != null && other.material() != null) {
-            join(one, other, surface(one.material(), other.material()), from);
+        if (one.material() != SparseCollider.NO_MATERIAL && other.material() != SparseCollider.NO_MATERIAL) {
+            join(one, other, from);
         }
     }
 
-    private void join(SparseCollider one, SparseCollider other, ContactSurface surface, int from) {
-        ContactJoint joint;
-        if (one.body() != null) {
-            joint = new ContactJoint(one.body(), other.body(), surface, 1);
-        } else if (other.body() != null) {
-            joint = new ContactJoint(other.body(), null, surface, -1);
-        } else {
-            return;
+    private void join(SparseCollider one, SparseCollider other, int from) {
+        ContactSurface surface = surfaces.between(one.material(), other.material());
+        Body first = one.body();
+        Body second = other.body();
+        if (first != null) {
+            add(newJoint().between(first, second, surface, 1), from);
+        } else if (second != null) {
+            add(newJoint().between(second, null, surface, -1), from);
         }
+    }
+
+    private void add(ContactJoint joint, int from) {
         for (int i = from; i < points.size(); i++) {
             joint.add((ContactPoint) points.get(i));
         }
@@ -70,8 +81,11 @@ final class ContactList implements OdeCollisions.Listener {
         joints.add(joint);
     }
 
-    private ContactSurface surface(Material one, Material other) {
-        return surfaces.computeIfAbsent(
-                new Pair(one, other), pair -> ContactSurface.of(pair.first().mixedWith(pair.second())));
+    private ContactPoint newPoint() {
+        return spentPoints.isEmpty() ? new ContactPoint() : spentPoints.remove(spentPoints.size() - 1);
+    }
+
+    private ContactJoint newJoint() {
+        return spentJoints.isEmpty() ? new ContactJoint() : spentJoints.remove(spentJoints.size() - 1);
     }
 }

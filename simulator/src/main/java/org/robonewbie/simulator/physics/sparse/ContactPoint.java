@@ -8,17 +8,14 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
 /** A point where two colliders touch. The world uses it again in a later step. */
 final class ContactPoint implements Contact {
 
-    private Collider first;
-    private Collider second;
+    private static final Collider NOTHING = () -> "nothing";
+
+    private Collider first = NOTHING;
+    private Collider second = NOTHING;
     /** Place, normal and depth as {@link OdeCollisions} tells them. */
     final double[] numbers = new double[OdeCollisions.NUMBERS_PER_POINT];
     /** Force on the first collider's body. */
     final double[] force = new double[3];
-
-    ContactPoint(Collider first, Collider second) {
-        this.first = first;
-        this.second = second;
-    }
 
     void set(Collider one, Collider other, double[] points, int index) {
         first = one;

@@ -1,5 +1,7 @@
 package org.robonewbie.simulator.physics.sparse;
 
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.robonewbie.simulator.physics.Material;
 
 /**
@@ -12,6 +14,10 @@ import org.robonewbie.simulator.physics.Material;
  * @param minimumVelocity slowest approach in metres per second that bounces
  */
 record ContactSurface(double errorReduction, double softness, double slip, double restitution, double minimumVelocity) {
+
+    /** How surfaces behave that leave every matter open. */
+    static final ContactSurface HARD =
+            of(new Material(Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.empty()));
 
     static ContactSurface of(Material material) {
         return new ContactSurface(

@@ -6,9 +6,10 @@ import org.jspecify.annotations.Nullable;
 abstract class Joint {
 
     /** The body that moves along the rows' Jacobians. */
-    final Body first;
+    Body first;
     /** The body against which it is held; none for ground and walls. */
-    final @Nullable Body second;
+    @Nullable
+    Body second;
     /** Where the joint's rows begin in the island's rows, while the island is stepped. */
     int firstRow;
     /** Whether this step has put the joint in an island already. */

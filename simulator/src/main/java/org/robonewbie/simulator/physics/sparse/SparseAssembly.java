@@ -18,19 +18,21 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
 final class SparseAssembly implements Assembly {
 
     private final SparsePhysicsWorld world;
-    private final OdeCollisions.Group group;
+    private final OdeCollisions.Group twins;
     private final boolean removable;
     private final List<Body> bodies = new ArrayList<>();
+    private final List<FormGroup> movers = new ArrayList<>();
+    private final List<Form> fixtures = new ArrayList<>();
 
-    SparseAssembly(SparsePhysicsWorld world, OdeCollisions.Group group, boolean removable) {
+    SparseAssembly(SparsePhysicsWorld world, OdeCollisions.Group twins, boolean removable) {
         this.world = world;
-        this.group = group;
+        this.twins = twins;
         this.removable = removable;
     }
 
     @Override
     public RigidBody addBody(MassDistribution mass, Vector3 position) {
-        Body body = new Body(mass, position);
+        Body body = new Body(mass, position, world.finder().clock());
         bodies.add(body);
         world.add(body);
         return body;
@@ -46,26 +48,42 @@ final class SparseAssembly implements Assembly {
     @Override
     public Collider addCollider(RigidBody body, Shape shape, Material material, Object owner) {
         Body carrier = (Body) body;
-        SparseCollider collider = new SparseCollider(carrier, material, owner);
-        carrier.attach(group.add(shape, collider));
+        SparseCollider collider = new SparseCollider(carrier, world.surfaces().numberOf(material), owner);
+        OdeCollisions.Form twin = twins.add(shape, collider, true);
+        Form form = Form.of(shape, collider, carrier.place(), carrier.rotation, twin);
+        carrier.attach(form);
+        groupOfNext().add(form);
         return collider;
     }
 
     @Override
     public Collider addFixture(Pose pose, Shape shape, Material material, Object owner) {
-        return place(pose, shape, new SparseCollider(null, material, owner));
+        return place(pose, shape, new SparseCollider(null, world.surfaces().numberOf(material), owner));
     }
 
     @Override
     public Collider addTrigger(Pose pose, Shape shape, Object owner) {
-        return place(pose, shape, new SparseCollider(null, null, owner));
+        return place(pose, shape, new SparseCollider(null, SparseCollider.NO_MATERIAL, owner));
+    }
+
+    /** A robot's parts never touch each other and make one group; of the scenery each part is one of its own. */
+    private FormGroup groupOfNext() {
+        if (movers.isEmpty() || !removable) {
+            FormGroup group = new FormGroup();
+            movers.add(group);
+            world.finder().add(group);
+        }
+        return movers.get(movers.size() - 1);
     }
 
     private Collider place(Pose pose, Shape shape, SparseCollider collider) {
         double[] rotation = new double[9];
         Rotations.copy(pose.rotation(), rotation);
         Vector3 position = pose.position();
-        group.add(shape, collider).place(new double[] {position.x(), position.y(), position.z()}, rotation);
+        double[] place = {position.x(), position.y(), position.z()};
+        Form form = Form.of(shape, collider, place, rotation, twins.add(shape, collider, false));
+        fixtures.add(form);
+        world.finder().addFixture(form);
         return collider;
     }
 
@@ -75,7 +93,9 @@ final class SparseAssembly implements Assembly {
             throw new UnsupportedOperationException("The scenery cannot be removed. Drop the whole world instead.");
         }
         world.remove(bodies);
-        group.remove();
+        twins.remove();
+        movers.forEach(world.finder()::remove);
+        fixtures.forEach(world.finder()::removeFixture);
         bodies.clear();
     }
 }

@@ -2,24 +2,41 @@ package org.robonewbie.simulator.physics.sparse;
 
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.simulator.physics.Collider;
-import org.robonewbie.simulator.physics.Material;
 
-/**
- * A surface.
- *
- * @param body what carries it; none for ground, walls and triggers
- * @param material what it is made of; none for a trigger
- * @param owner what it belongs to
- */
-record SparseCollider(@Nullable Body body, @Nullable Material material, Object owner) implements Collider {
+/** What is known of a surface but its form. */
+final class SparseCollider implements Collider {
 
-    @Override
-    public boolean equals(@Nullable Object other) {
-        return this == other;
+    /** Stands for the material of a trigger, which lets everything through. */
+    static final int NO_MATERIAL = -1;
+
+    private final @Nullable Body body;
+    private final int material;
+    private final Object owner;
+
+    /**
+     * Makes a collider.
+     *
+     * @param body what carries it; none for ground, walls and triggers
+     * @param material number of its material in {@link Surfaces}, or {@link #NO_MATERIAL}
+     * @param owner what it belongs to
+     */
+    SparseCollider(@Nullable Body body, int material, Object owner) {
+        this.body = body;
+        this.material = material;
+        this.owner = owner;
+    }
+
+    @Nullable
+    Body body() {
+        return body;
+    }
+
+    int material() {
+        return material;
     }
 
     @Override
-    public int hashCode() {
-        return System.identityHashCode(this);
+    public Object owner() {
+        return owner;
     }
 }

@@ -8,7 +8,6 @@ import org.robonewbie.simulator.physics.Collider;
 import org.robonewbie.simulator.physics.Contact;
 import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.PhysicsWorld;
-import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
 /**
  * A world that steps with our own solver and finds contacts with ODE's collision.
@@ -18,15 +17,25 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
  */
 public final class SparsePhysicsWorld implements PhysicsWorld {
 
-    private final OdeCollisions collisions = new OdeCollisions();
-    private final Assembly scenery = new SparseAssembly(this, collisions.scenery(), false);
+    private final Surfaces surfaces = new Surfaces();
+    private final ContactFinder finder = new ContactFinder();
+    private final Assembly scenery =
+            new SparseAssembly(this, finder.collisions().scenery(), false);
     private final List<Body> bodies = new ArrayList<>();
-    private final ContactList contacts = new ContactList();
+    private final ContactList contacts = new ContactList(surfaces);
     private final Island island = new Island();
     private final IslandStepper stepper = new IslandStepper();
 
     /** Makes an empty world. */
     public SparsePhysicsWorld() {}
+
+    Surfaces surfaces() {
+        return surfaces;
+    }
+
+    ContactFinder finder() {
+        return finder;
+    }
 
     void add(Body body) {
         bodies.add(body);
@@ -39,7 +48,7 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
 
     @Override
     public Assembly addAssembly() {
-        return new SparseAssembly(this, collisions.addGroup(), true);
+        return new SparseAssembly(this, finder.collisions().addGroup(), true);
     }
 
     @Override
@@ -49,15 +58,15 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
 
     @Override
     public Collider addGround(Material material, Object owner) {
-        SparseCollider ground = new SparseCollider(null, material, owner);
-        collisions.addGround(ground);
+        SparseCollider ground = new SparseCollider(null, surfaces.numberOf(material), owner);
+        finder.setGround(ground);
         return ground;
     }
 
     @Override
     public void findContacts() {
         contacts.begin();
-        collisions.find(contacts);
+        finder.find(contacts);
     }
 
     @Override

@@ -1,0 +1,45 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import org.robonewbie.simulator.physics.ode.OdeCollisions;
+
+/** A capsule along its z axis, or a sphere, which is a capsule without length. */
+final class RoundForm extends Form {
+
+    private final double radius;
+    private final double halfLength;
+
+    RoundForm(
+            double radius,
+            double halfLength,
+            SparseCollider collider,
+            double[] position,
+            double[] rotation,
+            OdeCollisions.Form twin) {
+        super(collider, position, rotation, twin);
+        this.radius = radius;
+        this.halfLength = halfLength;
+    }
+
+    @Override
+    double reach(int axis) {
+        return radius + Math.abs(rotation[3 * axis + 2]) * halfLength;
+    }
+
+    @Override
+    int touchGround(double[] points) {
+        double downwards = rotation[8] > 0 ? -halfLength : halfLength;
+        int count = addEnd(points, 0, downwards);
+        return halfLength > 0 && count > 0 ? count + addEnd(points, 1, -downwards) : count;
+    }
+
+    private int addEnd(double[] points, int index, double along) {
+        double z = position[2] + along * rotation[8];
+        double depth = radius - z;
+        if (depth < 0) {
+            return 0;
+        }
+        setGroundPoint(
+                points, index, position[0] + along * rotation[2], position[1] + along * rotation[5], z - radius, depth);
+        return 1;
+    }
+}
