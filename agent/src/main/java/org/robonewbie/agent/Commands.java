@@ -16,6 +16,8 @@ final class Commands {
     private final Mistakes mistakes;
     private final boolean[] turning = new boolean[Joint.COUNT];
     private final boolean[] atEnd = new boolean[Joint.COUNT];
+    private final MessageBuffer message = new MessageBuffer();
+    private final EffectorMessageWriter writer = new EffectorMessageWriter(message);
     private Optional<String> text = Optional.empty();
     private Optional<StartPose> pose = Optional.empty();
 
@@ -99,22 +101,27 @@ final class Commands {
                         + ", only before a kick-off and after a goal: ask isBeamAllowed() first.");
     }
 
-    /** Ends the cycle: fixes the speeds, writes all commands, and forgets those that count only once. */
-    void write(MessageBuffer message) {
+    /**
+     * Ends the cycle: fixes the speeds, writes all commands, and forgets those that count only once.
+     *
+     * @return the message, which changes with the next call
+     */
+    MessageBuffer write() {
         motors.endCycle();
-        EffectorMessageWriter writer = new EffectorMessageWriter(message);
+        message.clear();
         for (Joint joint : Senses.JOINTS) {
-            writeSpeed(writer, joint);
+            writeSpeed(joint);
         }
         pose.ifPresent(place -> writer.beam(place.x(), place.y(), place.degrees()));
         text.ifPresent(writer::say);
         writer.synchronise();
         pose = Optional.empty();
         text = Optional.empty();
+        return message;
     }
 
     /** A motor goes on with its speed by itself, so a resting one need not be told so again. */
-    private void writeSpeed(EffectorMessageWriter writer, Joint joint) {
+    private void writeSpeed(Joint joint) {
         double speed = motors.sentDegreesPerSecond(joint);
         if (speed != 0 || turning[joint.ordinal()]) {
             writer.hingeSpeed(joint, Math.toRadians(speed));

@@ -25,7 +25,6 @@ final class Session implements AutoCloseable {
     private final MessagePort port;
     private final OptionalDouble lifeSeconds;
     private final double bornSeconds;
-    private final MessageBuffer commands = new MessageBuffer();
     private final PrintStream out;
     private boolean answered = true;
     private boolean broken;
@@ -86,8 +85,7 @@ final class Session implements AutoCloseable {
         }
         walk.update(body.getGyro(), body.getAcceleration());
         body.thoughts().act(walk);
-        commands.clear();
-        body.commands().write(commands);
+        MessageBuffer commands = body.commands().write();
         try {
             checkPunctuality();
             port.send(commands);

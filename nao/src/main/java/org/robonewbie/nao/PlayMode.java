@@ -1,7 +1,9 @@
 package org.robonewbie.nao;
 
 import java.util.Arrays;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /** What the referee has decided: the state of the game, in the order and with the names of SimSpark 0.7.3. */
 public enum PlayMode {
@@ -48,6 +50,9 @@ public enum PlayMode {
     /** The right team passes undisturbed. */
     PASS_RIGHT("pass_right");
 
+    private static final Map<String, PlayMode> BY_NAME =
+            Arrays.stream(values()).collect(Collectors.toUnmodifiableMap(PlayMode::simSparkName, mode -> mode));
+
     private final String simSparkName;
 
     PlayMode(String simSparkName) {
@@ -70,8 +75,6 @@ public enum PlayMode {
      * @return the play mode, or empty for a name of a newer server
      */
     public static Optional<PlayMode> ofSimSparkName(String simSparkName) {
-        return Arrays.stream(values())
-                .filter(mode -> mode.simSparkName.equals(simSparkName))
-                .findFirst();
+        return Optional.ofNullable(BY_NAME.get(simSparkName));
     }
 }

@@ -240,7 +240,7 @@ public final class Motions {
     }
 
     private boolean hasToGetUpFor(MotionFile file) {
-        return gettingUp && MotionStates.needsFeet(file) && bodyPosition.get().isFallen();
+        return gettingUp && bodyPosition.get().isFallen() && MotionStates.needsFeet(file);
     }
 
     private boolean prepare(MotionFile file) {

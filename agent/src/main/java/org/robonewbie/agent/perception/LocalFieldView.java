@@ -35,6 +35,7 @@ public final class LocalFieldView {
     private final FieldItem ball;
     private final Map<Landmark, FieldItem> landmarks = new EnumMap<>(Landmark.class);
     private final List<PlayerItem> players = new ArrayList<>();
+    private List<SeenLine> seenLines = List.of();
     private List<LineItem> lines = List.of();
     private CameraTransformation transformation = CameraTransformation.SUM_OF_ANGLES;
     private String team = "";
@@ -87,7 +88,7 @@ public final class LocalFieldView {
         vision.nowSeconds = seconds;
         players.removeIf(player -> player.ageSeconds() > PLAYER_MEMORY_SECONDS);
         if (seconds - vision.pictureSeconds > 0.1) {
-            lines = List.of();
+            forgetLines();
         }
     }
 
@@ -111,7 +112,8 @@ public final class LocalFieldView {
                 see(seen);
             }
         }
-        lines = seenLines(picture.lines());
+        forgetLines();
+        seenLines = picture.lines();
     }
 
     /** Forgets everything, since the robot was put somewhere else. */
@@ -119,7 +121,7 @@ public final class LocalFieldView {
         ball.forget();
         landmarks.values().forEach(FieldItem::forget);
         players.clear();
-        lines = List.of();
+        forgetLines();
     }
 
     /**
@@ -211,6 +213,10 @@ public final class LocalFieldView {
      * @return the visible pieces of lines; empty if the camera has not seen anything for 0.1 s
      */
     public List<LineItem> lines() {
+        if (!seenLines.isEmpty()) {
+            lines = facingForward(seenLines); // only now, since few robots ask for the many lines
+            seenLines = List.of();
+        }
         return lines;
     }
 
@@ -228,16 +234,21 @@ public final class LocalFieldView {
 
     private void see(SeenPlayer seen) {
         PlayerItem player = playerOf(seen);
-        Vector3 sum = Vector3.ZERO;
+        double x = 0;
+        double y = 0;
+        double z = 0;
         int count = 0;
         for (SeenBodyPart part : seen.parts()) {
             if (see(player.part(part.part()), part.position())) {
-                sum = sum.plus(player.part(part.part()).position());
+                Vector3 place = player.part(part.part()).position();
+                x += place.x();
+                y += place.y();
+                z += place.z();
                 count++;
             }
         }
         if (count > 0) {
-            player.see(Direction.of(sum.times(1.0 / count)));
+            player.see(Direction.of(new Vector3(x / count, y / count, z / count)));
         } else {
             seen.position().ifPresent(position -> see(player, position));
         }
@@ -255,7 +266,12 @@ public final class LocalFieldView {
         return new PlayerItem(seen.team(), seen.number(), seen.team().equals(team), vision, mistakes);
     }
 
-    private List<LineItem> seenLines(List<SeenLine> seen) {
+    private void forgetLines() {
+        seenLines = List.of();
+        lines = List.of();
+    }
+
+    private List<LineItem> facingForward(List<SeenLine> seen) {
         List<LineItem> items = new ArrayList<>(seen.size());
         for (SeenLine line : seen) {
             if (isFinite(line.start()) && isFinite(line.end())) {
