@@ -11,32 +11,35 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Tries all shipped motions many times and prints how well they work. */
+/** Tries all shipped motions, or the example agents, many times and prints how well they work. */
 @Command(
         name = "measure",
-        description = "Try all shipped motions many times in the simulator and print how well each works.",
+        description =
+                "Try all shipped motions or the example agents many times in the simulator and print how well each works.",
         footer = {
             "",
             "Examples:",
             "  robonewbie measure motions                20 trials of each motion",
             "  robonewbie measure motions --seeds 3      a quick look",
-            "  robonewbie measure motions --json result.json"
+            "  robonewbie measure motions --json result.json",
+            "  robonewbie measure agents                 20 games of each example agent"
         })
 final class MeasureCommand implements Callable<Integer> {
 
     private static final String MOTIONS = "motions";
+    private static final String AGENTS = "agents";
 
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Parameters(paramLabel = "motions", description = "What to measure: motions.")
+    @Parameters(paramLabel = "motions|agents", description = "What to measure: motions or agents.")
     private String subject = MOTIONS;
 
     @Option(
             names = "--seeds",
             paramLabel = "N",
             defaultValue = "20",
-            description = "Trials of each motion, each disturbed in another way (default: 20).")
+            description = "Trials of each motion or agent, each disturbed in another way (default: 20).")
     private int seeds;
 
     @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
@@ -47,14 +50,18 @@ final class MeasureCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        if (!subject.equals(MOTIONS)) {
-            throw new CalledWronglyException(
-                    "\"" + subject + "\" cannot be measured; write: robonewbie measure motions");
+        if (!subject.equals(MOTIONS) && !subject.equals(AGENTS)) {
+            throw new CalledWronglyException("\"" + subject
+                    + "\" cannot be measured; write: robonewbie measure motions, or: robonewbie measure agents");
         }
         if (seeds < 1) {
             throw new CalledWronglyException("--seeds " + seeds + ": give a number of trials of at least 1.");
         }
-        new MotionMeasurement(seeds, System.out).run(json);
+        if (subject.equals(AGENTS)) {
+            new AgentMeasurement(seeds, System.out).run(json);
+        } else {
+            new MotionMeasurement(seeds, System.out).run(json);
+        }
         return ExitCode.OK;
     }
 }

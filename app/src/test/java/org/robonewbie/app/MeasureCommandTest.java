@@ -1,7 +1,11 @@
 package org.robonewbie.app;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 
@@ -22,7 +26,21 @@ class MeasureCommandTest {
 
         assertThatThrownBy(command::call)
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessage("\"mountains\" cannot be measured; write: robonewbie measure motions");
+                .hasMessage(
+                        "\"mountains\" cannot be measured; write: robonewbie measure motions, or: robonewbie measure"
+                                + " agents");
+    }
+
+    @Test
+    void letsTheExampleAgentsPlayAndPrintsHowWellTheyDo() {
+        ByteArrayOutputStream printed = new ByteArrayOutputStream();
+        AgentMeasurement measurement = new AgentMeasurement(1, new PrintStream(printed, true, StandardCharsets.UTF_8));
+
+        measurement.runOnly("Agent_BetterSoccer", "Agent_SimpleWalkToBall");
+
+        assertThat(printed.toString(StandardCharsets.UTF_8))
+                .containsPattern("Agent_SimpleWalkToBall +1 +1 +[0-9.]+ s")
+                .containsPattern("Agent_BetterSoccer +1 +1 +[0-9.]+ s");
     }
 
     private static MeasureCommand command(String... arguments) {

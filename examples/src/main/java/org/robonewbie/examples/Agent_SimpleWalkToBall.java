@@ -10,7 +10,7 @@ import org.robonewbie.agent.perception.FieldItem;
  *
  * <p>The head looks down a little, so that the ball is seen even right in front of the feet.
  */
-public final class Agent_SimpleWalkToBall extends Agent {
+public class Agent_SimpleWalkToBall extends Agent {
 
     private static final double AHEAD_DEGREES = 15;
     private static final double NEAR_METRES = 0.65;

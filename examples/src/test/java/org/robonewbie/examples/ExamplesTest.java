@@ -9,11 +9,18 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.MotionSection;
+import org.robonewbie.nao.motion.Posture;
 
 /** Runs each example in the simulator, as fast as it can, and looks at the true results. */
 class ExamplesTest {
@@ -45,6 +52,13 @@ class ExamplesTest {
     }
 
     @Test
+    void betterSoccerScoresWithinTwoMinutes() throws Exception {
+        Agent_BetterSoccer.main(fast("120"));
+
+        assertThat(Files.readString(report())).containsPattern("\"goals\": \\[\\s*\\{");
+    }
+
+    @Test
     void simpleWalkToBallStopsAtTheBallWithoutTouchingIt() throws Exception {
         Agent_SimpleWalkToBall.main(fast("60", "--pose", "-1.5,1,120"));
 
@@ -59,6 +73,50 @@ class ExamplesTest {
         Agent_Dance.main(fast("20"));
 
         assertThat(reported("falls")).isZero();
+    }
+
+    @Test
+    void smoothDanceKeepsTheRobotOnItsFeetToo() throws Exception {
+        Agent_SmoothDance.main(fast("20"));
+
+        assertThat(reported("falls")).isZero();
+    }
+
+    @Test
+    void splineGoesThroughTheKeyframesWithoutACorner() {
+        Motion motion = new Motion(
+                "swing",
+                List.of(
+                        new Keyframe(200, Posture.ZERO.with(Joint.NECK_YAW, 30)),
+                        new Keyframe(400, Posture.ZERO.with(Joint.NECK_YAW, 90))));
+        Agent_SmoothDance.Spline spline = new Agent_SmoothDance.Spline();
+        MotionSection first = new MotionSection(Posture.ZERO, motion, 0);
+        MotionSection second = new MotionSection(Posture.ZERO, motion, 1);
+
+        double end = spline.degrees(first, Joint.NECK_YAW, 1);
+        double speedBefore = (end - spline.degrees(first, Joint.NECK_YAW, 0.999)) / (0.001 * 200);
+        double speedAfter = (spline.degrees(second, Joint.NECK_YAW, 0.001) - end) / (0.001 * 400);
+
+        assertThat(end).isEqualTo(30);
+        assertThat(spline.degrees(second, Joint.NECK_YAW, 1)).isEqualTo(90);
+        assertThat(speedBefore).isCloseTo(90.0 / 600, within(0.001));
+        assertThat(speedAfter).isCloseTo(90.0 / 600, within(0.001));
+    }
+
+    @Test
+    void penaltyAttackerKicksTheBallAtTheGoalkeeper() throws Exception {
+        Agent.runTogether(fast("30"), new Agent_PenaltyAttacker(), new Agent_PenaltyGoalkeeper());
+
+        assertThat(reported("metresMoved")).isGreaterThan(2);
+        assertThat(Files.readString(report())).contains("Attackers").contains("Keepers");
+    }
+
+    @Test
+    void dummyStandsAndTalks() throws Exception {
+        Agent_Dummy.main(fast("10"));
+
+        assertThat(reported("falls")).isZero();
+        assertThat(reported("simulatedSeconds")).isEqualTo(10);
     }
 
     @Test

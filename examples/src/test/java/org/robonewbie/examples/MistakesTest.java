@@ -7,6 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.agent.motion.MotionLibrary;
+import org.robonewbie.nao.motion.MotionFile;
 import student.DivideByZero;
 import student.EndlessLoop;
 import student.Patient;
@@ -101,6 +103,29 @@ class MistakesTest {
                     .contains("The motion my-motion cannot be played: my-motion.txt line 2")
                     .contains("three")
                     .contains("(Agent_KeyframeDeveloper.java:");
+        }
+    }
+
+    @Test
+    void keyframeDeveloperGetsUpByItselfAndTriesAgain() throws Exception {
+        Files.createDirectories(folder.resolve("motions"));
+        MotionFile fall = new MotionLibrary().find("fall-back").orElseThrow();
+        fall.save(folder.resolve("motions/my-motion.txt"));
+
+        try (ChildProgram program = run(
+                Agent_KeyframeDeveloper.class,
+                "--headless",
+                "--seed",
+                "1",
+                "--fast",
+                "--seconds",
+                "30",
+                "--report",
+                "report.json")) {
+            int exitCode = program.exitCode();
+
+            assertThat(exitCode).isZero();
+            assertThat(Files.readString(folder.resolve("report.json"))).containsPattern("\"falls\": ([2-9])");
         }
     }
 

@@ -65,6 +65,11 @@ public final class MotionLibrary {
         return file.isPresent() || other.equals(name) ? file : findAsItIs(other).map(found -> mirrored(found, name));
     }
 
+    /** Tells motions that come with the framework from those of the user. */
+    boolean isShipped(MotionFile file) {
+        return shippedMotions.containsValue(file);
+    }
+
     /**
      * Exchanges left and right.
      *

@@ -1,0 +1,136 @@
+package org.robonewbie.app;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.function.LongFunction;
+import java.util.stream.Collectors;
+
+/** Lets the example agents play many times, each with another seed, and tells how well they do. */
+final class AgentMeasurement {
+
+    private static final String LINE = "%-24s %6s %9s %8s  %s";
+
+    private final int trials;
+    private final PrintStream out;
+
+    /** One agent's task; a trial tells how many simulated seconds it needed, or nothing if it failed. */
+    private record Task(String name, String rule, LongFunction<OptionalDouble> trial) {}
+
+    /** How an agent did. */
+    private record Result(Task task, int trials, List<Double> seconds) {
+
+        double median() {
+            List<Double> sorted = seconds.stream().sorted().toList();
+            int failures = trials - sorted.size();
+            int middle = (trials - 1) / 2;
+            return middle < trials - failures ? sorted.get(middle) : Double.POSITIVE_INFINITY;
+        }
+
+        String json() {
+            String median = Double.isFinite(median()) ? String.format(Locale.ROOT, "%.1f", median()) : "null";
+            return String.format(
+                    Locale.ROOT,
+                    "{\"name\":\"%s\",\"trials\":%d,\"successes\":%d,\"median\":%s,\"unit\":\"s\"}",
+                    task.name,
+                    trials,
+                    seconds.size(),
+                    median);
+        }
+
+        @Override
+        public String toString() {
+            String median = Double.isFinite(median()) ? String.format(Locale.ROOT, "%.1f s", median()) : "-";
+            return String.format(Locale.ROOT, LINE, task.name, trials, seconds.size(), median, task.rule);
+        }
+    }
+
+    AgentMeasurement(int trials, PrintStream out) {
+        this.trials = trials;
+        this.out = out;
+    }
+
+    /** Plays all trials, prints the table, and writes it to a file if there is one. */
+    void run(Optional<Path> json) throws IOException {
+        List<Result> results = measure(tasks());
+        if (json.isPresent()) {
+            write(json.get(), results);
+        }
+    }
+
+    /** Plays the trials of some agents only. */
+    void runOnly(String... names) {
+        measure(tasks().stream()
+                .filter(task -> List.of(names).contains(task.name))
+                .toList());
+    }
+
+    private List<Result> measure(List<Task> tasks) {
+        List<Result> results = tasks.stream().map(this::measure).toList();
+        out.println(String.format(Locale.ROOT, LINE, "agent", "trials", "successes", "median", "success"));
+        results.forEach(out::println);
+        return results;
+    }
+
+    private static List<Task> tasks() {
+        return List.of(
+                new Task(
+                        "Agent_SimpleWalkToBall",
+                        "stands within 0.6 m of the ball, from any place and direction in its half",
+                        seed -> TimedAgents.walkToBall(seed, start(seed))),
+                new Task(
+                        "Agent_SimpleSoccer",
+                        "scores from the usual start within 30 minutes",
+                        TimedAgents::simpleSoccer),
+                new Task(
+                        "Agent_BetterSoccer",
+                        "scores from the usual start within 5 minutes",
+                        TimedAgents::betterSoccer));
+    }
+
+    private Result measure(Task task) {
+        List<Double> seconds = new ArrayList<>();
+        for (long seed = 1; seed <= trials; seed++) {
+            OptionalDouble needed = quietly(task, seed);
+            needed.ifPresent(seconds::add);
+            String result = needed.isPresent() ? String.format(Locale.ROOT, "%.1f s", needed.getAsDouble()) : "failed";
+            out.println(task.name + " " + seed + "/" + trials + ": " + result);
+        }
+        return new Result(task, trials, seconds);
+    }
+
+    private static OptionalDouble quietly(Task task, long seed) {
+        PrintStream usual = System.out;
+        System.setOut(new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
+        try {
+            return task.trial.apply(seed);
+        } finally {
+            System.setOut(usual);
+        }
+    }
+
+    /** A place of the own half that is not too near to the ball in the centre. */
+    private static String start(long seed) {
+        Random random = new Random(seed);
+        double x = -0.8 - 3.7 * random.nextDouble();
+        double y = -3 + 6 * random.nextDouble();
+        return String.format(Locale.ROOT, "%.2f,%.2f,%d", x, y, random.nextInt(360) - 180);
+    }
+
+    private static void write(Path file, List<Result> results) throws IOException {
+        String text = results.stream().map(Result::json).collect(Collectors.joining(",\n ", "{\"agents\":[", "]}\n"));
+        Path part = file.resolveSibling(file.getFileName() + ".part");
+        Files.writeString(part, text);
+        Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+    }
+}

@@ -1,0 +1,85 @@
+package org.robonewbie.app;
+
+import java.util.Arrays;
+import java.util.OptionalDouble;
+import java.util.stream.Stream;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.examples.Agent_BetterSoccer;
+import org.robonewbie.examples.Agent_SimpleSoccer;
+import org.robonewbie.examples.Agent_SimpleWalkToBall;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.perceptor.Vision;
+
+/** Example agents that end as soon as they have done their task, and tell how long it took. */
+final class TimedAgents {
+
+    private static final double NEAR_METRES = 0.6;
+    private static final double STANDING_SECONDS = 2;
+
+    private TimedAgents() {}
+
+    static OptionalDouble simpleSoccer(long seed) {
+        double[] scored = {Double.NaN};
+        Agent agent = new Agent_SimpleSoccer() {
+            @Override
+            protected boolean sense() {
+                boolean running = super.sense();
+                scored[0] = nao.getOwnScore() > 0 ? nao.getTime() : Double.NaN;
+                return running && nao.getOwnScore() == 0;
+            }
+        };
+        run(agent, seed, "1800");
+        return optional(scored[0]);
+    }
+
+    static OptionalDouble betterSoccer(long seed) {
+        double[] scored = {Double.NaN};
+        Agent agent = new Agent_BetterSoccer() {
+            @Override
+            protected boolean sense() {
+                boolean running = super.sense();
+                scored[0] = nao.getOwnScore() > 0 ? nao.getTime() : Double.NaN;
+                return running && nao.getOwnScore() == 0;
+            }
+        };
+        run(agent, seed, "300");
+        return optional(scored[0]);
+    }
+
+    /** The agent is there when it stands near the ball, in truth, for two seconds. */
+    static OptionalDouble walkToBall(long seed, String pose) {
+        double[] arrived = {Double.NaN};
+        Agent agent = new Agent_SimpleWalkToBall() {
+            @Override
+            protected boolean sense() {
+                boolean running = super.sense();
+                nao.getVision().ifPresent(this::look);
+                return running && !(nao.getTime() - arrived[0] > STANDING_SECONDS);
+            }
+
+            private void look(Vision picture) {
+                Vector3 head = picture.ownPosition().orElseThrow();
+                Vector3 ball = picture.ballPosition().orElseThrow();
+                boolean near = Math.hypot(head.x() - ball.x(), head.y() - ball.y()) < NEAR_METRES;
+                boolean standing =
+                        !nao.isFallen() && motions.current().orElse("stand").equals("stand");
+                if (!near || !standing) {
+                    arrived[0] = Double.NaN;
+                } else if (Double.isNaN(arrived[0])) {
+                    arrived[0] = nao.getTime();
+                }
+            }
+        };
+        run(agent, seed, "180", "--truth", "--pose", pose);
+        return optional(arrived[0]);
+    }
+
+    private static void run(Agent agent, long seed, String seconds, String... more) {
+        String[] usual = {"--headless", "--fast", "--seed", Long.toString(seed), "--seconds", seconds};
+        agent.run(Stream.of(usual, more).flatMap(Arrays::stream).toArray(String[]::new));
+    }
+
+    private static OptionalDouble optional(double seconds) {
+        return Double.isNaN(seconds) ? OptionalDouble.empty() : OptionalDouble.of(seconds);
+    }
+}
