@@ -28,7 +28,7 @@ public record WalkVelocity(double forward, double left, double turn) {
      * @param backward the largest speed backward, metres per second
      * @return this velocity or a slower one
      */
-    WalkVelocity within(WalkVelocity most, double backward) {
+    public WalkVelocity within(WalkVelocity most, double backward) {
         double ahead = forward / (forward < 0 ? backward : most.forward);
         double size = Math.sqrt(square(ahead) + square(left / most.left) + square(turn / most.turn));
         return size <= 1 ? this : new WalkVelocity(forward / size, left / size, turn / size);

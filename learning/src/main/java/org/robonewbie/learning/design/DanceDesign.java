@@ -6,7 +6,6 @@ import org.robonewbie.agent.walk.FootPlace;
 import org.robonewbie.agent.walk.FootPose;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.TorsoPose;
-import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Keyframe;
@@ -14,7 +13,7 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /** A short dance on the spot: the feet stay where they are, and inverse kinematics finds the legs for what the hips do. */
-public final class DanceDesign implements MotionDesign {
+public final class DanceDesign extends DrawnDesign {
 
     private static final int BEAT_MILLIS = 400;
     private static final double HIGH = 0.345;
@@ -58,22 +57,7 @@ public final class DanceDesign implements MotionDesign {
     public DanceDesign() {}
 
     @Override
-    public double[] start() {
-        return new double[] {0};
-    }
-
-    @Override
-    public SearchPlan plan() {
-        return SearchPlan.NONE;
-    }
-
-    @Override
-    public double cost(double[] candidate, long seed) {
-        return 0;
-    }
-
-    @Override
-    public List<DescribedMotion> motions(double[] coordinates) {
+    List<DescribedMotion> motions() {
         List<Keyframe> keyframes = new ArrayList<>();
         BEATS.forEach(beat -> keyframes.add(new Keyframe(BEAT_MILLIS, posture(beat))));
         keyframes.add(new Keyframe(BEAT_MILLIS, Stance.POSTURE));

@@ -1,13 +1,14 @@
 package org.robonewbie.learning.design;
 
+import java.util.Random;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.search.Trial;
 import org.robonewbie.learning.trial.WalkTrial;
 
 /**
- * What the walk engine is searched for with: in some trials it walks straight on as fast as it can, in others it is commanded
- * without any sense, and it must stay on its feet in all of them.
+ * What the walk engine is searched for with: in some trials it walks straight on as fast as it can, in others in circles and
+ * aside, in others it is commanded without any sense, and it must stay on its feet in all of them.
  *
  * @param stepMillis time of one step
  * @param slip by which factor the feet are set further than the robot shall get
@@ -21,22 +22,36 @@ public record EngineDesign(int stepMillis, double slip, WalkVelocity most, doubl
     @Override
     public double cost(double[] x, long seed) {
         WalkStyle style = WalkStyle.of(stepMillis, slip, most, x);
-        boolean straight = seed % 2 == 0;
-        WalkTrial trial = straight
-                ? WalkTrial.straight(style, new WalkVelocity(most.forward(), 0, 0), SECONDS, seed, newtons)
-                : WalkTrial.erratic(style, SECONDS, seed, newtons);
-        double speed = trial.forward() / trial.seconds();
-        if (!trial.stood()) {
-            return 6
-                    - 3 * trial.seconds() / trial.planned()
-                    - (straight ? 2 * Math.max(0, Math.min(most.forward(), speed)) : 0);
-        }
-        double cost = Costs.roughness(trial.watch()) + Costs.beyond(x, 6);
-        return straight
-                ? cost
-                        + 3 * Math.max(0, 1 - speed / most.forward())
-                        + 0.3 * Math.abs(trial.left())
-                        + Math.abs(trial.turnedDegrees()) / 30
-                : cost;
+        return switch ((int) (seed % 3)) {
+                    case 0 -> straight(style, seed);
+                    case 1 -> curve(style, seed);
+                    default -> cost(WalkTrial.erratic(style, SECONDS, seed, newtons));
+                }
+                + Costs.beyond(x, 6);
+    }
+
+    private double straight(WalkStyle style, long seed) {
+        WalkVelocity ahead = new WalkVelocity(most.forward(), 0, 0);
+        WalkTrial trial = WalkTrial.straight(style, ahead, SECONDS, seed, newtons);
+        double speed = Math.max(0, Math.min(1, trial.forward() / trial.seconds() / most.forward()));
+        return cost(trial) - 3 * speed + Math.min(1, Math.abs(trial.left()) / 3 + Math.abs(trial.turnedDegrees()) / 30);
+    }
+
+    /** Forward, aside and around at the same time; what is too much for one is slowed down by the engine. */
+    private double curve(WalkStyle style, long seed) {
+        Random random = new Random(3 * seed);
+        random.nextLong();
+        WalkVelocity velocity = new WalkVelocity(
+                most.forward() * random.nextGaussian(),
+                0.5 * most.left() * random.nextGaussian(),
+                most.turn() * random.nextGaussian());
+        WalkTrial trial = WalkTrial.straight(style, velocity, SECONDS, seed, newtons);
+        double turn = velocity.within(most, style.backward()).turn() * trial.seconds();
+        double missing = Math.abs(turn - trial.turnedDegrees()) / Math.max(90, Math.abs(turn));
+        return cost(trial) + Math.min(1, missing);
+    }
+
+    private static double cost(WalkTrial trial) {
+        return Costs.roughness(trial.watch()) + (trial.stood() ? 0 : 6 - 3 * trial.seconds() / trial.planned());
     }
 }

@@ -6,7 +6,6 @@ import org.robonewbie.agent.walk.FootPlace;
 import org.robonewbie.agent.walk.Gait;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.gait.Footsteps;
-import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Motion;
 
@@ -14,7 +13,7 @@ import org.robonewbie.nao.motion.Motion;
  * Steps on the spot or to the left, from stance to stance, with the gait of the walk; the right-hand motion is its mirror image.
  * Nothing is searched for: how far the feet are set follows from trials.
  */
-public final class FootworkDesign implements MotionDesign {
+public final class FootworkDesign extends DrawnDesign {
 
     private static final double FIRST_VIGOUR = 0.7;
     private static final int END_MILLIS = 300;
@@ -43,22 +42,7 @@ public final class FootworkDesign implements MotionDesign {
     }
 
     @Override
-    public double[] start() {
-        return new double[] {0};
-    }
-
-    @Override
-    public SearchPlan plan() {
-        return SearchPlan.NONE;
-    }
-
-    @Override
-    public double cost(double[] candidate, long seed) {
-        return 0;
-    }
-
-    @Override
-    public List<DescribedMotion> motions(double[] coordinates) {
+    List<DescribedMotion> motions() {
         Footsteps steps = new Footsteps(gait, FootPlace.LEFT, FootPlace.RIGHT);
         FootPlace left = FootPlace.LEFT;
         FootPlace right = FootPlace.RIGHT;

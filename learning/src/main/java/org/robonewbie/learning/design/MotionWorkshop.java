@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Map;
 import java.util.stream.Collectors;
 import org.robonewbie.learning.search.Search;
 import org.robonewbie.learning.search.SearchPlan;
@@ -61,6 +62,9 @@ public final class MotionWorkshop {
                     .withProperty("end", described.end())
                     .withProperty("start", described.start())
                     .withProperty("does", described.does());
+            for (Map.Entry<String, String> line : described.more().entrySet()) {
+                file = file.withProperty(line.getKey(), line.getValue());
+            }
             save(file, directory.resolve(file.name()));
         }
     }

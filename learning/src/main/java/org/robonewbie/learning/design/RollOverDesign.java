@@ -8,12 +8,10 @@ import org.robonewbie.learning.trial.TrialRobot;
 import org.robonewbie.nao.motion.Motion;
 
 /** Rolling over from one side to another: a sketch whose keyframes are searched for. */
-public final class RollOverDesign implements MotionDesign {
+public final class RollOverDesign extends SketchedDesign {
 
-    private final Sketch sketch;
     private final String does;
     private final Lying from;
-    private final SearchPlan plan;
 
     /**
      * Describes how to roll onto the back.
@@ -24,30 +22,18 @@ public final class RollOverDesign implements MotionDesign {
      * @param plan how it is searched for
      */
     public RollOverDesign(String name, String does, Lying from, SearchPlan plan) {
-        this.sketch = Sketch.load(name, joint -> !joint.name().startsWith("NECK_"));
+        super(name, plan);
         this.does = does;
         this.from = from;
-        this.plan = plan;
     }
 
     @Override
-    public double[] start() {
-        return sketch.coordinates();
+    List<DescribedMotion> described(Motion motion) {
+        return List.of(new DescribedMotion(motion, does, from.words(), Lying.ON_BACK.words()));
     }
 
     @Override
-    public SearchPlan plan() {
-        return plan;
-    }
-
-    @Override
-    public List<DescribedMotion> motions(double[] coordinates) {
-        return List.of(new DescribedMotion(sketch.motion(coordinates), does, from.words(), Lying.ON_BACK.words()));
-    }
-
-    @Override
-    public double cost(double[] coordinates, long seed) {
-        Motion motion = sketch.motion(coordinates);
+    double cost(Motion motion, long seed) {
         TrialRobot robot = from.fallen(seed);
         double[] best = {-1};
         TrialObserver chest = seen -> {
@@ -59,7 +45,6 @@ public final class RollOverDesign implements MotionDesign {
         return (Lying.ON_BACK.isTrueOf(robot) ? -2 : 0)
                 - best[0]
                 - 0.5 * robot.chestUp()
-                + 0.05 * motion.durationMillis() / 1000.0
-                + 0.002 * sketch.degreesBeyondRange(coordinates);
+                + 0.05 * motion.durationMillis() / 1000.0;
     }
 }

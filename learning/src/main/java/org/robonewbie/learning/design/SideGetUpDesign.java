@@ -2,7 +2,6 @@ package org.robonewbie.learning.design;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.learning.trial.Library;
 import org.robonewbie.learning.trial.Lying;
 import org.robonewbie.nao.motion.Keyframe;
@@ -12,7 +11,7 @@ import org.robonewbie.nao.motion.Motion;
  * Getting up from the left side: a roll onto the back, drawn by hand, and then the shipped way to get up from there. From the
  * right side it is the mirror image.
  */
-public final class SideGetUpDesign implements MotionDesign {
+public final class SideGetUpDesign extends DrawnDesign {
 
     private static final String NAME = "stand-up-from-left-side";
     private static final String AFTERWARDS = "stand-up-from-back";
@@ -21,24 +20,10 @@ public final class SideGetUpDesign implements MotionDesign {
     public SideGetUpDesign() {}
 
     @Override
-    public double[] start() {
-        return Sketch.load(NAME, joint -> false).coordinates();
-    }
-
-    @Override
-    public SearchPlan plan() {
-        return SearchPlan.NONE;
-    }
-
-    @Override
-    public double cost(double[] candidate, long seed) {
-        return 0;
-    }
-
-    @Override
-    public List<DescribedMotion> motions(double[] coordinates) {
-        List<Keyframe> keyframes = new ArrayList<>(
-                Sketch.load(NAME, joint -> false).motion(coordinates).keyframes());
+    List<DescribedMotion> motions() {
+        Sketch roll = Sketch.load(NAME, joint -> false);
+        List<Keyframe> keyframes =
+                new ArrayList<>(roll.motion(roll.coordinates()).keyframes());
         keyframes.addAll(Library.motion(AFTERWARDS).keyframes());
         var motion = new DescribedMotion(
                 new Motion(NAME, keyframes), "rolls onto the back and gets up", Lying.ON_LEFT.words(), "stance");

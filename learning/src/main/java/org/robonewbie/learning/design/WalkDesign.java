@@ -15,7 +15,7 @@ import org.robonewbie.nao.motion.Motion;
  * A walk forward: a cycle of two steps that begins anywhere between the stance and itself, and the stop that leads back to the
  * stance. Searched for are the gait and the length of its steps.
  */
-public final class WalkDesign implements MotionDesign {
+public final class WalkDesign extends SearchedDesign {
 
     private static final String STOP = "stop-walking";
     private static final int STEP_LENGTH = Gait.PARAMETERS;
@@ -29,8 +29,6 @@ public final class WalkDesign implements MotionDesign {
     private final int stepMillis;
     private final int keyframesPerStep;
     private final double wantedSpeed;
-    private final double[] start;
-    private final SearchPlan plan;
 
     /**
      * Describes a walk.
@@ -51,23 +49,12 @@ public final class WalkDesign implements MotionDesign {
             double wantedSpeed,
             double[] start,
             SearchPlan plan) {
+        super(start, plan);
         this.name = name;
         this.withStop = withStop;
         this.stepMillis = stepMillis;
         this.keyframesPerStep = keyframesPerStep;
         this.wantedSpeed = wantedSpeed;
-        this.start = start.clone();
-        this.plan = plan;
-    }
-
-    @Override
-    public double[] start() {
-        return start.clone();
-    }
-
-    @Override
-    public SearchPlan plan() {
-        return plan;
     }
 
     @Override
