@@ -137,12 +137,14 @@ public final class WalkEngine {
 
     /** Where the swinging foot comes down as seen from the standing one. */
     private FootPlace target(FootPlace support) {
-        double seconds = style.gait().stepMillis() / 1000.0 * style.slip();
+        double seconds = style.gait().stepMillis() / 1000.0;
+        WalkVelocity slip = style.slip();
         double side = leg == Leg.LEFT ? 1 : -1;
-        double open = Math.max(0, 2 * side * velocity.left() * seconds);
-        double twist = Math.max(0, 2 * side * velocity.turn() * seconds);
+        double open = Math.max(0, 2 * side * slip.left() * velocity.left() * seconds);
+        double twist = Math.max(0, 2 * side * slip.turn() * velocity.turn() * seconds);
         FootPlace middle = support.then(0, side * FootPlace.HALF_WIDTH, side * twist / 2);
-        return middle.then(velocity.forward() * seconds, side * (FootPlace.HALF_WIDTH + open), side * twist / 2);
+        return middle.then(
+                slip.forward() * velocity.forward() * seconds, side * (FootPlace.HALF_WIDTH + open), side * twist / 2);
     }
 
     private void end(Correction correction) {

@@ -11,7 +11,7 @@ package org.robonewbie.agent.walk;
  * @param leanPerSpeed degrees that the torso bows for each metre per second
  * @param feetPerSpeed metres that the feet stand further ahead for each metre per second
  * @param leanPerChange degrees that the torso bows for each metre per second that the walk becomes faster in a step
- * @param slip by which factor the feet are set further than the robot shall get, since it slips
+ * @param slip by which factors the feet are set further than the robot shall get, since it slips
  */
 public record WalkStyle(
         Gait gait,
@@ -22,13 +22,14 @@ public record WalkStyle(
         double leanPerSpeed,
         double feetPerSpeed,
         double leanPerChange,
-        double slip) {
+        WalkVelocity slip) {
 
     /** The walk of {@link Walk}. */
-    public static final WalkStyle STANDARD = of(320, 1.16, new WalkVelocity(0.3, 0.12, 60), new double[] {
-        -0.860, -1.614, 1.274, 0.047, 1.203, -0.915, -0.170, 0.262, 1.254, -0.269, -0.400, -1.044, 0.895, -1.498, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
-    });
+    public static final WalkStyle STANDARD =
+            of(200, new WalkVelocity(1.12, 1.25, 1.2), new WalkVelocity(0.65, 0.22, 70), new double[] {
+                2.1, -1.5, 1.1, -1.3, 3.3, 0.3, -3.3, 0.1, 0.0, -0.3, -2.6, -0.5, 3.0, -1.4, 2.1, -0.2, -0.5, 0.7, 0.4,
+                0.1, -1.0, 1.2, 0.8, -0.8, 0.5, 3.0, 0.9, 0.1, -1.7, -0.0
+            });
 
     /** How many numbers {@link #of} takes. */
     public static final int PARAMETERS = Gait.PARAMETERS + 16;
@@ -37,12 +38,12 @@ public record WalkStyle(
      * Makes a style from the coordinates of a search, in which 0 is a careful first guess and 1 a noticeable change.
      *
      * @param stepMillis time of one step in milliseconds
-     * @param slip by which factor the feet are set further than the robot shall get
+     * @param slip by which factors the feet are set further than the robot shall get
      * @param most the largest speeds
      * @param x at least {@link #PARAMETERS} coordinates
      * @return the style
      */
-    public static WalkStyle of(int stepMillis, double slip, WalkVelocity most, double[] x) {
+    public static WalkStyle of(int stepMillis, WalkVelocity slip, WalkVelocity most, double[] x) {
         int i = Gait.PARAMETERS;
         BalanceGains gains = new BalanceGains(
                 0.1 * x[i],

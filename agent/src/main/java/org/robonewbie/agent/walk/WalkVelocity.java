@@ -24,13 +24,13 @@ public record WalkVelocity(double forward, double left, double turn) {
     /**
      * Slows down to what a robot can do, without changing the direction.
      *
-     * @param most the largest speeds; together they may reach the surface of an ellipsoid
+     * @param most the largest speeds; who uses half of one has half of the others left
      * @param backward the largest speed backward, metres per second
      * @return this velocity or a slower one
      */
     public WalkVelocity within(WalkVelocity most, double backward) {
         double ahead = forward / (forward < 0 ? backward : most.forward);
-        double size = Math.sqrt(square(ahead) + square(left / most.left) + square(turn / most.turn));
+        double size = Math.abs(ahead) + Math.abs(left / most.left) + Math.abs(turn / most.turn);
         return size <= 1 ? this : new WalkVelocity(forward / size, left / size, turn / size);
     }
 
@@ -44,9 +44,5 @@ public record WalkVelocity(double forward, double left, double turn) {
 
     private static double approach(double from, double to, double change) {
         return from + Math.max(-change, Math.min(change, to - from));
-    }
-
-    private static double square(double value) {
-        return value * value;
     }
 }

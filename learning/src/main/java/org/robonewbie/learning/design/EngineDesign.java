@@ -11,11 +11,11 @@ import org.robonewbie.learning.trial.WalkTrial;
  * aside, in others it is commanded without any sense, and it must stay on its feet in all of them.
  *
  * @param stepMillis time of one step
- * @param slip by which factor the feet are set further than the robot shall get
+ * @param slip by which factors the feet are set further than the robot shall get
  * @param most the largest speeds
  * @param newtons strength of the pushes
  */
-public record EngineDesign(int stepMillis, double slip, WalkVelocity most, double newtons) implements Trial {
+public record EngineDesign(int stepMillis, WalkVelocity slip, WalkVelocity most, double newtons) implements Trial {
 
     private static final double SECONDS = 7;
 

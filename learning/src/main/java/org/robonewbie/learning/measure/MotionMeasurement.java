@@ -46,7 +46,13 @@ public final class MotionMeasurement {
      * @return all checks in the order of the table
      */
     public static List<MotionCheck> checks() {
-        return Stream.of(WalkChecks.all(), EngineChecks.all(), KickChecks.all(), GetUpChecks.all(), FallChecks.all())
+        return Stream.of(
+                        WalkChecks.all(),
+                        EngineChecks.all(),
+                        KickChecks.all(),
+                        GetUpChecks.all(),
+                        FallChecks.all(),
+                        ServerChecks.all())
                 .flatMap(List::stream)
                 .toList();
     }
