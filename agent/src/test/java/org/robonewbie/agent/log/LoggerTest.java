@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -63,6 +64,20 @@ class LoggerTest {
         double millisecondsPerCycle = (System.nanoTime() - start) / 1e6 / (60 * 50);
 
         assertThat(millisecondsPerCycle).isLessThan(1);
+    }
+
+    @Test
+    void writesNumbersTheSameInEachCountry() {
+        Locale usual = Locale.getDefault();
+        Locale.setDefault(Locale.GERMANY);
+        try {
+            log.setTime(0.5);
+            log.info("ball at %.2f m", 1.2);
+        } finally {
+            Locale.setDefault(usual);
+        }
+
+        assertThat(printed()).contains("0.50  INFO     ball at 1.20 m");
     }
 
     @Test

@@ -236,6 +236,29 @@ class MotionsTest {
     }
 
     @Test
+    void twoRobotsOfOneProgramDoNotShareTheirMotions() throws IOException {
+        file("nod", "200 30" + ZEROS);
+        Motions one = motions();
+        IdealRobot otherRobot = new IdealRobot(Posture.ZERO);
+        Motors otherMotors = new Motors();
+        Motions other = new Motions(
+                otherMotors, new MotionLibrary(folder.resolve("motions")), mistakes, () -> BodyPosition.UPRIGHT);
+
+        one.start("nod");
+        cycles(one, 5);
+        other.start("nod");
+        for (int i = 0; i < 12; i++) {
+            otherRobot.sense(otherMotors);
+            other.update();
+            otherRobot.act(otherMotors);
+        }
+        cycles(one, 7);
+
+        assertThat(robot.degrees(Joint.NECK_YAW)).isCloseTo(30, within(1e-6));
+        assertThat(otherRobot.degrees(Joint.NECK_YAW)).isCloseTo(30, within(1e-6));
+    }
+
+    @Test
     void saysWhichMotionsThereAreWhenOneIsUnknown() throws IOException {
         file("nod", "200 30" + ZEROS);
 
