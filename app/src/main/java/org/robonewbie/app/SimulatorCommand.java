@@ -33,6 +33,7 @@ import picocli.CommandLine.Option;
             "  robonewbie simulator",
             "  robonewbie simulator --sync --seed 7 --set RuleHalfTime=60",
             "  robonewbie simulator --beginner --agent-port 3500",
+            "  robonewbie simulator --sync --drop-silent-after 5 --parameters training.properties",
             "  robonewbie simulator --bind 0.0.0.0      agents on other computers may join"
         })
 final class SimulatorCommand implements Callable<Integer> {
@@ -67,6 +68,22 @@ final class SimulatorCommand implements Callable<Integer> {
 
     @Option(names = "--no-noise", description = "Robots see without noise.")
     private boolean withoutNoise;
+
+    @Option(
+            names = "--ground-truth",
+            paramLabel = "WHAT",
+            arity = "0..1",
+            split = ",",
+            fallbackValue = "mypos,myorien,ballpos",
+            description = "Let robots see what is true: mypos (own head), myorien (its direction), ballpos; without"
+                    + " WHAT all three.")
+    private List<String> groundTruth = new ArrayList<>();
+
+    @Option(
+            names = "--drop-silent-after",
+            paramLabel = "T",
+            description = "With --sync: drop an agent that keeps the world waiting for T real seconds (60).")
+    private double silentAgentSeconds = SimulatorSettings.DEFAULT_SILENT_AGENT_SECONDS;
 
     @Option(names = "--seed", paramLabel = "S", description = "Start of all random numbers: same seed, same run.")
     private Optional<Long> seed = Optional.empty();
@@ -111,6 +128,18 @@ final class SimulatorCommand implements Callable<Integer> {
     private List<String> assignments = new ArrayList<>();
 
     @Option(
+            names = "--parameters",
+            paramLabel = "FILE",
+            description = "Change parameters as a text file says, one NAME=VALUE per line; --set is stronger.")
+    private Optional<Path> parameterFile = Optional.empty();
+
+    @Option(
+            names = "--process-name",
+            paramLabel = "NAME",
+            description = "Name under which the system lists this program, for tools that look for it (Linux only).")
+    private Optional<String> processName = Optional.empty();
+
+    @Option(
             names = "--script-path",
             paramLabel = "FILE",
             description = "Take parameters and ports from a start script of rcssserver3d; of its Ruby only plain"
@@ -123,6 +152,7 @@ final class SimulatorCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         Console console = Console.standard();
+        processName.ifPresent(ProcessName::set);
         Simulator simulator = Simulator.start(settings(console), console);
         Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));
         console.say("Agents can join at port " + simulator.agentPort() + ", monitors at port "
@@ -148,6 +178,8 @@ final class SimulatorCommand implements Callable<Integer> {
                 .speed(isFast ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
                 .noise(!withoutNoise)
                 .physics(physics)
+                .groundTruth(isTold("mypos"), isTold("myorien"), isTold("ballpos"))
+                .silentAgentSeconds(silentAgentSeconds())
                 .seed(seed.orElseGet(() -> (long) new Random().nextInt(Integer.MAX_VALUE)))
                 .awaitedAgents(awaitedAgents)
                 .seconds(seconds.map(OptionalDouble::of).orElse(OptionalDouble.empty()))
@@ -156,6 +188,25 @@ final class SimulatorCommand implements Callable<Integer> {
                 .monitorLog(log)
                 .monitorStepSeconds(monitorStep())
                 .build();
+    }
+
+    private boolean isTold(String truth) {
+        List<String> known = List.of("mypos", "myorien", "ballpos");
+        for (String wanted : groundTruth) {
+            if (!known.contains(wanted)) {
+                throw new CalledWronglyException(
+                        "No ground truth \"" + wanted + "\" exists. Choose of mypos, myorien and ballpos.");
+            }
+        }
+        return groundTruth.contains(truth);
+    }
+
+    private double silentAgentSeconds() {
+        if (silentAgentSeconds > 0) {
+            return silentAgentSeconds;
+        }
+        throw new CalledWronglyException("An agent cannot be dropped after " + silentAgentSeconds
+                + " s. Give a time above 0, or Infinity to wait for ever as rcssserver3d does.");
     }
 
     private double monitorStep() {
@@ -177,6 +228,7 @@ final class SimulatorCommand implements Callable<Integer> {
     private SoccerParameters parameters(StartScript start) {
         SoccerParameters parameters = beginner ? SoccerParameters.beginner() : SoccerParameters.league();
         List<String> all = new ArrayList<>(start.parameters());
+        all.addAll(parameterFile.map(ParameterFile::read).orElse(List.of()));
         all.addAll(assignments);
         try {
             for (String assignment : all) {

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.SoccerParameter;
@@ -79,6 +80,66 @@ class SimulatorCommandTest {
 
         assertThat(settings.parameters().get(SoccerParameter.RULE_HALF_TIME)).isEqualTo(60);
         assertThat(settings.parameters().isOn(SoccerParameter.USE_CHARGING)).isFalse();
+    }
+
+    @Test
+    void parametersCanStandInAFile() throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("training.properties"), "# training\nRuleHalfTime=60\n\nUseCharging = false # no fouls\n");
+
+        SimulatorSettings settings = settings("--parameters", file.toString(), "--set", "RuleHalfTime=90");
+
+        assertThat(settings.parameters().get(SoccerParameter.RULE_HALF_TIME)).isEqualTo(90);
+        assertThat(settings.parameters().isOn(SoccerParameter.USE_CHARGING)).isFalse();
+    }
+
+    @Test
+    void mistakeInAFileOfParametersIsNamedWithItsLine() throws IOException {
+        Path file = Files.writeString(folder.resolve("training.properties"), "RuleHalfTime=60\nUseChargin=false\n");
+
+        assertThatThrownBy(() -> settings("--parameters", file.toString()))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("training.properties, line 2: ")
+                .hasMessageContaining("Did you mean UseCharging?");
+    }
+
+    @Test
+    void missingFileOfParametersIsTold() {
+        assertThatThrownBy(() -> settings("--parameters", "nowhere.properties"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("nowhere.properties cannot be read");
+    }
+
+    @Test
+    void eachParameterOfEachProfileIsExplainedByTheHelp() {
+        String help = Printed.by("simulator", "--help").out();
+
+        for (SoccerParameter parameter : SoccerParameter.values()) {
+            assertThat(help).contains(parameter.simSparkName() + " ").contains(parameter.description());
+        }
+    }
+
+    @Test
+    void truthIsToldWhereItIsWanted() {
+        assertThat(settings().camera().ownPosition()).isFalse();
+        assertThat(settings("--ground-truth").camera())
+                .isEqualTo(CameraSettings.STANDARD.withTruth(true, true, true));
+        assertThat(settings("--ground-truth", "mypos,ballpos").camera())
+                .isEqualTo(CameraSettings.STANDARD.withTruth(true, false, true));
+        assertThatThrownBy(() -> settings("--ground-truth=mood"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("No ground truth \"mood\" exists");
+    }
+
+    @Test
+    void patienceWithSilentAgentsCanBeSet() {
+        assertThat(settings().silentAgentSeconds()).isEqualTo(60);
+        assertThat(settings("--drop-silent-after", "2.5").silentAgentSeconds()).isEqualTo(2.5);
+        assertThat(settings("--drop-silent-after", "Infinity").silentAgentSeconds())
+                .isInfinite();
+        assertThatThrownBy(() -> settings("--drop-silent-after", "0"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("cannot be dropped after 0.0 s");
     }
 
     @Test

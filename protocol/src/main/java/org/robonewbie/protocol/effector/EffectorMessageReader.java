@@ -28,7 +28,7 @@ public final class EffectorMessageReader {
     private static final RequestPass REQUEST_PASS = new RequestPass();
     private static final String[] HINGES = hingeNames();
 
-    private final SexpReader reader = new SexpReader();
+    private final SexpReader reader = SexpReader.withQuotes();
     private final double[] numbers = new double[3];
     private int expectedHinge;
     private int problemCount;

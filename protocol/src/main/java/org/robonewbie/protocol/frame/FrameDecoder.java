@@ -33,8 +33,8 @@ public final class FrameDecoder {
     }
 
     /**
-     * Takes what the channel has ready, up to one chunk of at least 16 KiB; to be called until it returns 0 or -1 if everything is
-     * wanted, with all messages taken out by {@link #next} in between.
+     * Takes what the channel has ready, up to one chunk of 16 KiB, so that no client takes more of a server's time than its share;
+     * to be called until it returns 0 or -1 if everything is wanted, with all messages taken out by {@link #next} in between.
      *
      * @param channel the client's channel
      * @return how many bytes were read; 0 if none are there, -1 if the client has closed the connection
@@ -42,7 +42,7 @@ public final class FrameDecoder {
      */
     public int fillFrom(ReadableByteChannel channel) throws IOException {
         makeRoom();
-        int count = channel.read(ByteBuffer.wrap(bytes, end, bytes.length - end));
+        int count = channel.read(ByteBuffer.wrap(bytes, end, Math.min(CHUNK_BYTES, bytes.length - end)));
         end += Math.max(0, count);
         return count;
     }

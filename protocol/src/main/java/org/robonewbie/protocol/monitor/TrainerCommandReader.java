@@ -21,7 +21,7 @@ public final class TrainerCommandReader {
     /** Farther away or faster than this (m, m/s) nothing can be in the simulated world. */
     private static final double MAX_COORDINATE = 1e5;
 
-    private final SexpReader in = new SexpReader();
+    private final SexpReader in = SexpReader.withQuotes();
 
     /** Creates a reader. */
     public TrainerCommandReader() {}

@@ -6,9 +6,10 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 /**
  * Reads the S-expressions of one message token by token, straight from its bytes and without making objects.
  *
- * <p>The rules are those of SimSpark's own parser (sfsexp): blanks, tabs and line ends separate words, {@code ;} begins a
- * comment that reaches to the end of the line, and a closing parenthesis too many ends the message. Depth costs nothing,
- * so deeply nested input is harmless. Quotation marks are ordinary characters.
+ * <p>The rules are those of SimSpark's own parser (sfsexp): blanks, tabs and line ends separate words, {@code ;} between words
+ * begins a comment that reaches to the end of the line, and a closing parenthesis too many ends the message. Depth costs
+ * nothing, so deeply nested input is harmless. Quotation marks are ordinary characters, as clients of SimSpark read them,
+ * unless the reader is made {@link #withQuotes}, as a server reads.
  *
  * <pre>{@code
  * reader.start(message);
@@ -27,9 +28,26 @@ public final class SexpReader {
     private Token token = Token.END;
     private int atomStart;
     private int atomEnd;
+    private final boolean quoting;
 
     /** Creates a reader that has nothing to read yet. */
-    public SexpReader() {}
+    public SexpReader() {
+        this(false);
+    }
+
+    private SexpReader(boolean quoting) {
+        this.quoting = quoting;
+    }
+
+    /**
+     * Creates a reader for what servers receive: {@code "two words"} is one atom without its quotation marks, within which a
+     * backslash keeps the next character from ending it, and {@code '(a b)} is one atom too.
+     *
+     * @return a reader that has nothing to read yet
+     */
+    public static SexpReader withQuotes() {
+        return new SexpReader(true);
+    }
 
     /**
      * Begins at the start of a message; the message must not change while it is read.
@@ -201,6 +219,10 @@ public final class SexpReader {
 
     private Token advance() {
         skipSpaceAndComments();
+        while (isApostropheBeforeWord()) {
+            position++;
+            skipSpaceAndComments();
+        }
         if (position >= end) {
             return Token.END;
         }
@@ -213,12 +235,56 @@ public final class SexpReader {
         if (next == ')') {
             return close();
         }
+        if (quoting && next == '"') {
+            return quotedText();
+        }
+        if (quoting && next == '\'') {
+            return quotedList();
+        }
+        return word();
+    }
+
+    private Token word() {
         atomStart = position;
+        position++;
         while (position < end && !endsAtom(bytes[position])) {
             position++;
         }
         atomEnd = position;
         return Token.ATOM;
+    }
+
+    /** Takes a text in quotation marks; without its end there is none, and nothing after it. */
+    private Token quotedText() {
+        position++;
+        atomStart = position;
+        while (position < end && bytes[position] != '"') {
+            position += bytes[position] == '\\' ? 2 : 1;
+        }
+        if (position >= end) {
+            position = end;
+            return Token.END;
+        }
+        atomEnd = position;
+        position++;
+        return Token.ATOM;
+    }
+
+    /** Takes the whole list behind an apostrophe as it is written. */
+    private Token quotedList() {
+        position++;
+        atomStart = position;
+        int open = 0;
+        while (position < end) {
+            byte next = bytes[position];
+            open += next == '(' ? 1 : next == ')' ? -1 : 0;
+            position++;
+            if (open == 0) {
+                atomEnd = position;
+                return Token.ATOM;
+            }
+        }
+        return Token.END;
     }
 
     private Token close() {
@@ -229,6 +295,14 @@ public final class SexpReader {
         position++;
         depth--;
         return Token.CLOSE;
+    }
+
+    /** An apostrophe before a word changes nothing. */
+    private boolean isApostropheBeforeWord() {
+        return quoting
+                && position < end
+                && bytes[position] == '\''
+                && (position + 1 == end || bytes[position + 1] != '(');
     }
 
     private void skipSpaceAndComments() {
@@ -250,8 +324,11 @@ public final class SexpReader {
         }
     }
 
-    private static boolean endsAtom(byte character) {
-        return character == '(' || character == ')' || character == ';' || isSpace(character);
+    private boolean endsAtom(byte character) {
+        return character == '('
+                || character == ')'
+                || isSpace(character)
+                || (quoting && (character == '"' || character == '\''));
     }
 
     private static boolean isSpace(byte character) {

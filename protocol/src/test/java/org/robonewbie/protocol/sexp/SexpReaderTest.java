@@ -32,9 +32,48 @@ class SexpReaderTest {
 
     @Test
     void skipsCommentsToTheEndOfTheLine() {
-        start("(a ; not (read\n b;nor this)\n)");
+        start("(a ; not (read\n b ;nor this)\n)");
 
         assertThat(tokens()).isEqualTo("OPEN a b CLOSE END");
+    }
+
+    @Test
+    void semicolonWithinAWordIsPartOfIt() {
+        start("(say a;b) (c)");
+
+        assertThat(tokens()).isEqualTo("OPEN say a;b CLOSE OPEN c CLOSE END");
+    }
+
+    @Test
+    void clientTakesQuotationMarksAsLetters() {
+        start("(hear us 0.00 self it's) (a \"b)");
+
+        assertThat(tokens()).isEqualTo("OPEN hear us 0.00 self it's CLOSE OPEN a \"b CLOSE END");
+    }
+
+    @Test
+    void serverTakesTextInQuotationMarksAsOneAtom() {
+        assertThat(quotedTokens("(teamname \"two (words\")(a\"b\"c)"))
+                .isEqualTo("OPEN teamname two (words CLOSE OPEN a b c CLOSE END");
+        assertThat(quotedTokens("(say \"a\\\"b\")")).isEqualTo("OPEN say a\\\"b CLOSE END");
+    }
+
+    @Test
+    void serverTakesAListBehindAnApostropheAsOneAtom() {
+        assertThat(quotedTokens("(a '(b (c)) d 'e)")).isEqualTo("OPEN a (b (c)) d e CLOSE END");
+    }
+
+    @Test
+    void serverEndsAtAQuotationWithoutEnd() {
+        assertThat(quotedTokens("(a)(b \"c)(d)")).isEqualTo("OPEN a CLOSE OPEN b END");
+        assertThat(quotedTokens("(a)(b '(c)(d)")).isEqualTo("OPEN a CLOSE OPEN b (c) OPEN d CLOSE END");
+        assertThat(quotedTokens("(a '((c)")).isEqualTo("OPEN a END");
+        assertThat(quotedTokens("(a \"b\\")).isEqualTo("OPEN a END");
+    }
+
+    @Test
+    void manyApostrophesDoNoHarm() {
+        assertThat(quotedTokens("' ".repeat(100_000) + "a")).isEqualTo("a END");
     }
 
     @Test
@@ -146,12 +185,22 @@ class SexpReaderTest {
     }
 
     private String tokens() {
+        return tokens(reader);
+    }
+
+    private static String tokens(SexpReader from) {
         StringBuilder tokens = new StringBuilder();
         Token token;
         do {
-            token = reader.next();
-            tokens.append(token == Token.ATOM ? reader.text() : token).append(' ');
+            token = from.next();
+            tokens.append(token == Token.ATOM ? from.text() : token).append(' ');
         } while (token != Token.END);
         return tokens.toString().strip();
+    }
+
+    private String quotedTokens(String text) {
+        SexpReader server = SexpReader.withQuotes();
+        server.start(message(text));
+        return tokens(server);
     }
 }

@@ -26,12 +26,13 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 /** Shows the world to monitors and writes the log for them, and takes in what trainers order. */
 final class MonitorDesk {
 
-    private static final int WAITING_ORDERS = 10_000;
+    private static final int WAITING_ORDERS = 1000;
 
     private final SimulationCycle cycle;
     private final Consumer<Runnable> betweenCycles;
     private final TrainerOrders orders;
     private final AtomicInteger waitingOrders = new AtomicInteger();
+    private final ComplaintBook complaints;
     private Optional<MonitorPort> port = Optional.empty();
     private Optional<MonitorLog> log = Optional.empty();
 
@@ -41,8 +42,10 @@ final class MonitorDesk {
      * @param cycle what is shown
      * @param betweenCycles runs something on the simulation's thread
      * @param end ends the simulation
+     * @param console where to tell problems
      */
-    MonitorDesk(SimulationCycle cycle, Consumer<Runnable> betweenCycles, Runnable end) {
+    MonitorDesk(SimulationCycle cycle, Consumer<Runnable> betweenCycles, Runnable end, Console console) {
+        this.complaints = new ComplaintBook(console, "A trainer");
         this.cycle = cycle;
         this.betweenCycles = betweenCycles;
         this.orders = new TrainerOrders(cycle, () -> port.ifPresent(MonitorPort::requestFullState), end);
@@ -82,6 +85,9 @@ final class MonitorDesk {
     private void order(TrainerCommand command) {
         if (waitingOrders.incrementAndGet() > WAITING_ORDERS) {
             waitingOrders.decrementAndGet();
+            complaints.complain(
+                    "flood",
+                    "sends more than " + WAITING_ORDERS + " orders in one cycle; what is too much is not carried out.");
             return;
         }
         betweenCycles.accept(() -> {

@@ -58,7 +58,7 @@ final class Simulation implements SimulationControl, Runnable {
         this.reception = new Reception(port, cycle, settings);
         this.pacemaker = new Pacemaker(settings.speed());
         this.silenceWatch = new SilenceWatch(console, settings.silentAgentSeconds());
-        this.monitors = new MonitorDesk(cycle, this::command, this::end);
+        this.monitors = new MonitorDesk(cycle, this::command, this::end, console);
     }
 
     Reception reception() {
@@ -164,9 +164,10 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
+    /** Carries out what is there now; whoever goes on sending must not keep the world from going on. */
     private void carryOutCommands() {
-        for (Runnable command = commands.poll(); command != null; command = commands.poll()) {
-            command.run();
+        for (int count = commands.size(); count > 0; count--) {
+            commands.remove().run();
         }
     }
 
@@ -269,7 +270,7 @@ final class Simulation implements SimulationControl, Runnable {
 
     @Override
     public void kickOff(TeamSide side) {
-        command(() -> cycle.match().kickOff(side));
+        command(() -> cycle.kickOff(side));
     }
 
     @Override

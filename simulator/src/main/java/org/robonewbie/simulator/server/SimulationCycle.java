@@ -6,13 +6,13 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
 import org.robonewbie.simulator.recording.Participant;
 import org.robonewbie.simulator.recording.RunRecorder;
-import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.simulator.soccer.Player;
@@ -48,10 +48,7 @@ final class SimulationCycle {
         Random seeds = new Random(settings.seed());
         this.world = world;
         this.match = new Match(world, settings.parameters(), seeds.nextLong());
-        CameraSettings camera = CameraSettings.STANDARD
-                .withNoise(settings.noise())
-                .withTruth(settings.truth(), settings.truth(), settings.truth());
-        this.effectors = new Effectors(world, match, camera, seeds.nextLong());
+        this.effectors = new Effectors(world, match, settings.camera(), seeds.nextLong());
         this.percepts = new Percepts(world, match);
         this.console = console;
         this.refusals = new ComplaintBook(console, "The simulator");
@@ -126,6 +123,12 @@ final class SimulationCycle {
     void placeBall(Vector3 position, Vector3 velocity) {
         world.ball().moveTo(position);
         world.ball().setVelocity(velocity);
+    }
+
+    /** Lets a team kick off from the centre spot. */
+    void kickOff(TeamSide side) {
+        match.kickOff(side);
+        world.ball().place(new Vector3(0, 0, world.ball().properties().radius()));
     }
 
     /** Takes a player's robot off the pitch for good; its agent stays connected. */

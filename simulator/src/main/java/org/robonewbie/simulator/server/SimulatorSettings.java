@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.monitor.MonitorSettings;
+import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.PhysicsEngine;
 
@@ -24,8 +25,7 @@ import org.robonewbie.simulator.world.PhysicsEngine;
  * @param agentPort TCP port for agents, 0 for any free one
  * @param synchronous whether the world waits for the agents; else it runs on the clock
  * @param speed simulated seconds per second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
- * @param noise whether robots see with noise
- * @param truth whether the camera also tells the true places of its robot and the ball
+ * @param camera how robots see: noise, and what no camera could know
  * @param physics what computes the motion of all bodies
  * @param seed start of all random numbers
  * @param awaitedAgents how many agents must have spoken before the first cycle, 0 not to wait
@@ -43,8 +43,7 @@ public record SimulatorSettings(
         int agentPort,
         boolean synchronous,
         double speed,
-        boolean noise,
-        boolean truth,
+        CameraSettings camera,
         PhysicsEngine physics,
         long seed,
         int awaitedAgents,
@@ -62,7 +61,8 @@ public record SimulatorSettings(
     /** The port at which monitors look for a server. */
     public static final int DEFAULT_MONITOR_PORT = 3200;
 
-    private static final double DEFAULT_SILENT_AGENT_SECONDS = 60;
+    /** Real seconds for which an agent of another process may keep the world waiting. */
+    public static final double DEFAULT_SILENT_AGENT_SECONDS = 60;
 
     /**
      * Begins with settings like those of rcssserver3d: port 3100, real time, rules and noise of the league.
@@ -83,6 +83,15 @@ public record SimulatorSettings(
     }
 
     /**
+     * Tells whether robots see with noise.
+     *
+     * @return whether they do
+     */
+    public boolean noise() {
+        return camera.noise();
+    }
+
+    /**
      * Describes the run for its recording; all that has an influence on it is here.
      *
      * @return lines of the form {@code name=value}
@@ -91,10 +100,8 @@ public record SimulatorSettings(
         List<String> lines = new ArrayList<>();
         lines.add("seed=" + seed);
         lines.add("synchronous=" + synchronous);
-        lines.add("noise=" + noise);
-        if (truth) {
-            lines.add("truth=true");
-        }
+        lines.add("noise=" + camera.noise());
+        lines.add("truth=" + camera.ownPosition() + "," + camera.ownOrientation() + "," + camera.ballPosition());
         lines.add("physics=" + physics);
         lines.addAll(parameters.assignments());
         return lines;
@@ -108,8 +115,7 @@ public record SimulatorSettings(
         private int agentPort = DEFAULT_AGENT_PORT;
         private boolean synchronous;
         private double speed = 1;
-        private boolean noise = true;
-        private boolean truth;
+        private CameraSettings camera = CameraSettings.STANDARD;
         private PhysicsEngine physics = PhysicsEngine.STANDARD;
         private long seed;
         private int awaitedAgents;
@@ -187,7 +193,20 @@ public record SimulatorSettings(
          * @return this builder
          */
         public Builder noise(boolean value) {
-            noise = value;
+            camera = camera.withNoise(value);
+            return this;
+        }
+
+        /**
+         * Lets robots see what no camera could know, for experiments: {@code mypos}, {@code myorien} and {@code ballpos}.
+         *
+         * @param ownPosition whether each picture tells where the own head truly is
+         * @param ownOrientation whether it tells where the own head truly looks
+         * @param ballPosition whether it tells where the ball truly is
+         * @return this builder
+         */
+        public Builder groundTruth(boolean ownPosition, boolean ownOrientation, boolean ballPosition) {
+            camera = camera.withTruth(ownPosition, ownOrientation, ballPosition);
             return this;
         }
 
@@ -198,8 +217,7 @@ public record SimulatorSettings(
          * @return this builder
          */
         public Builder truth(boolean value) {
-            truth = value;
-            return this;
+            return groundTruth(value, value, value);
         }
 
         /**
@@ -324,8 +342,7 @@ public record SimulatorSettings(
                     agentPort,
                     synchronous,
                     speed,
-                    noise,
-                    truth,
+                    camera,
                     physics,
                     seed,
                     awaitedAgents,

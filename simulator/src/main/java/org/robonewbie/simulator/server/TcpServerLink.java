@@ -10,8 +10,8 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 /** The simulator's end of an agent's TCP connection. */
 final class TcpServerLink implements ServerLink {
 
-    /** Longest message that is accepted, in bytes: a thousand times what a robot needs. */
-    static final int MAXIMUM_LENGTH = 1 << 20;
+    /** Longest message that is accepted, in bytes: some hundred times what a robot needs. */
+    static final int MAXIMUM_LENGTH = 1 << 18;
 
     private final SocketChannel channel;
     private final String address;

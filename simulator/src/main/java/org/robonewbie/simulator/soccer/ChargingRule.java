@@ -119,9 +119,14 @@ final class ChargingRule implements FoulRule {
         Player player = robot.player();
         if (since(player.conduct().chargingImmunityTick()) <= parameters.get(SoccerParameter.CHARGING_IMMUNITY_TIME)) {
             robot.opponent().conduct().protectFromCharging(match.currentTick());
-        } else if (!(player.isGoalkeeper() && isBehindOrInOwnArea(player))) {
+        } else if (!(player.isGoalkeeper() && isBehindOrInOwnArea(player)) && !isHuntingInKeepaway(player)) {
             match.referee().punish(player, FoulType.CHARGING);
         }
+    }
+
+    /** In keep-away the right team may go for the ball as it likes. */
+    private boolean isHuntingInKeepaway(Player player) {
+        return parameters.isOn(SoccerParameter.KEEPAWAY) && player.side() == TeamSide.RIGHT;
     }
 
     private boolean isBehindOrInOwnArea(Player player) {

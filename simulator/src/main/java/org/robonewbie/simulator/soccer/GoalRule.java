@@ -21,6 +21,7 @@ final class GoalRule implements PlayModeRule {
         clearing.clearForKickOff(scorer.opponent());
         if (match.state().modeSeconds() >= match.parameters().get(SoccerParameter.RULE_GOAL_PAUSE_TIME)) {
             match.setSetPiece(Optional.empty());
+            match.ball().place(match.centreSpot());
             match.kickOff(scorer.opponent());
         }
     }

@@ -21,7 +21,6 @@ final class KickOffRule implements PlayModeRule {
     @Override
     public void begin() {
         beginTick = match.currentTick();
-        match.ball().place(match.centreSpot());
     }
 
     @Override

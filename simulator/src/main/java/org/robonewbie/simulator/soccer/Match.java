@@ -202,12 +202,11 @@ public final class Match {
         tick++;
         state.tick(isAnybodyThere());
         ball.update(tick, teams.players());
-        if (!checkTime()) {
-            if (state.playMode() != PlayMode.GAME_OVER && keepaway.isGameLost()) {
-                setPlayMode(PlayMode.GAME_OVER);
-            }
-            rules.of(state.playMode()).apply();
+        checkTime();
+        if (state.playMode() != PlayMode.GAME_OVER && keepaway.isGameLost()) {
+            setPlayMode(PlayMode.GAME_OVER);
         }
+        rules.of(state.playMode()).apply();
         referee.judge(mayBeam());
     }
 
@@ -364,18 +363,17 @@ public final class Match {
         return parameters.isOn(SoccerParameter.COIN_TOSS_FOR_KICK_OFF) ? Optional.empty() : Optional.of(TeamSide.LEFT);
     }
 
-    /** Ends a half when its time is up; tells whether it did. */
-    private boolean checkTime() {
+    /** Ends a half when its time is up. */
+    private void checkTime() {
         double halfTime = parameters.get(SoccerParameter.RULE_HALF_TIME);
         if (state.playMode() == PlayMode.GAME_OVER || state.playSeconds() < state.half() * halfTime) {
-            return false;
+            return;
         }
         if (state.half() == 2 || parameters.isOn(SoccerParameter.SINGLE_HALF_TIME)) {
             setPlayMode(PlayMode.GAME_OVER);
-            return true;
+        } else {
+            beginSecondHalf();
         }
-        beginSecondHalf();
-        return true;
     }
 
     private void beginSecondHalf() {

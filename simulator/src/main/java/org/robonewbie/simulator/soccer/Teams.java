@@ -128,6 +128,11 @@ public final class Teams {
                 return team;
             }
         }
+        if (!name.chars().allMatch(character -> character > ' ' && character != '(' && character != ')')) {
+            throw new JoinRefusedException(
+                    "team name \"" + name + "\" has blanks or parentheses, which no message to the"
+                            + " others could carry; choose a name without");
+        }
         if (teams.size() == 2) {
             throw new JoinRefusedException("teams \"" + teams.get(0).name() + "\" and \""
                     + teams.get(1).name() + "\" play already; a third team \"" + name + "\" cannot");
