@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.monitor.MonitorLink;
@@ -25,6 +26,7 @@ final class MonitoredSimulator implements AutoCloseable {
     private final Simulator simulator;
     private final MonitorLink monitor;
     private final List<TestAgent> agents = new ArrayList<>();
+    private Consumer<String> reader = message -> {};
 
     MonitoredSimulator() throws IOException {
         simulator = Simulator.start(
@@ -68,12 +70,23 @@ final class MonitoredSimulator implements AutoCloseable {
         monitor.send(commands);
     }
 
+    /** Lets somebody read all messages from now on. */
+    void setReader(Consumer<String> newReader) {
+        reader = newReader;
+    }
+
+    /** Reads the next message. */
+    void receive() throws IOException {
+        if (!monitor.receive()) {
+            throw new AssertionError("The simulator has ended");
+        }
+        reader.accept(monitor.lastMessage().toString());
+    }
+
     /** Reads messages until the world is as wanted. */
     void await(Predicate<MonitoredWorld> wanted) throws IOException {
         for (int i = 0; i < PATIENCE_MESSAGES; i++) {
-            if (!monitor.receive()) {
-                throw new AssertionError("The simulator has ended");
-            }
+            receive();
             if (wanted.test(world())) {
                 return;
             }

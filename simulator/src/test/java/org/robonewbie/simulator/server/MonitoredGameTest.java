@@ -2,7 +2,6 @@ package org.robonewbie.simulator.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.net.InetAddress;
@@ -13,20 +12,17 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.monitor.MonitorLink;
 import org.robonewbie.protocol.monitor.TrainerCommand;
 import org.robonewbie.simulator.SimulationControl;
 
-/** What RoboViz, magmaChallenge and league teams expect from a monitor port, each thing as they were seen to need it. */
+/** A whole game as monitors see it, and monitors as the game feels them. */
 @Timeout(60)
-class MonitorExpectationsTest {
+class MonitoredGameTest {
 
     /** The modes in the order that magmaChallenge knows by number. */
     private static final String PLAY_MODES = "(play_modes BeforeKickOff KickOff_Left KickOff_Right PlayOn KickIn_Left"
@@ -42,114 +38,6 @@ class MonitorExpectationsTest {
     @TempDir
     @SuppressWarnings("NullAway.Init")
     private Path folder;
-
-    @Test
-    void fullStateComesUnaskedWithTheEnvironmentOfTheOriginal() throws IOException {
-        try (MonitoredSimulator match = new MonitoredSimulator()) {
-            assertThat(match.monitor().receive()).isTrue();
-
-            assertThat(match.monitor().lastMessage().toString())
-                    .startsWith(ENVIRONMENT + "(time 0)(half 1)(score_left 0)(score_right 0)(play_mode 0))(RSG 0 1)(");
-        }
-    }
-
-    @Test
-    void emptySceneHasThirtySixNodesAndTheBallLast() throws IOException {
-        try (MonitoredSimulator match = new MonitoredSimulator()) {
-            match.awaitFullMessage();
-
-            assertThat(match.world().scene()).hasSize(36);
-            assertThat(match.world().ball().orElseThrow())
-                    .isSameAs(match.world().scene().get(35));
-            assertThat(match.world().ball().orElseThrow().position().z()).isCloseTo(0.042, within(0.002));
-        }
-    }
-
-    @Test
-    void noFrameHasAnEmptyFirstListOrNodesThatRoboVizDoesNotKnow() throws IOException {
-        Pattern kinds = Pattern.compile("\\(nd ([A-Za-z]+)");
-        try (MonitoredSimulator match = new MonitoredSimulator()) {
-            match.join("us", 1);
-            for (int i = 0; i < 100; i++) {
-                assertThat(match.monitor().receive()).isTrue();
-                String text = match.monitor().lastMessage().toString();
-                assertThat(text).matches("(?s)\\(\\((time|FieldLength) .*");
-                for (Matcher kind = kinds.matcher(text); kind.find(); ) {
-                    assertThat(kind.group(1)).isIn("TRF", "Light", "StaticMesh", "SMN");
-                }
-            }
-        }
-    }
-
-    @Test
-    void placeIsTheFirstChildOfEachTransform() throws IOException {
-        try (MonitoredSimulator match = new MonitoredSimulator()) {
-            match.join("us", 1);
-            match.order(new TrainerCommand.RequestFullState());
-
-            String full = match.awaitFullMessage();
-
-            assertThat(full.split("\\(nd TRF", -1)).hasSizeGreaterThan(60);
-            assertThat(full.replace("(nd TRF (SLT ", "")).doesNotContain("TRF").doesNotContain("SLT");
-        }
-    }
-
-    @Test
-    void changesHaveExactlyTheNodesOfTheFullState() throws IOException {
-        try (MonitoredSimulator match = new MonitoredSimulator()) {
-            match.join("us", 1);
-            match.order(new TrainerCommand.RequestFullState());
-            int nodes = count(match.awaitFullMessage());
-
-            for (int i = 0; i < 50; i++) {
-                assertThat(match.monitor().receive()).isTrue();
-                assertThat(count(match.monitor().lastMessage().toString())).isEqualTo(nodes);
-            }
-        }
-    }
-
-    @Test
-    void robotsAreFoundByNumberAndTeamOnOneMeshBelowOneNodeEach() throws IOException {
-        try (MonitoredSimulator match = new MonitoredSimulator()) {
-            match.join("us", 1);
-            match.join("them", 10);
-            match.order(new TrainerCommand.RequestFullState());
-
-            assertThat(match.awaitFullMessage())
-                    .contains("(load models/naobody0.obj) (sSc 0.1 0.1 0.1)"
-                            + "(resetMaterials matNum1 matLeft matType0 naowhite)")
-                    .contains("(resetMaterials matNum10 matRight matType0 naowhite)")
-                    .contains("(team_left us)(team_right them)");
-            assertThat(match.world().scene()).hasSize(38);
-            assertThat(match.world().robots()).hasSize(2);
-        }
-    }
-
-    @Test
-    void robotThatVanishesIsRemovedWithANewFullState() throws IOException {
-        try (MonitoredSimulator match = new MonitoredSimulator()) {
-            TestAgent agent = match.join("us", 1);
-
-            agent.close();
-
-            match.await(seen -> seen.robots().isEmpty());
-            assertThat(match.monitor().lastMessage().toString()).contains("(RSG 0 1)");
-            assertThat(match.world().scene()).hasSize(36);
-        }
-    }
-
-    @Test
-    void severalExpressionsInOneMessageAreCarriedOutAsLeagueTeamsSendThem() throws IOException {
-        try (MonitoredSimulator match = new MonitoredSimulator()) {
-            match.join("us", 1);
-            match.order(
-                    new TrainerCommand.ChangePlayMode(PlayMode.PLAY_ON),
-                    new TrainerCommand.MoveBall(Optional.of(new Vector3(0, -9, 0)), Optional.of(Vector3.ZERO)));
-
-            match.await(seen -> seen.ball().orElseThrow().position().y() < -8.9);
-            assertThat(match.world().gameState().playMode()).contains(PlayMode.PLAY_ON);
-        }
-    }
 
     @Test
     void monitorThatComesWhileTheWorldStandsStillSeesItAndCanChangeIt() throws IOException {

@@ -1,0 +1,93 @@
+package org.robonewbie.simulator.server;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.protocol.frame.TcpAgentLink;
+import org.robonewbie.protocol.monitor.MonitorLink;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.simulator.SimulationControl;
+
+/** A server with the rules of the league that waits for its agents, all of which connect by TCP. */
+final class LeagueServer implements AutoCloseable {
+
+    final RecordingConsole console = new RecordingConsole();
+    final WorldWatcher watcher = new WorldWatcher();
+    final Simulator simulator;
+
+    private final List<TestAgent> agents = new ArrayList<>();
+
+    LeagueServer() throws IOException {
+        this(true);
+    }
+
+    LeagueServer(boolean synchronous) throws IOException {
+        simulator = Simulator.start(
+                SimulatorSettings.league()
+                        .agentPort(0)
+                        .monitorPort(OptionalInt.of(0))
+                        .synchronous(synchronous)
+                        .awaitedAgents(synchronous ? 1 : 0)
+                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                        .seed(5)
+                        .build(),
+                console);
+        simulator.control().addObserver(watcher);
+    }
+
+    TestAgent connect() throws IOException {
+        TestAgent agent = new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()));
+        agents.add(agent);
+        return agent;
+    }
+
+    /** Connects an agent that has joined and whose first messages are over. */
+    TestAgent join(String team, int number) throws IOException {
+        TestAgent agent = connect();
+        agent.join(team, number);
+        return agent;
+    }
+
+    MonitorLink monitor() throws IOException {
+        return MonitorLink.connect("127.0.0.1", simulator.monitorPort().orElseThrow());
+    }
+
+    SimulationControl control() {
+        return simulator.control();
+    }
+
+    /** Lets cycles pass with a single agent; tells the play mode afterwards. */
+    static PlayMode cycles(TestAgent agent, int count) throws IOException {
+        PerceptorMessage message = agent.exchange("(syn)");
+        for (int i = 1; i < count; i++) {
+            message = agent.exchange("(syn)");
+        }
+        return message.gameState().orElseThrow().playMode().orElseThrow();
+    }
+
+    /** Lets cycles pass with several agents, each of which says the same in each cycle. */
+    static void cyclesOfAll(int count, String text, TestAgent... agents) throws IOException {
+        for (int i = 0; i < count; i++) {
+            for (TestAgent agent : agents) {
+                agent.send(text);
+            }
+            for (TestAgent agent : agents) {
+                agent.receiveText();
+            }
+        }
+    }
+
+    double torso(int robot, int axis) {
+        return watcher.latest().robots().get(robot).linkPoses()[axis];
+    }
+
+    @Override
+    public void close() throws IOException {
+        for (TestAgent agent : agents) {
+            agent.close();
+        }
+        simulator.close();
+    }
+}
