@@ -132,8 +132,9 @@ public final class TrainerCommandReader {
     }
 
     private static Optional<PlayerNumber> player(TrainerExpression command) {
-        int number = command.numbers("unum").get(0).intValue();
-        return side(command.words("team").get(0)).map(side -> new PlayerNumber(side, number));
+        Optional<Integer> number = command.numbers("unum").stream().map(Double::intValue).findFirst();
+        Optional<TeamSide> team = command.words("team").stream().findFirst().flatMap(TrainerCommandReader::side);
+        return number.flatMap(value -> team.map(side -> new PlayerNumber(side, value)));
     }
 
     private static Optional<TeamSide> side(String word) {

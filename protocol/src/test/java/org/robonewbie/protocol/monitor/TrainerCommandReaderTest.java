@@ -19,6 +19,12 @@ class TrainerCommandReaderTest {
     private static final PlayerNumber LEFT_3 = new PlayerNumber(TeamSide.LEFT, 3);
 
     @Test
+    void commandForAPlayerOfNoTeamIsLeftOut() {
+        assertThat(read("(select (unum 2))(select (unum 2)(team))(kill (unum 2)(team Blue))"))
+                .isEmpty();
+    }
+
+    @Test
     void kickOffNamesTheTeamOrNone() {
         assertThat(read("(kickOff Left)(kickOff Right)(kickOff None)"))
                 .containsExactly(

@@ -176,7 +176,13 @@ public final class MonitorPort implements AutoCloseable {
             return;
         }
         if (key.attachment() instanceof MonitorConnection connection) {
-            serve(key, connection);
+            try {
+                serve(key, connection);
+            } catch (RuntimeException unexpected) {
+                complain("A monitor was disconnected since its message could not be handled (" + unexpected
+                        + "); please report this.");
+                connection.close();
+            }
         } else {
             accept();
         }

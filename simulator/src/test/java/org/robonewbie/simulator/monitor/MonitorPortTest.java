@@ -253,9 +253,10 @@ class MonitorPortTest {
     @Test
     void thousandsOfShortConnectionsLeaveNothingBehind() throws Exception {
         try (MonitorLink healthy = watched.connect()) {
-            for (int i = 0; i < 3000; i++) {
+            for (int i = 0; i < 10_000; i++) {
                 try (Socket socket = new Socket(
                         InetAddress.getLoopbackAddress(), watched.port().number())) {
+                    socket.setSoLinger(i % 2 == 0, 0);
                     if (i % 100 == 99) {
                         awaitFarewell(socket);
                     }

@@ -62,15 +62,85 @@ class NastyClientsTest {
     }
 
     @Test
-    void messageThatNeverEndsTakesNoMoreThanItsBytes() throws IOException {
-        try (Socket socket = connect()) {
-            socket.getOutputStream().write(prefix(1 << 20));
-            byte[] chunk = new byte[1 << 16];
-            for (int i = 0; i < 15; i++) {
-                socket.getOutputStream().write(chunk);
+    void messagesThatNeverEndTakeNoMoreThanTheirBytes() throws IOException {
+        List<Socket> sockets = new ArrayList<>();
+        byte[] endless = new byte[TcpServerLink.MAXIMUM_LENGTH - 1];
+        long before = usedMebibytes();
+        try {
+            for (int i = 0; i < 100; i++) {
+                Socket socket = connect();
+                sockets.add(socket);
+                socket.getOutputStream().write(prefix(TcpServerLink.MAXIMUM_LENGTH));
+                socket.getOutputStream().write(endless);
+            }
+            for (int i = 0; i < 100; i++) {
+                goodAgent.exchange("(syn)");
             }
 
-            goodAgent.exchange("(syn)");
+            assertThat(usedMebibytes() - before).isLessThan(150);
+        } finally {
+            for (Socket socket : sockets) {
+                socket.close();
+            }
+        }
+    }
+
+    @Test
+    void messageLongerThanAnyRobotNeedsEndsTheConnection() throws IOException {
+        try (Socket socket = connect()) {
+            socket.getOutputStream().write(prefix(TcpServerLink.MAXIMUM_LENGTH + 1));
+
+            assertThat(socket.getInputStream().read()).isEqualTo(-1);
+        }
+
+        awaitSaid((TcpServerLink.MAXIMUM_LENGTH + 1) + " bytes");
+    }
+
+    @Test
+    void clientThatSaysNothingDisturbsNobody() throws IOException {
+        try (Socket silent = connect()) {
+            for (int i = 0; i < 200; i++) {
+                goodAgent.exchange("(syn)");
+            }
+
+            assertThat(silent.getInputStream().available()).isZero();
+        }
+    }
+
+    @Test
+    void twelfthPlayerAndNumberTwelveAreNamed() throws IOException {
+        List<TestAgent> agents = new ArrayList<>();
+        try {
+            for (int number = 2; number <= 11; number++) {
+                TestAgent agent = agent();
+                agents.add(agent);
+                assertThat(agent.joinRunningGame("Stars", number)
+                                .gameState()
+                                .orElseThrow()
+                                .number())
+                        .hasValue(number);
+            }
+            TestAgent twelfth = agent();
+            agents.add(twelfth);
+            twelfth.exchange(SCENE);
+            twelfth.send("(init (unum 0)(teamname Stars))");
+            awaitSaid("has all of its 11 players already");
+            twelfth.send("(init (unum 12)(teamname Moons))");
+            awaitSaid("number 12 does not exist; choose 1 to 11");
+        } finally {
+            for (TestAgent agent : agents) {
+                agent.close();
+            }
+        }
+    }
+
+    @Test
+    void teamNameThatWouldBreakTheMessagesOfOthersIsRefused() throws IOException {
+        try (TestAgent agent = agent()) {
+            agent.exchange(SCENE);
+            agent.send("(init (unum 1)(teamname \"My) (team\"))");
+
+            awaitSaid("team name \"My) (team\" has blanks or parentheses");
         }
     }
 
@@ -153,9 +223,16 @@ class NastyClientsTest {
 
     @Test
     void stormOfConnectionsIsSurvived() throws IOException {
-        for (int i = 0; i < 1000; i++) {
-            connect().close();
+        for (int i = 0; i < 10_000; i++) {
+            Socket socket = connect();
+            socket.setSoLinger(i % 2 == 0, 0);
+            socket.close();
+            if (i % 100 == 99) {
+                goodAgent.exchange("(syn)");
+            }
         }
+
+        assertThat(console.sentences()).noneMatch(sentence -> sentence.contains("could not be accepted"));
     }
 
     @Test
@@ -241,6 +318,11 @@ class NastyClientsTest {
         byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
         socket.getOutputStream().write(prefix(bytes.length));
         socket.getOutputStream().write(bytes);
+    }
+
+    private static long usedMebibytes() {
+        System.gc();
+        return (Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory()) >> 20;
     }
 
     private static byte[] prefix(int length) {
