@@ -16,9 +16,6 @@ class HouseRulesTest {
     private static final int MOST_LINES_OF_JAVASCRIPT = 300;
     private static final Pattern EMPTY_NAME = Pattern.compile(".*(Util|Utils|Manager|Helper|Impl)\\.(java|js)");
 
-    /** Plays an agent that thinks for long; it does not wait for anything. */
-    private static final String WITH_SLOW_AGENT = "SyncModeTest.java";
-
     private static final Pattern RAW_TRACE = Pattern.compile("\\.printStackTrace\\(\\s*\\)");
     private static final Pattern OPEN_END = Pattern.compile("\\b(TODO|FIXME|XXX)\\b");
 
@@ -60,8 +57,7 @@ class HouseRulesTest {
 
         assertThat(those(
                         Project.sources("Test.java"),
-                        file -> !file.endsWith(WITH_SLOW_AGENT)
-                                && Project.read(file).contains(forbidden)))
+                        file -> Project.read(file).contains(forbidden)))
                 .isEmpty();
     }
 

@@ -26,6 +26,7 @@ class LauncherTest {
     private static final List<String> TOOLS = List.of(
             "sh",
             "dirname",
+            "basename",
             "readlink",
             "sed",
             "head",
@@ -205,6 +206,20 @@ class LauncherTest {
         assertThat(start.exitCode()).isEqualTo(130);
         assertThat(start.err()).contains("The build was stopped.");
         assertThat(home.resolve("app/target/launch/lock")).doesNotExist();
+    }
+
+    @Test
+    void toolsOfTheLeagueFindTheServerUnderItsOldNames() throws Exception {
+        for (String name : List.of("rcssserver3d", "simspark")) {
+            Path script = home.resolve("bin").resolve(name);
+            Files.createDirectories(home.resolve("bin"));
+            Files.copy(Project.ROOT.resolve("bin").resolve(name), script);
+
+            Ended start = end(begin(script, "--agent-port", "3101", "--server-port", "3201"));
+
+            assertThat(start.out())
+                    .contains("<simulator>", "<--process-name>", "<" + name + ">", "<--agent-port>", "<3101>");
+        }
     }
 
     private Ended start(String... arguments) throws Exception {

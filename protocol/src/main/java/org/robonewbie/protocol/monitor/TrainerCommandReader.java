@@ -132,7 +132,8 @@ public final class TrainerCommandReader {
     }
 
     private static Optional<PlayerNumber> player(TrainerExpression command) {
-        Optional<Integer> number = command.numbers("unum").stream().map(Double::intValue).findFirst();
+        Optional<Integer> number =
+                command.numbers("unum").stream().map(Double::intValue).findFirst();
         Optional<TeamSide> team = command.words("team").stream().findFirst().flatMap(TrainerCommandReader::side);
         return number.flatMap(value -> team.map(side -> new PlayerNumber(side, value)));
     }

@@ -18,7 +18,7 @@ import org.robonewbie.protocol.monitor.TransformNode;
 /** What a real rcssserver3d 0.7.3 sent to a monitor: a full message, 50 changes, and one more full message among them. */
 final class RecordedMonitorMessages {
 
-    private static final String RESOURCE = "g_monitor_first_and_50_updates.txt.gz";
+    private static final String RESOURCE = "/org/robonewbie/protocol/monitor/g_monitor_first_and_50_updates.txt.gz";
 
     private RecordedMonitorMessages() {}
 

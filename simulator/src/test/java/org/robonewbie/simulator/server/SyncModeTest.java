@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.robonewbie.protocol.frame.TcpAgentLink;
@@ -24,7 +26,7 @@ class SyncModeTest {
             agent.join("Stars", 1);
             double before = agent.exchange("(syn)").seconds().orElseThrow();
 
-            Thread.sleep(300);
+            awaitStandingWorld(simulator);
             double after = agent.exchange("(syn)").seconds().orElseThrow();
 
             assertThat(after - before).isCloseTo(0.02, within(1e-9));
@@ -108,6 +110,16 @@ class SyncModeTest {
                     .isInstanceOf(IOException.class)
                     .hasMessageContaining("Port " + simulator.agentPort() + " on 127.0.0.1 cannot be opened")
                     .hasMessageContaining("End it, or choose another port with --agent-port.");
+        }
+    }
+
+    /** Takes as long as a slow thought: until the server has looked for an answer three times in vain. */
+    private static void awaitStandingWorld(Simulator simulator) throws InterruptedException {
+        BlockingQueue<Long> cycles = new LinkedBlockingQueue<>();
+        simulator.control().addObserver(snapshot -> cycles.add(snapshot.cycle()));
+        long last = cycles.take();
+        for (int i = 0; i < 2; i++) {
+            assertThat(cycles.take()).isEqualTo(last);
         }
     }
 

@@ -4,6 +4,7 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -16,8 +17,26 @@ final class Game {
     final Match match;
 
     Game(SoccerParameters parameters) {
-        world = new SoccerWorld(parameters.field());
-        match = new Match(world, parameters, 1);
+        this(parameters, 1);
+    }
+
+    Game(SoccerParameters parameters, String... assignments) {
+        this(changed(parameters, assignments), 1);
+    }
+
+    Game(SoccerParameters parameters, long seed) {
+        BallProperties ball = new BallProperties(
+                parameters.get(SoccerParameter.BALL_RADIUS), parameters.get(SoccerParameter.BALL_MASS));
+        world = new SoccerWorld(parameters.field(), ball);
+        match = new Match(world, parameters, seed);
+    }
+
+    private static SoccerParameters changed(SoccerParameters parameters, String... assignments) {
+        SoccerParameters changed = parameters;
+        for (String assignment : assignments) {
+            changed = changed.with(assignment);
+        }
+        return changed;
     }
 
     Player join(String team, int number) {
@@ -62,8 +81,20 @@ final class Game {
         }
     }
 
+    /** Lets a player touch the ball and puts it out of the way. */
+    void touchAndLeave(Player player) {
+        touch(player);
+        put(player, player.side() == TeamSide.LEFT ? -5 : 5, 5);
+    }
+
+    /** Tells how far the ball is from a place on the ground. */
+    double ballDistance(double x, double y) {
+        return Math.hypot(
+                world.ball().position().x() - x, world.ball().position().y() - y);
+    }
+
     void roll(double x, double y, double speedX, double speedY) {
-        world.ball().moveTo(new Vector3(x, y, 0.042));
+        world.ball().moveTo(new Vector3(x, y, world.ball().properties().radius()));
         world.ball().setVelocity(new Vector3(speedX, speedY, 0));
     }
 

@@ -95,8 +95,7 @@ class PlayModesTest {
     void ballInTheGoalCounts() {
         Player player = game.join("Stars", 1);
         game.match.setPlayMode(PlayMode.PLAY_ON);
-        game.touch(player);
-        game.put(player, -5, 5);
+        game.touchAndLeave(player);
 
         game.roll(14.8, 0.3, 4, 0);
         game.cycles(0.3);
@@ -287,8 +286,7 @@ class PlayModesTest {
         game.join("Stars", 2);
         game.join("Moons", 1);
         game.match.kickOff(TeamSide.LEFT);
-        game.touch(player);
-        game.put(player, -5, 5);
+        game.touchAndLeave(player);
 
         game.roll(14.8, 0, 4, 0);
         game.cycles(0.3);
@@ -303,10 +301,8 @@ class PlayModesTest {
         game.join("Stars", 2);
         Player opponent = game.join("Moons", 1);
         game.match.kickOff(TeamSide.LEFT);
-        game.touch(player);
-        game.put(player, -5, 5);
-        game.touch(opponent);
-        game.put(opponent, 5, 5);
+        game.touchAndLeave(player);
+        game.touchAndLeave(opponent);
 
         game.roll(14.8, 0, 4, 0);
         game.cycles(0.3);
@@ -320,8 +316,7 @@ class PlayModesTest {
         game.join("Stars", 2);
         game.join("Moons", 1);
         game.match.kickOff(TeamSide.LEFT);
-        game.touch(player);
-        game.put(player, -5, 5);
+        game.touchAndLeave(player);
         game.cycles(0.5);
 
         game.touch(player);
@@ -333,8 +328,7 @@ class PlayModesTest {
     void lonelyRobotMayDribbleFromKickOff() {
         Player player = game.join("Stars", 1);
         game.match.kickOff(TeamSide.LEFT);
-        game.touch(player);
-        game.put(player, -5, 5);
+        game.touchAndLeave(player);
         game.cycles(0.5);
 
         game.touch(player);

@@ -1,0 +1,402 @@
+package org.robonewbie.simulator.soccer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.monitor.Foul;
+import org.robonewbie.protocol.monitor.FoulType;
+import org.robonewbie.protocol.monitor.PlayerNumber;
+
+/** Each parameter of the automatic referee changes its judgement as it says. */
+class FoulParametersTest {
+
+    @ParameterizedTest
+    @CsvSource({
+        "GroundMaxTime=1, 5",
+        "GoalieGroundMaxTime=1, 1",
+        "NotStandingMaxTime=1, 5",
+        "GoalieNotStandingMaxTime=1, 1"
+    })
+    void timeThatARobotMayLieCanBeSet(String assignment, int number) {
+        Game game = playing(assignment);
+        Player player = lying(game, number);
+
+        game.cycles(0.9);
+        Set<FoulType> before = types(game);
+        game.cycles(0.3);
+
+        assertThat(before).isEmpty();
+        assertThat(types(game)).containsExactly(FoulType.INCAPABLE);
+        assertThat(player.number()).isEqualTo(number);
+    }
+
+    @Test
+    void punishedRobotIsPutAsideAtOnceIfWanted() {
+        Game game = playing("GroundMaxTime=1", "FoulHoldTime=0");
+        Player player = lying(game, 5);
+
+        game.cycles(1.2);
+
+        assertThat(Math.abs(player.position().y())).isGreaterThan(10);
+        assertThat(game.match.fouls()).hasSize(1);
+    }
+
+    @Test
+    void numberOfDefendersCanBeSet() {
+        Game game = playing("MaxPlayersInsideOwnArea=1");
+        game.put(game.join("Stars", 2), -14, -1);
+        game.cycle();
+        Player last = game.join("Stars", 3);
+        game.put(last, -13.5, 2);
+
+        game.cycle();
+
+        assertThat(types(game)).containsExactly(FoulType.ILLEGAL_DEFENCE);
+        assertThat(last.position().x()).isGreaterThan(-13.2);
+    }
+
+    @Test
+    void illegalDefenceCanPutARobotOffThePitch() {
+        Game game = playing("MaxPlayersInsideOwnArea=0", "IllegalDefenseBeamPenalty=true");
+        Player player = game.join("Stars", 3);
+        game.put(player, -13.5, 2);
+
+        game.cycles(0.7);
+
+        assertThat(Math.abs(player.position().y())).isGreaterThan(10);
+    }
+
+    @Test
+    void sizeOfATouchingGroupCanBeSet() {
+        Game game = playing("MaxTouchGroupSize=3");
+        threeTouching(game);
+
+        assertThat(types(game)).isEmpty();
+    }
+
+    @Test
+    void touchingCanPutARobotOffThePitch() {
+        Game game = playing("TouchingFoulBeamPenalty=true");
+        Player third = threeTouching(game);
+
+        game.cycles(0.7);
+
+        assertThat(types(game)).contains(FoulType.TOUCHING);
+        assertThat(Math.abs(third.position().y())).isGreaterThan(10);
+    }
+
+    @Test
+    void goalkeeperThatJoinsAGroupIsSparedForATeamMate() {
+        Game game = playing();
+        Player mate = game.join("Stars", 2);
+        Player keeper = game.join("Stars", 1);
+        Player opponent = game.join("Moons", 2);
+        game.put(keeper, -8, 5);
+        game.put(mate, -5, 0);
+        game.put(opponent, -5, 0.2);
+        game.cycle();
+
+        game.put(keeper, mate.position().x(), mate.position().y() + 0.2);
+        game.cycle();
+
+        assertThat(game.match.fouls())
+                .filteredOn(foul -> foul.type() == FoulType.TOUCHING)
+                .extracting(Foul::player)
+                .containsExactly(new PlayerNumber(TeamSide.LEFT, 2));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "UseCharging=true, true",
+        "UseCharging=false, false",
+        "ChargingMinSpeed=5, false",
+        "ChargingMinCollisionSpeed=5, false",
+        "ChargingMinCollBallDist=50, false",
+        "Keepaway=true, true"
+    })
+    void chargingFarFromTheBallDependsOnSpeedAndPlace(String assignment, boolean foul) {
+        Game game = playing(assignment, "KeepawayLength=100", "KeepawayWidth=100");
+
+        charge(game, "Stars", "Moons");
+
+        assertThat(types(game).contains(FoulType.CHARGING)).isEqualTo(foul);
+    }
+
+    @Test
+    void rightTeamMayChargeInKeepaway() {
+        Game game = playing("Keepaway=true", "KeepawayLength=100", "KeepawayWidth=100");
+        game.put(game.join("Stars", 9), -10, -8);
+
+        charge(game, "Moons", "Stars");
+
+        assertThat(types(game)).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "ChargingMinBallSpeedAngle=30, true",
+        "ChargingMinBallSpeedAngle=120, false",
+        "ChargingMinBallSpeedAngle=120 ChargingMaxBallRulesDist=0.1, true"
+    })
+    void whoGoesPastTheBallChargesUnlessItsWayIsNearEnough(String assignments, boolean foul) {
+        Game game = playing(assignments.split(" "));
+        game.roll(-5.2, 5.6, 0, 0);
+
+        charge(game, "Stars", "Moons");
+
+        assertThat(types(game).contains(FoulType.CHARGING)).isEqualTo(foul);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"ChargingMinDeltaDist=0.05, true", "ChargingMinDeltaDist=5, false"})
+    void whoIsFartherFromTheBallCharges(String assignment, boolean foul) {
+        Game game = playing(assignment);
+        game.roll(-4.55, 5, 0, 0);
+
+        charge(game, "Stars", "Moons");
+
+        assertThat(types(game).contains(FoulType.CHARGING)).isEqualTo(foul);
+    }
+
+    @Test
+    void whoHasTouchedTheBallMayChargeForATime() {
+        assertThat(chargeAfterTouch("ChargingImmunityTime=1000")).isEmpty();
+        assertThat(chargeAfterTouch("ChargingImmunityTime=0")).containsExactly(FoulType.CHARGING);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.8, true", "0.2, false"})
+    void crowdingDependsOnTheDistanceOfTheOpponent(double distance, boolean foul) {
+        Game game = crowd("MinOppDistance=" + distance, "Min2PlDistance=0.5");
+
+        assertThat(types(game).contains(FoulType.CROWDING)).isEqualTo(foul);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "Min2PlDistance=0.6, true",
+        "Min2PlDistance=0.3, false",
+        "Min3PlDistance=1.2, true",
+        "Min3PlDistance=0.7, false"
+    })
+    void crowdingDependsOnTheDistancesOfTheTeam(String assignment, boolean foul) {
+        Game game = crowd("MinOppDistance=0.8", assignment);
+
+        assertThat(types(game).contains(FoulType.CROWDING)).isEqualTo(foul);
+    }
+
+    @Test
+    void selfCollisionsAreNoFoulIfWanted() {
+        Game game = playing("FoulOnSelfCollisions=false");
+        hitOneself(game, 100);
+
+        assertThat(types(game)).isEmpty();
+    }
+
+    @Test
+    void deepOverlapCanBeTolerated() {
+        Game game = playing("SelfCollisionsTolerance=1");
+        hitOneself(game, 100);
+
+        assertThat(types(game)).isEmpty();
+    }
+
+    @Test
+    void timeThatJointsAreFrozenCanBeSet() {
+        Game game = playing("SelfCollisionJointFrozenTime=0.4", "SelfCollisionJointThawTime=1000");
+        Player player = hitOneself(game, 100);
+        int hinge = player.robot().model().hingeIndex(Joint.RIGHT_SHOULDER_PITCH);
+
+        boolean frozen = game.match.isFrozen(player, hinge);
+        game.cycles(0.45);
+
+        assertThat(frozen).isTrue();
+        assertThat(game.match.isFrozen(player, hinge)).isFalse();
+        assertThat(game.match.fouls()).hasSize(1);
+    }
+
+    @Test
+    void jointsFreezeAgainAfterTheirTimeOfGrace() {
+        Game game = playing("SelfCollisionJointFrozenTime=0.1", "SelfCollisionJointThawTime=0.1");
+        Player player = hitOneself(game, 100);
+
+        for (int i = 0; i < 100; i++) {
+            turn(player, Joint.RIGHT_SHOULDER_PITCH, 0);
+            turn(player, Joint.RIGHT_ARM_ROLL, 0);
+            turn(player, Joint.RIGHT_ARM_YAW, 0);
+            game.cycle();
+        }
+        for (int i = 0; i < 100; i++) {
+            bendArm(player);
+            game.cycle();
+        }
+
+        assertThat(game.match.fouls()).hasSizeGreaterThan(1);
+    }
+
+    @Test
+    void selfCollisionCanPutARobotOffThePitchNowAndThen() {
+        Game game = playing("SelfCollisionBeamPenalty=true", "SelfCollisionBeamCooldownTime=1000");
+        Player player = hitOneself(game, 100);
+
+        game.cycles(0.7);
+
+        assertThat(Math.abs(player.position().y())).isGreaterThan(10);
+        game.cycles(3);
+        assertThat(game.match.fouls()).hasSize(26);
+    }
+
+    @Test
+    void safePlaceIsNotSearchedIfNotWanted() {
+        assertThat(placeBesideAnother("MaxNumSafeRepositionAttempts=0")).isLessThan(0.05);
+        assertThat(placeBesideAnother("MaxNumSafeRepositionAttempts=100")).isGreaterThan(0.4);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "KeepawayLength=4, 3, 0, true",
+        "KeepawayLength=8, 3, 0, false",
+        "KeepawayWidth=4, 0, 3, true",
+        "KeepawayCenterX=5, -6, 0, true",
+        "KeepawayCenterY=5, 0, -6, true",
+        "KeepawayLengthReductionRate=500, 9.5, 0, true",
+        "KeepawayWidthReductionRate=500, 0, 9.5, true",
+        "KeepawayWidthReductionRate=4, 0, 9.5, false"
+    })
+    void areaOfKeepawayCanBeSet(String assignment, double x, double y, boolean over) {
+        Game game = playing("Keepaway=true", assignment);
+
+        game.roll(x, y, 0, 0);
+        game.cycles(0.2);
+
+        assertThat(game.playMode() == PlayMode.GAME_OVER).isEqualTo(over);
+    }
+
+    @Test
+    void keepawayEndsWhenTheRightTeamHasTheBall() {
+        Game game = playing("Keepaway=true");
+        game.put(game.join("Stars", 2), -5, 5);
+        Player hunter = game.join("Moons", 2);
+
+        game.touch(hunter);
+
+        assertThat(game.playMode()).isEqualTo(PlayMode.GAME_OVER);
+    }
+
+    private static Game playing(String... assignments) {
+        Game game = new Game(SoccerParameters.league(), assignments);
+        game.match.setPlayMode(PlayMode.PLAY_ON);
+        return game;
+    }
+
+    private static Set<FoulType> types(Game game) {
+        return game.match.fouls().stream().map(Foul::type).collect(Collectors.toSet());
+    }
+
+    /** Lets a robot fall on its back while nothing is judged. */
+    private static Player lying(Game game, int number) {
+        Player player = game.join("Stars", number);
+        game.put(player, -5, 2);
+        game.match.setPlayMode(PlayMode.BEFORE_KICK_OFF);
+        for (int i = 0; i < 150; i++) {
+            player.robot().setMotorSpeed(Joint.LEFT_FOOT_PITCH, -3);
+            player.robot().setMotorSpeed(Joint.RIGHT_FOOT_PITCH, -3);
+            game.cycle();
+        }
+        game.match.setPlayMode(PlayMode.PLAY_ON);
+        assertThat(player.position().z()).isLessThan(0.15);
+        return player;
+    }
+
+    private static Player threeTouching(Game game) {
+        Player first = game.join("Stars", 2);
+        Player second = game.join("Moons", 2);
+        Player third = game.join("Stars", 3);
+        game.put(third, -8, 5);
+        game.put(first, -5, 0);
+        game.put(second, -5, 0.2);
+        game.cycle();
+        game.put(third, first.position().x(), first.position().y() + 0.2);
+        game.cycle();
+        return third;
+    }
+
+    /** Pushes a robot into an opponent that stands in its way. */
+    private static void charge(Game game, String runners, String victims) {
+        Player runner = game.join(runners, 2);
+        Player victim = game.join(victims, 2);
+        charge(game, runner, victim);
+    }
+
+    private static void charge(Game game, Player runner, Player victim) {
+        game.put(victim, -5, 5);
+        game.put(runner, -5.35, 5);
+        game.cycles(1.5);
+        for (int i = 0; i < 25; i++) {
+            runner.robot().push(new Vector3(120, 0, 0));
+            game.cycle();
+        }
+    }
+
+    private static Set<FoulType> chargeAfterTouch(String assignment) {
+        Game game = playing(assignment);
+        Player runner = game.join("Stars", 2);
+        Player victim = game.join("Moons", 2);
+        game.put(victim, 9, 5);
+        game.touch(runner);
+        charge(game, runner, victim);
+        return types(game);
+    }
+
+    /** Puts three of a team and an opponent around the ball: at 0.25 and 0.4, 0.9, and 0.5 metres. */
+    private static Game crowd(String... assignments) {
+        Game game = playing(assignments);
+        game.put(game.join("Stars", 2), -0.25, 0);
+        game.put(game.join("Stars", 3), 0, -0.4);
+        game.put(game.join("Stars", 4), 0, 0.9);
+        game.put(game.join("Moons", 2), 0.5, 0);
+        game.cycle();
+        return game;
+    }
+
+    /** Turns an arm into the body for some cycles, or until it is seen. */
+    private static Player hitOneself(Game game, int cycles) {
+        Player player = game.join("Stars", 2);
+        game.put(player, -5, 2);
+        game.cycles(0.5);
+        for (int i = 0; i < cycles && game.match.fouls().isEmpty(); i++) {
+            bendArm(player);
+            game.cycle();
+        }
+        return player;
+    }
+
+    private static void bendArm(Player player) {
+        turn(player, Joint.RIGHT_SHOULDER_PITCH, -81);
+        turn(player, Joint.RIGHT_ARM_ROLL, -52);
+        turn(player, Joint.RIGHT_ARM_YAW, 76);
+    }
+
+    private static void turn(Player player, Joint joint, double degrees) {
+        player.robot().setMotorSpeed(joint, 0.1 * (degrees - player.robot().jointDegrees(joint)));
+    }
+
+    /** Tells how far from another one a robot is moved whose place that one has taken. */
+    private static double placeBesideAnother(String assignment) {
+        Game game = playing(assignment);
+        List<Player> players = List.of(game.join("Stars", 2), game.join("Stars", 3));
+        game.put(players.get(0), -2.5, 0);
+        game.put(players.get(1), -1, 0);
+        game.match.dropBall();
+        return players.get(1).position().distanceTo(players.get(0).position());
+    }
+}
