@@ -127,7 +127,7 @@ final class RoboVizReader {
         Node outermost = new Node("");
         List<Node> open = new ArrayList<>(List.of(outermost));
         String spaced = text.replace("(", " ( ").replace(")", " ) ").trim();
-        String[] tokens = spaced.split("\\s+");
+        String[] tokens = spaced.split("\\s+", -1);
         for (int i = 0; i < tokens.length; i++) {
             Node current = open.get(open.size() - 1);
             if (tokens[i].equals("(")) {
