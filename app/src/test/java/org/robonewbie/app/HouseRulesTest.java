@@ -56,8 +56,7 @@ class HouseRulesTest {
         String forbidden = "Thread." + "sleep";
 
         assertThat(those(
-                        Project.sources("Test.java"),
-                        file -> Project.read(file).contains(forbidden)))
+                        Project.sources("Test.java"), file -> Project.read(file).contains(forbidden)))
                 .isEmpty();
     }
 

@@ -85,7 +85,8 @@ class SimulatorCommandTest {
     @Test
     void parametersCanStandInAFile() throws IOException {
         Path file = Files.writeString(
-                folder.resolve("training.properties"), "# training\nRuleHalfTime=60\n\nUseCharging = false # no fouls\n");
+                folder.resolve("training.properties"),
+                "# training\nRuleHalfTime=60\n\nUseCharging = false # no fouls\n");
 
         SimulatorSettings settings = settings("--parameters", file.toString(), "--set", "RuleHalfTime=90");
 
@@ -122,8 +123,7 @@ class SimulatorCommandTest {
     @Test
     void truthIsToldWhereItIsWanted() {
         assertThat(settings().camera().ownPosition()).isFalse();
-        assertThat(settings("--ground-truth").camera())
-                .isEqualTo(CameraSettings.STANDARD.withTruth(true, true, true));
+        assertThat(settings("--ground-truth").camera()).isEqualTo(CameraSettings.STANDARD.withTruth(true, true, true));
         assertThat(settings("--ground-truth", "mypos,ballpos").camera())
                 .isEqualTo(CameraSettings.STANDARD.withTruth(true, false, true));
         assertThatThrownBy(() -> settings("--ground-truth=mood"))

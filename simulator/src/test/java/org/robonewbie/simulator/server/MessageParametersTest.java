@@ -49,7 +49,7 @@ class MessageParametersTest {
         Set<String> noisy = beamedPlaces("BeamNoiseXY=0.5", "BeamNoiseAngle=0");
         assertThat(noisy).hasSizeGreaterThan(5);
         assertThat(noisy).allSatisfy(place -> {
-            String[] numbers = place.split(" ");
+            String[] numbers = place.split(" ", -1);
             assertThat(Double.parseDouble(numbers[0])).isCloseTo(-5, within(0.501));
             assertThat(Double.parseDouble(numbers[1])).isCloseTo(2, within(0.501));
         });

@@ -173,8 +173,4 @@ class MonitoredGameTest {
             }
         }
     }
-
-    private static int count(String message) {
-        return message.split("\\(nd", -1).length - 1;
-    }
 }

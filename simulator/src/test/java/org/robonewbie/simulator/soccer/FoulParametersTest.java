@@ -148,7 +148,7 @@ class FoulParametersTest {
         "ChargingMinBallSpeedAngle=120 ChargingMaxBallRulesDist=0.1, true"
     })
     void whoGoesPastTheBallChargesUnlessItsWayIsNearEnough(String assignments, boolean foul) {
-        Game game = playing(assignments.split(" "));
+        Game game = playing(assignments.split(" ", -1));
         game.roll(-5.2, 5.6, 0, 0);
 
         charge(game, "Stars", "Moons");
