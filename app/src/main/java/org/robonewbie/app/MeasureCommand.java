@@ -11,48 +11,61 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Tries all shipped motions, or the example agents, many times and prints how well they work. */
+/** Tries all shipped motions or the example agents many times, or a server under load, and prints how well that works. */
 @Command(
         name = "measure",
-        description =
-                "Try all shipped motions or the example agents many times in the simulator and print how well each works.",
+        description = {
+            "Measure how well RoboNewbie works on this computer.",
+            "",
+            "motions, agents: try all shipped motions or the example agents many times in the simulator.",
+            "server: let many robots play whole matches over TCP; does the server keep step with the clock?"
+        },
         footer = {
             "",
             "Examples:",
             "  robonewbie measure motions                20 trials of each motion",
             "  robonewbie measure motions --seeds 3      a quick look",
             "  robonewbie measure motions --json result.json",
-            "  robonewbie measure agents                 20 games of each example agent"
+            "  robonewbie measure agents                 20 games of each example agent",
+            "  robonewbie measure server                 11 against 11 for 10 minutes on the clock",
+            "  robonewbie measure server --fast --matches 3"
         })
 final class MeasureCommand implements Callable<Integer> {
 
     private static final String MOTIONS = "motions";
     private static final String AGENTS = "agents";
+    private static final String SERVER = "server";
 
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Parameters(paramLabel = "motions|agents", description = "What to measure: motions or agents.")
+    @Parameters(paramLabel = "motions|agents|server", description = "What to measure: motions, agents or server.")
     private String subject = MOTIONS;
 
     @Option(
             names = "--seeds",
             paramLabel = "N",
             defaultValue = "20",
-            description = "Trials of each motion or agent, each disturbed in another way (default: 20).")
+            description = "motions, agents: trials of each one, each disturbed in another way (default: 20).")
     private int seeds;
 
-    @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
+    @Option(names = "--json", paramLabel = "FILE", description = "motions, agents: write the results as JSON too.")
     private Optional<Path> json = Optional.empty();
+
+    @Mixin
+    final ServerLoadOptions load = new ServerLoadOptions();
 
     @Mixin
     final WithoutStudioOption withoutStudio = new WithoutStudioOption();
 
     @Override
     public Integer call() throws IOException {
+        if (subject.equals(SERVER)) {
+            return load.measure();
+        }
         if (!subject.equals(MOTIONS) && !subject.equals(AGENTS)) {
             throw new CalledWronglyException("\"" + subject
-                    + "\" cannot be measured; write: robonewbie measure motions, or: robonewbie measure agents");
+                    + "\" cannot be measured; write: robonewbie measure motions, or: measure agents, or: measure server");
         }
         if (seeds < 1) {
             throw new CalledWronglyException("--seeds " + seeds + ": give a number of trials of at least 1.");

@@ -97,7 +97,11 @@ final class SimulatorCommand implements Callable<Integer> {
     @Option(names = "--seconds", paramLabel = "T", description = "End after T simulated seconds.")
     private Optional<Double> seconds = Optional.empty();
 
-    @Option(names = "--wait-for", paramLabel = "N", description = "Begin when N agents are connected.")
+    @Option(
+            names = "--wait-for",
+            paramLabel = "N",
+            description = "Begin when N agents are connected. With --sync their order does not matter then: the"
+                    + " teams take the sides in the order of their names.")
     private int awaitedAgents;
 
     @Option(names = "--record", paramLabel = "FILE", description = "Write a recording of the run.")

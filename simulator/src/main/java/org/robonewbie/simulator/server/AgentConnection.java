@@ -26,6 +26,7 @@ final class AgentConnection {
     private final List<EffectorCommand> commands = new ArrayList<>();
     private List<EffectorCommand> executed = List.of();
     private boolean synchronised;
+    private boolean everSynchronised;
     private boolean answered = true;
     private boolean heardOf;
     private int generatedMessages;
@@ -36,7 +37,8 @@ final class AgentConnection {
      *
      * @param link the connection
      * @param synchronous whether the world waits for agents
-     * @param strict whether in sync mode the agent is waited for from the beginning, as agents within this process are
+     * @param strict whether in sync mode the agent is waited for from the beginning, as those are that the world awaits
+     *     before it begins and those within this process
      * @param console where to tell the agent's mistakes
      */
     AgentConnection(ServerLink link, boolean synchronous, boolean strict, Console console) {
@@ -88,8 +90,18 @@ final class AgentConnection {
     boolean isSynchronised() {
         return synchronised
                 || !link.isOpen()
-                || (!strict && generatedMessages < FREE_MESSAGES)
+                || (generatedMessages < FREE_MESSAGES && (!strict || hasAnsweredInItsOwnWay()))
                 || (!link.isLocal() && !heardOf);
+    }
+
+    /** Agents of other processes may join without {@code (syn)}; then any answer counts. */
+    private boolean hasAnsweredInItsOwnWay() {
+        return !link.isLocal() && answered && !everSynchronised;
+    }
+
+    /** Tells whether the agent, of another process, is one of those for whom a world in sync mode has not begun yet. */
+    boolean isAwaited() {
+        return synchronous && strict && !link.isLocal();
     }
 
     /** Gives the buffer for the next message, to be filled and announced by {@link #messageGenerated}. */
@@ -139,6 +151,7 @@ final class AgentConnection {
     private void take(EffectorCommand command) {
         if (command instanceof EffectorCommand.Synchronise) {
             synchronised = true;
+            everSynchronised = true;
         } else if (commands.size() < MAXIMUM_COMMANDS) {
             commands.add(command);
         } else {

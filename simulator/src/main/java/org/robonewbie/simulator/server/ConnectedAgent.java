@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.server;
 
 import java.util.Optional;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
 import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
@@ -56,6 +57,26 @@ final class ConnectedAgent {
     void setRobot(Robot newRobot) {
         robot = Optional.of(newRobot);
         isNewborn = true;
+    }
+
+    /** A robot with the number and the eyes that belong to it. */
+    record Body(int id, Robot robot, Optional<Camera> camera) {
+
+        RobotType type() {
+            return robot.model().type();
+        }
+    }
+
+    /** Gives the agent's robot with all that belongs to it. */
+    Body body() {
+        return new Body(id, robot.orElseThrow(), camera);
+    }
+
+    /** Exchanges the robot for another one, before the agent has joined a team. */
+    void setBody(Body body) {
+        id = body.id();
+        robot = Optional.of(body.robot());
+        camera = body.camera();
     }
 
     /** Tells whether the robot was made in this cycle; its perceptors begin to work in the next one. */
@@ -122,6 +143,14 @@ final class ConnectedAgent {
     /** Where the robot was beamed last, with noise. */
     Optional<Beam> lastBeam() {
         return lastBeam;
+    }
+
+    Optional<CreateRobot> wantedRobot() {
+        return wantedRobot;
+    }
+
+    Optional<JoinTeam> wantedTeam() {
+        return wantedTeam;
     }
 
     Optional<CreateRobot> takeWantedRobot() {

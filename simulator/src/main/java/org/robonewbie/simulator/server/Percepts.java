@@ -45,11 +45,16 @@ final class Percepts {
     }
 
     private Optional<Vision> picture(ConnectedAgent agent, List<VisiblePlayer> players) {
-        if (!agent.seesInThisCycle() || agent.robot().isEmpty()) {
+        if (!agent.seesInThisCycle() || agent.robot().isEmpty() || isStillNobody(agent)) {
             return Optional.empty();
         }
         Optional<TeamSide> side = agent.player().map(Player::side);
         return agent.camera().map(camera -> camera.look(agent.robot().get(), world, players, side));
+    }
+
+    /** What an awaited agent sees from where its robot happened to appear would depend on who came first. */
+    private static boolean isStillNobody(ConnectedAgent agent) {
+        return agent.connection().isAwaited() && agent.player().isEmpty();
     }
 
     PerceptorMessage of(ConnectedAgent agent, Robot robot, double seconds) {

@@ -77,7 +77,7 @@ final class Reception {
             link.close();
             cycle.refused(link, MAXIMUM_AGENTS);
         } else {
-            cycle.connect(link, cycle.agents().size() < settings.awaitedAgents());
+            cycle.connect(link, settings.awaitedAgents() > 0 && cycle.cycle() == 0);
         }
     }
 }

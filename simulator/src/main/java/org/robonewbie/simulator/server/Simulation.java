@@ -41,6 +41,8 @@ final class Simulation implements SimulationControl, Runnable {
     private boolean begun;
     private long beginning;
     private boolean over;
+    private volatile long cycles;
+    private volatile long missedCycles;
     private volatile boolean closing;
     private volatile Optional<RunReport> finalReport = Optional.empty();
     private volatile Optional<IOException> reportFailure = Optional.empty();
@@ -86,6 +88,16 @@ final class Simulation implements SimulationControl, Runnable {
 
     MonitorDesk monitors() {
         return monitors;
+    }
+
+    /** Tells how many cycles are over, to any thread. */
+    long cycles() {
+        return cycles;
+    }
+
+    /** Tells how many cycles real time had and the world had not, to any thread. */
+    long missedCycles() {
+        return missedCycles;
     }
 
     /** Gives the true results once the simulation has ended. */
@@ -187,6 +199,8 @@ final class Simulation implements SimulationControl, Runnable {
             beginning = System.nanoTime();
         }
         cycle.run();
+        cycles = cycle.cycle();
+        missedCycles = pacemaker.missedCycles();
         stepsLeft = Math.max(0, stepsLeft - 1);
         monitors.cycleEnded();
         report();

@@ -27,7 +27,8 @@ import org.robonewbie.simulator.world.SoccerWorld;
  * the cycle before, move the world, judge the game, generate the next messages (SimSpark: {@code simulationserver.cpp}).
  *
  * <p>So an agent's answer to message k is read when message k + 1 has already been generated, and shows its effect in message
- * k + 2. Agents are always served in the order in which they connected, so that equal answers give equal games.
+ * k + 2. Agents are served in the order in which they connected or, in other processes, in the {@link OrderOfArrival}, so that
+ * equal answers give equal games.
  */
 final class SimulationCycle {
 
@@ -88,7 +89,7 @@ final class SimulationCycle {
         return cycle;
     }
 
-    /** Lists the agents in the order in which they connected. */
+    /** Lists the agents in the order in which they are served. */
     List<ConnectedAgent> agents() {
         return Collections.unmodifiableList(agents);
     }
@@ -182,6 +183,7 @@ final class SimulationCycle {
         for (ConnectedAgent agent : agents) {
             effectors.execute(agent, agents);
         }
+        OrderOfArrival.arrange(agents);
         for (ConnectedAgent agent : agents) {
             agent.connection().send();
         }

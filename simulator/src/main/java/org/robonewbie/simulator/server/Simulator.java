@@ -2,6 +2,8 @@ package org.robonewbie.simulator.server;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -81,6 +83,34 @@ public final class Simulator implements AutoCloseable {
      */
     public SimulationControl control() {
         return simulation;
+    }
+
+    /**
+     * Tells how far the simulation is.
+     *
+     * @return cycles of 20 ms so far
+     */
+    public long cycles() {
+        return simulation.cycles();
+    }
+
+    /**
+     * Tells whether the world keeps step with the clock.
+     *
+     * @return cycles that real time had and the world had not, so far
+     */
+    public long missedCycles() {
+        return simulation.missedCycles();
+    }
+
+    /**
+     * Tells what the simulation costs.
+     *
+     * @return seconds of processor time that its thread has used so far; NaN where the system does not tell
+     */
+    public double processorSeconds() {
+        ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+        return threads.isThreadCpuTimeSupported() ? threads.getThreadCpuTime(thread.getId()) / 1e9 : Double.NaN;
     }
 
     /**

@@ -3,7 +3,12 @@ package org.robonewbie.simulator.server;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.TcpAgentLink;
@@ -40,6 +45,34 @@ class DeterminismTest {
     }
 
     @Test
+    void sameSeedGivesSameRecordingWithTwentyTwoAgentsInThreads() throws Exception {
+        RunReport first = run(22, false, league(22, 7));
+        RunReport second = run(22, false, league(22, 7));
+
+        assertThat(first.robots()).hasSize(22);
+        assertThat(first.recordingSha256()).isEqualTo(second.recordingSha256());
+    }
+
+    @Test
+    void orderOfTcpConnectionsDoesNotMatterForTwentyTwoAwaitedAgents() throws Exception {
+        List<Integer> numbers = numbers(22);
+        RunReport first = runOverTcp(numbers);
+        Collections.reverse(numbers);
+        RunReport second = runOverTcp(numbers);
+        Collections.shuffle(numbers, new Random(1));
+        RunReport third = runOverTcp(numbers);
+
+        assertThat(first.robots()).hasSize(22);
+        assertThat(second.recordingSha256()).isEqualTo(first.recordingSha256());
+        assertThat(third.recordingSha256()).isEqualTo(first.recordingSha256());
+    }
+
+    @Test
+    void awaitedAgentsThatJoinWithoutSynGiveSameRecordingToo() throws Exception {
+        assertThat(runWithoutSynAtFirst()).isEqualTo(runWithoutSynAtFirst());
+    }
+
+    @Test
     void tcpAndInProcessGiveSameRecording() throws Exception {
         RunReport overTcp = run(1, true, settings(1, 7));
         RunReport inProcess = run(1, false, settings(1, 7));
@@ -65,11 +98,43 @@ class DeterminismTest {
             for (int i = 1; i <= agents; i++) {
                 AgentLink link =
                         overTcp ? TcpAgentLink.connect("127.0.0.1", simulator.agentPort()) : simulator.connect();
-                new ScriptedAgent(link, i % 2 == 0 ? "Moons" : "Stars", i).start();
+                scripted(link, i).start();
             }
             simulator.awaitEnd();
             return simulator.report().orElseThrow();
         }
+    }
+
+    private static RunReport runOverTcp(List<Integer> numbers) throws Exception {
+        try (Simulator simulator = Simulator.start(league(numbers.size(), 7), new RecordingConsole())) {
+            for (int number : numbers) {
+                scripted(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()), number)
+                        .start();
+            }
+            simulator.awaitEnd();
+            return simulator.report().orElseThrow();
+        }
+    }
+
+    private static String runWithoutSynAtFirst() throws IOException {
+        Simulator simulator = Simulator.start(settings(1, 7), new RecordingConsole());
+        try (TestAgent agent = new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()))) {
+            agent.exchange("(scene rsg/agent/nao/nao.rsg)");
+            agent.exchange("(init (unum 1)(teamname Stars))");
+            for (int i = 0; i < 50; i++) {
+                agent.exchange("(lae1 1)(syn)");
+            }
+        }
+        simulator.close();
+        return simulator.report().orElseThrow().recordingSha256();
+    }
+
+    private static ScriptedAgent scripted(AgentLink link, int i) {
+        return new ScriptedAgent(link, i % 2 == 0 ? "Moons" : "Stars", (i + 1) / 2);
+    }
+
+    private static List<Integer> numbers(int count) {
+        return new ArrayList<>(IntStream.rangeClosed(1, count).boxed().toList());
     }
 
     private static String runUntilAgentLeaves() throws IOException {
@@ -83,6 +148,17 @@ class DeterminismTest {
         }
         simulator.close();
         return simulator.report().orElseThrow().recordingSha256();
+    }
+
+    private static SimulatorSettings league(int agents, long seed) {
+        return SimulatorSettings.league()
+                .agentPort(0)
+                .synchronous(true)
+                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .seed(seed)
+                .awaitedAgents(agents)
+                .seconds(OptionalDouble.of(1))
+                .build();
     }
 
     /** League beams, since their noise depends on the seed. */

@@ -3,7 +3,7 @@ package org.robonewbie.simulator.server;
 import java.io.IOException;
 import org.robonewbie.protocol.frame.AgentLink;
 
-/** An agent that waves its arms until its simulator ends, and moves differently with each number. */
+/** An agent that waves its arms until its simulator ends, and is built and moves differently with each number. */
 final class ScriptedAgent implements Runnable {
 
     private final TestAgent agent;
@@ -19,7 +19,7 @@ final class ScriptedAgent implements Runnable {
     @Override
     public void run() {
         try {
-            agent.join(team, number);
+            agent.join("rsg/agent/nao/nao_hetero.rsg " + number % 3, team, number);
             agent.exchange("(beam -" + number + " " + number + " 0)(syn)");
             for (int cycle = 0; ; cycle++) {
                 double speed = Math.sin(cycle * 0.1 * number);

@@ -19,7 +19,12 @@ final class TestAgent implements AutoCloseable {
 
     /** Creates a robot, joins a team as the original client does, and returns the message with the number. */
     PerceptorMessage join(String team, int number) throws IOException {
-        send("(scene rsg/agent/nao/nao.rsg)(syn)");
+        return join("rsg/agent/nao/nao.rsg", team, number);
+    }
+
+    /** Creates a certain robot and joins a team. */
+    PerceptorMessage join(String scene, String team, int number) throws IOException {
+        send("(scene " + scene + ")(syn)");
         receive();
         send("(init (unum " + number + ")(teamname " + team + "))(syn)");
         receive();

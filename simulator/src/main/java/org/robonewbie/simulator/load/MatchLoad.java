@@ -1,0 +1,171 @@
+package org.robonewbie.simulator.load;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+
+/**
+ * Plays whole matches of the league, two halves each, with many agents over TCP and one server, and measures what it costs.
+ * Agents and server share this process, so that nothing else has to be started.
+ *
+ * <pre>{@code
+ * LoadSettings settings = new LoadSettings(22, 600, 1, true, PhysicsEngine.STANDARD);
+ * new MatchLoad(settings, System.out).run().forEach(result -> System.out.println(result.toLine()));
+ * }</pre>
+ */
+public final class MatchLoad {
+
+    private static final double CYCLE_SECONDS = 0.02;
+    private static final double SECONDS_BEFORE_KICK_OFF = 2;
+    private static final long LOOKING_MILLISECONDS = 100;
+    private static final double PROGRESS_SECONDS = 30;
+    private static final double SILENT_AGENT_SECONDS = 600;
+
+    private final LoadSettings load;
+    private final PrintStream progress;
+
+    /**
+     * Describes the load.
+     *
+     * @param load how much there is to do
+     * @param progress where to tell how far it is
+     */
+    public MatchLoad(LoadSettings load, PrintStream progress) {
+        this.load = load;
+        this.progress = progress;
+    }
+
+    /**
+     * Plays the matches.
+     *
+     * @return a result for each match
+     * @throws IOException if the server cannot be started
+     */
+    public List<MatchLoadResult> run() throws IOException {
+        List<MatchLoadResult> results = new ArrayList<>();
+        try (Simulator simulator = Simulator.start(settings(), Console.silent())) {
+            List<LoadPlayer> players = connect(simulator.agentPort());
+            Course course = new Course(simulator, players.get(0));
+            awaitMode(players.get(0), true, course, 0);
+            for (int match = 1; match <= load.matches(); match++) {
+                course.matchBegins();
+                awaitMode(players.get(0), false, course, match);
+                simulator.control().pause();
+                results.add(course.result(match));
+                simulator.control().reset();
+                simulator.control().resume();
+                awaitMode(players.get(0), true, course, match);
+            }
+        }
+        return results;
+    }
+
+    private SimulatorSettings settings() {
+        return SimulatorSettings.league()
+                .parameters(SoccerParameters.league()
+                        .with("RuleHalfTime=" + load.secondsOfPlay() / 2)
+                        .with("AutomaticKickOff=true")
+                        .with("WaitBeforeKickOff=" + SECONDS_BEFORE_KICK_OFF))
+                .agentPort(0)
+                .physics(load.physics())
+                .synchronous(!load.realTime())
+                .speed(load.realTime() ? 1 : SimulationControl.AS_FAST_AS_POSSIBLE)
+                .silentAgentSeconds(SILENT_AGENT_SECONDS)
+                .awaitedAgents(load.robots())
+                .seconds(OptionalDouble.empty())
+                .build();
+    }
+
+    private List<LoadPlayer> connect(int port) throws IOException {
+        List<LoadPlayer> players = new ArrayList<>();
+        for (int i = 0; i < load.robots(); i++) {
+            LoadPlayer player = new LoadPlayer(port, i % 2 == 0 ? "Left" : "Right", i / 2 + 1);
+            Thread thread = new Thread(player, "player " + (i + 1));
+            thread.setDaemon(true);
+            thread.start();
+            players.add(player);
+        }
+        return players;
+    }
+
+    /** Waits until the game is over, or until it is not (any more). */
+    private void awaitMode(LoadPlayer player, boolean playing, Course course, int match) {
+        double told = 0;
+        while (player.playMode().isEmpty() || player.playMode().equals(PlayMode.GAME_OVER.simSparkName()) == playing) {
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(LOOKING_MILLISECONDS));
+            if (player.playSeconds() >= told + PROGRESS_SECONDS) {
+                told = player.playSeconds();
+                progress.println(String.format(
+                        Locale.ROOT, "match %d: %.0f s played, %d cycles missed", match, told, course.missedCycles()));
+            }
+        }
+    }
+
+    /** Takes the times at the beginning and the end of a match. */
+    private static final class Course {
+
+        private final Simulator simulator;
+        private final LoadPlayer player;
+        private double beganSeconds;
+        private long beganMissed;
+        private double beganServer;
+        private double beganProcess;
+
+        Course(Simulator simulator, LoadPlayer player) {
+            this.simulator = simulator;
+            this.player = player;
+        }
+
+        long missedCycles() {
+            return simulator.missedCycles() - beganMissed;
+        }
+
+        void matchBegins() {
+            player.arrivals().restart();
+            beganSeconds = simulator.cycles() * CYCLE_SECONDS;
+            beganMissed = simulator.missedCycles();
+            beganServer = simulator.processorSeconds();
+            beganProcess = processSeconds();
+        }
+
+        MatchLoadResult result(int match) {
+            long cycles = Math.round(simulator.cycles() - beganSeconds / CYCLE_SECONDS);
+            double server = simulator.processorSeconds() - beganServer;
+            double process = processSeconds() - beganProcess;
+            return new MatchLoadResult(
+                    match,
+                    cycles,
+                    player.playSeconds(),
+                    missedCycles(),
+                    1000 * server / cycles,
+                    1000 * process / cycles,
+                    1000 * player.arrivals().deviationSeconds(0.99),
+                    1000 * player.arrivals().deviationSeconds(1),
+                    heapMegabytes());
+        }
+
+        private static double processSeconds() {
+            return ManagementFactory.getOperatingSystemMXBean()
+                            instanceof com.sun.management.OperatingSystemMXBean system
+                    ? system.getProcessCpuTime() / 1e9
+                    : Double.NaN;
+        }
+
+        private static double heapMegabytes() {
+            ManagementFactory.getMemoryMXBean().gc();
+            return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed() / 1e6;
+        }
+    }
+}
