@@ -11,6 +11,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.model.Shape;
 
 /** Writes a {@link Scene} as JSON for the pages, with the bodies of all robot types that play. */
@@ -73,6 +74,19 @@ final class SceneWriter {
         json.addProperty("number", player.number());
         json.addProperty("type", player.type().name());
         return json;
+    }
+
+    /**
+     * Writes the bodies of all robots.
+     *
+     * @return one body for each type, by its name
+     */
+    static JsonObject allModels() {
+        JsonObject models = new JsonObject();
+        for (RobotType type : RobotType.values()) {
+            models.add(type.name(), model(NaoModel.of(type)));
+        }
+        return models;
     }
 
     /**

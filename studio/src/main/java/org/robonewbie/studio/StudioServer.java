@@ -16,6 +16,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.Viewer;
 import org.robonewbie.studio.motion.MotionRoom;
+import org.robonewbie.studio.replay.ReplayRoom;
 
 /**
  * The studio of one running simulation: a web server on 127.0.0.1 with the pages and the live feed on one port.
@@ -106,7 +107,8 @@ public final class StudioServer implements Viewer.View {
                     AccessRule.LIVE_PATH, (request, response, callback) -> new Spectator(feed, feed.simulation()));
         });
         MotionRoom motionRoom = new MotionRoom(folders.motions(), SceneWriter.model(NaoModel.of(RobotType.TYPE_0)));
-        live.setHandler(new Handler.Sequence(motionRoom, new WebFiles()));
+        live.setHandler(new Handler.Sequence(
+                new ReplayRoom(folders.recordings(), SceneWriter.allModels()), motionRoom, new WebFiles()));
         return live;
     }
 

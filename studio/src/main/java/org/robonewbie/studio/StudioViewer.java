@@ -12,7 +12,7 @@ import org.robonewbie.simulator.Viewer;
 public final class StudioViewer implements Viewer {
 
     /** The port that is taken if it is free and no other is asked for. */
-    public static final int USUAL_PORT = 3300;
+    public static final int USUAL_PORT = 3400;
 
     @Override
     public View open(SimulationControl simulation, int port) throws IOException {

@@ -10,9 +10,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
@@ -20,11 +22,14 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.recording.RecordedCycle;
+import org.robonewbie.simulator.recording.RecordingReader;
 
 /** Runs the tests of the page's scripts, which live in {@code src/test/javascript}. */
 class JavaScriptTest {
@@ -36,6 +41,7 @@ class JavaScriptTest {
         Path node = Tool.NODE.orSkip();
         writeFrame(folder);
         writeRobot(folder);
+        writeRecording(folder);
         writeMotions(Files.createDirectory(folder.resolve("motions")));
 
         run(folder, List.of(node.toString(), "--test", "src/test/javascript/"));
@@ -118,12 +124,41 @@ class JavaScriptTest {
     private static void writeRobot(Path folder) throws IOException {
         try (SmallSimulation simulation = new SmallSimulation();
                 StudioServer studio = StudioServer.start(
-                        simulation, 0, AccessToken.random(), new StudioFolders(folder.resolve("none")))) {
+                        simulation,
+                        0,
+                        AccessToken.random(),
+                        new StudioFolders(folder.resolve("none"), Optional.empty()))) {
             String request = "GET /api/robot?" + studio.address().getQuery() + " HTTP/1.1";
             String answer = RawHttp.send(
                     studio.address(), request, "Host: " + studio.address().getAuthority());
             Files.writeString(folder.resolve("robot.json"), answer.substring(answer.indexOf("\r\n\r\n") + 4));
         }
+    }
+
+    /** Writes a recording, and what Java reads from it. */
+    private static void writeRecording(Path folder) throws IOException {
+        Path file = folder.resolve("run.rec");
+        RecordedRun.write(file);
+        List<Map<String, Object>> truth = new ArrayList<>();
+        try (RecordingReader reader = RecordingReader.open(file)) {
+            for (Optional<RecordedCycle> cycle = reader.next(); cycle.isPresent(); cycle = reader.next()) {
+                WorldSnapshot snapshot = cycle.get().snapshot();
+                Vector3 ball = snapshot.ballPosition();
+                truth.add(Map.of(
+                        "cycle", snapshot.cycle(),
+                        "scoreLeft", snapshot.scoreLeft(),
+                        "ball", List.of(ball.x(), ball.y(), ball.z()),
+                        "degrees",
+                                snapshot.robots().stream()
+                                        .map(robot -> robot.jointDegrees())
+                                        .toList(),
+                        "torsos",
+                                snapshot.robots().stream()
+                                        .map(robot -> Arrays.copyOf(robot.linkPoses(), 7))
+                                        .toList()));
+            }
+        }
+        Files.writeString(folder.resolve("run.json"), new Gson().toJson(truth));
     }
 
     /** Writes motion files of all kinds, and what the robot's own reader makes of them. */

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -31,7 +32,7 @@ class MotionAccessTest {
     void start() throws IOException {
         folder = Files.createDirectory(place.resolve("motions"));
         Files.writeString(place.resolve("secret.txt"), "secret");
-        studio = StudioServer.start(simulation, 0, TOKEN, new StudioFolders(folder));
+        studio = StudioServer.start(simulation, 0, TOKEN, new StudioFolders(folder, Optional.empty()));
     }
 
     @AfterEach

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -51,7 +52,8 @@ class MotionPageTest {
 
     @BeforeEach
     void start() throws IOException {
-        studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), new StudioFolders(folder));
+        studio = StudioServer.start(
+                simulation.start(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
     }
 
     @AfterEach

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -28,8 +29,8 @@ class MotionPictureTest {
             Files.writeString(folder.resolve(name + ".txt"), "// still empty\n");
         }
         try (SmallSimulation simulation = new SmallSimulation().withRobot().start();
-                StudioServer studio =
-                        StudioServer.start(simulation, 0, AccessToken.random(), new StudioFolders(folder));
+                StudioServer studio = StudioServer.start(
+                        simulation, 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
                 Chromium browser = Chromium.open(1366, 768)) {
             browser.visit(studio.address() + "&quality=high&theme=light#motion/wave");
             browser.await("studio.motion && " + STATE + ".name === 'wave' && studio.motion.editor.marks");

@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.embedded;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Random;
 import java.util.ServiceLoader;
@@ -9,6 +10,7 @@ import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.Viewer;
+import org.robonewbie.simulator.recording.RecordingShelf;
 import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
@@ -49,9 +51,14 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
                 .truth(request.truth())
                 .awaitedAgents(request.awaitedAgents())
                 .seconds(request.seconds())
-                .recording(request.recording())
+                .recording(request.recording().or(() -> shelved(request)))
                 .report(request.report())
                 .build();
+    }
+
+    /** Runs that people watch are recorded, so that they can look at them again. */
+    private static Optional<Path> shelved(SimulatorRequest request) {
+        return request.headless() ? Optional.empty() : RecordingShelf.ofUser().flatMap(RecordingShelf::next);
     }
 
     private static Optional<Viewer.View> openView(Simulator simulator) throws IOException {

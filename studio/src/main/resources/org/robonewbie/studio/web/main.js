@@ -7,6 +7,7 @@ import { readFrame } from './live/state-frame.js';
 import { byId } from './panels/elements.js';
 import { deeds, FIELD_MOUSE, listenToKeys } from './panels/keys.js';
 import { banner, notes, tell } from './panels/messages.js';
+import { RoomDesk } from './panels/room-desk.js';
 import { roomsPanel } from './panels/rooms.js';
 import { scoreBoardPanel } from './panels/score-board.js';
 import { cameraPanel, trainerPanel } from './panels/side.js';
@@ -24,15 +25,6 @@ import {
   withScene,
 } from './state/studio-state.js';
 
-const MOTION_MOUSE = [
-  ['Drag a limb', 'turn its joints'],
-  ['Shift, drag', 'the whole arm or leg follows'],
-  ['Drag the torso', 'the feet stay where they are'],
-  ['Drag the ground', 'turn the view'],
-  ['Drag a keyframe', 'change its time'],
-  ['Shift, click', 'choose several keyframes'],
-];
-
 const options = new URLSearchParams(location.search);
 const token = options.get('token') ?? '';
 
@@ -41,6 +33,8 @@ let stale = true;
 let owesAnswer = false;
 let lastTurn = 0;
 let hasDrawn = false;
+/** What of a recording is shown instead of the running simulation. @type {{scene: import('./live/state-frame.js').Scene, frame: import('./live/state-frame.js').Frame} | undefined} */
+let replayed;
 
 const note = notes();
 window.addEventListener('error', (event) => note(`This page has met an error: ${event.message}. Load it again.`));
@@ -79,8 +73,10 @@ const connection = new Connection(`ws://${location.host}/live?token=${encodeURIC
   told(news) {
     if (news.kind === 'scene') {
       state = withScene(state, news);
-      view.setScene(news);
-      desk.setScene(news);
+      if (room() !== 'replay') {
+        view.setScene(news);
+        desk.setScene(news);
+      }
     } else {
       note(news.text);
     }
@@ -121,12 +117,14 @@ const draws = [
   trainerPanel(send),
   banner(),
 ];
-/** @type {Awaited<ReturnType<typeof import('./motion/motion-room.js').openMotionRoom>> | undefined} */
-let motionRoom;
-let opening = false;
+const rooms = new RoomDesk({ token, note, quality: () => chooser.quality, robotOfRun });
 const room = roomsPanel(enter);
 setShadows(shadows);
-new Hand(view, desk, { now: () => state, send, changed: touch });
+new Hand(view, desk, {
+  now: () => (replayed ? { ...state, ...replayed } : state),
+  send: (command) => room() === 'field' && send(command),
+  changed: touch,
+});
 const fieldDeeds = deeds(
   {
     turn: (right, up) => (desk.turn(right, up), touch()),
@@ -137,10 +135,10 @@ const fieldDeeds = deeds(
   time,
   send,
 );
-listenToKeys(() => (room() === 'motion' ? { deeds: motionRoom?.deeds ?? [], mouse: MOTION_MOUSE } : { deeds: fieldDeeds, mouse: FIELD_MOUSE }));
+listenToKeys(() => rooms.keys(room(), { deeds: fieldDeeds, mouse: FIELD_MOUSE }));
 themeSwitch(options.get('theme'), (theme) => {
   view.setTheme(theme);
-  motionRoom?.setTheme(theme);
+  rooms.motion?.setTheme(theme);
   touch();
 });
 new ResizeObserver(() => {
@@ -149,24 +147,14 @@ new ResizeObserver(() => {
 }).observe(view.stage);
 
 /** @param {import('./panels/rooms.js').RoomName} entered */
-async function enter(entered) {
+function enter(entered) {
+  replayed = undefined;
+  if (entered === 'field' && state.scene) {
+    view.setScene(state.scene);
+    desk.setScene(state.scene);
+  }
   touch();
-  if (entered !== 'motion') {
-    return;
-  }
-  motionRoom?.touch();
-  if (!motionRoom && !opening && token !== '') {
-    opening = true;
-    try {
-      const { openMotionRoom } = await import('./motion/motion-room.js');
-      const wanted = decodeURIComponent(location.hash.split('/')[1] ?? '') || undefined;
-      motionRoom = await openMotionRoom({ token, note, quality: chooser.quality, robotOfRun, wanted });
-      motionRoom.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
-    } catch (error) {
-      note(`The motion editor cannot open: ${/** @type {Error} */ (error).message}`);
-    }
-    opening = false;
-  }
+  rooms.enter(entered);
 }
 
 /** The robot that the field's camera follows, whose posture can become a keyframe. */
@@ -207,13 +195,15 @@ function turn(now) {
     view.setQuality(chooser.quality);
     stale = true;
   }
-  const inField = room() === 'field';
-  hasDrawn = inField && (stale || (chooser.quality.smooth && smoothing.isMoving(now)));
+  const seconds = Math.min(0.2, (now - lastTurn) / 1000);
+  const here = room();
+  const isLive = here === 'field' && chooser.quality.smooth && smoothing.isMoving(now);
+  const isReplayed = here === 'replay' && rooms.replay?.turn(seconds);
+  hasDrawn = here !== 'motion' && (stale || isLive || isReplayed === true);
   if (hasDrawn) {
-    drawPicture(now, Math.min(0.2, (now - lastTurn) / 1000));
-  }
-  if (!inField) {
-    motionRoom?.turn(Math.min(0.2, (now - lastTurn) / 1000));
+    drawPicture(now, seconds);
+  } else if (here === 'motion') {
+    rooms.motion?.turn(seconds);
   }
   lastTurn = now;
   if (owesAnswer) {
@@ -228,19 +218,42 @@ function turn(now) {
  */
 function drawPicture(now, seconds) {
   stale = false;
-  const picture = chooser.quality.smooth ? smoothing.picture(now) : state.frame;
-  if (picture && state.scene) {
-    view.update(picture);
+  if (room() === 'replay') {
+    showReplay();
+  } else {
+    const picture = chooser.quality.smooth ? smoothing.picture(now) : state.frame;
+    if (picture && state.scene) {
+      view.update(picture);
+    }
   }
   stale = desk.update(view.crowd.poses, seconds);
   view.light.shine(desk.shown.target, view.camera.position);
   view.draw();
-  draws.forEach((draw) => draw(state, now));
+  drawPanels(now);
+}
+
+/** @param {number} now milliseconds */
+function drawPanels(now) {
+  const shown = replayed ? { ...state, ...replayed, goal: undefined } : state;
+  draws.forEach((draw) => draw(shown, now));
+}
+
+/** Takes the picture from the recording instead of the running simulation. */
+function showReplay() {
+  const picture = rooms.replay?.picture;
+  if (picture) {
+    if (picture.scene !== replayed?.scene) {
+      view.setScene(picture.scene);
+      desk.setScene(picture.scene);
+    }
+    replayed = picture;
+    view.update(picture.frame);
+  }
 }
 
 setInterval(() => {
   connection.checkSilence();
-  draws.forEach((draw) => draw(state, performance.now()));
+  drawPanels(performance.now());
 }, 500);
 if (token !== '') {
   connection.open();
@@ -257,7 +270,10 @@ Object.assign(window, {
     desk,
     chooser,
     get motion() {
-      return motionRoom;
+      return rooms.motion;
+    },
+    get replay() {
+      return rooms.replay;
     },
   },
 });

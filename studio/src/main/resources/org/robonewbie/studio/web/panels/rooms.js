@@ -1,12 +1,13 @@
 /** The rooms of the studio and the way from one to the other: the fragment of the address names the room. */
 import { byId, element } from './elements.js';
 
-/** @typedef {'field' | 'motion'} RoomName */
+/** @typedef {'field' | 'motion' | 'replay'} RoomName */
 
-/** Only rooms that one can enter are listed. @type {Array<{room: RoomName, name: string, hint: string}>} */
+/** Only rooms that one can enter are listed. @type {Array<{room: RoomName, place: string, name: string, hint: string}>} */
 const ROOMS = [
-  { room: 'field', name: 'Field', hint: 'Watch and steer the game' },
-  { room: 'motion', name: 'Motion', hint: 'Shape motions' },
+  { room: 'field', place: 'field-room', name: 'Field', hint: 'Watch and steer the game' },
+  { room: 'motion', place: 'motion-room', name: 'Motion', hint: 'Shape motions' },
+  { room: 'replay', place: 'field-room', name: 'Replay', hint: 'See runs again' },
 ];
 
 /**
@@ -19,8 +20,11 @@ export function roomsPanel(entered) {
   const current = () => ROOMS.find(({ room }) => location.hash.split('/')[0] === `#${room}`)?.room ?? 'field';
   const show = () => {
     const now = current();
-    ROOMS.forEach(({ room }, i) => {
-      byId(`${room}-room`).hidden = room !== now;
+    const { place: shown } = ROOMS.find(({ room }) => room === now) ?? ROOMS[0];
+    byId('field-room').dataset.room = now;
+    byId('replay').hidden = now !== 'replay';
+    ROOMS.forEach(({ room, place }, i) => {
+      byId(place).hidden = place !== shown;
       links[i].toggleAttribute('aria-current', room === now);
       if (room === now) {
         links[i].setAttribute('aria-current', 'page');

@@ -1,0 +1,141 @@
+package org.robonewbie.studio.replay;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.net.URLDecoder;
+import java.nio.ByteBuffer;
+import java.nio.channels.SeekableByteChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.server.Handler;
+import org.eclipse.jetty.server.Request;
+import org.eclipse.jetty.server.Response;
+import org.eclipse.jetty.util.Callback;
+import org.robonewbie.simulator.recording.RecordingShelf;
+
+/**
+ * Gives recordings to the pages.
+ *
+ * <pre>
+ * GET /api/recordings                 all recordings, the newest first
+ * GET /api/recordings/NAME?from=N     its bytes from the N-th on, at most four million at once
+ * GET /api/models                     the bodies of all robot types
+ * </pre>
+ */
+public final class ReplayRoom extends Handler.Abstract {
+
+    private static final String LIST = "/api/recordings";
+    private static final String MODELS = "/api/models";
+    private static final String UNFINISHED = ".part";
+    private static final int MOST_BYTES = 4_000_000;
+    private static final long STILL_RUNNING_MILLIS = 4000;
+
+    private final Optional<RecordingShelf> shelf;
+    private final String models;
+
+    /**
+     * Opens the room.
+     *
+     * @param shelf where the recordings are; empty if nothing is recorded
+     * @param models the bodies of all robot types as JSON, by type
+     */
+    public ReplayRoom(Optional<RecordingShelf> shelf, JsonObject models) {
+        this.shelf = shelf;
+        this.models = models.toString();
+    }
+
+    @Override
+    public boolean handle(Request request, Response response, Callback callback) throws Exception {
+        String path = Request.getPathInContext(request);
+        if (!request.getMethod().equals("GET") || !(path.startsWith(LIST) || path.equals(MODELS))) {
+            return false;
+        }
+        if (path.equals(MODELS) || path.equals(LIST)) {
+            byte[] json = (path.equals(MODELS) ? models : list()).getBytes(StandardCharsets.UTF_8);
+            send(response, callback, 200, "application/json", ByteBuffer.wrap(json));
+            return true;
+        }
+        Optional<Path> file = find(URLDecoder.decode(path.substring(LIST.length() + 1), StandardCharsets.UTF_8));
+        if (file.isEmpty()) {
+            byte[] text = "There is no such recording any more. Choose another one.".getBytes(StandardCharsets.UTF_8);
+            send(response, callback, 404, "text/plain;charset=utf-8", ByteBuffer.wrap(text));
+        } else {
+            long from = from(request);
+            send(response, callback, 200, "application/octet-stream", read(file.get(), from));
+        }
+        return true;
+    }
+
+    private static void send(Response response, Callback callback, int status, String type, ByteBuffer content) {
+        response.setStatus(status);
+        response.getHeaders().put(HttpHeader.CONTENT_TYPE, type).put(HttpHeader.CACHE_CONTROL, "no-store");
+        response.write(true, content, callback);
+    }
+
+    private static long from(Request request) {
+        try {
+            String text = Request.extractQueryParameters(request).getValue("from");
+            return text == null ? 0 : Math.max(0, Long.parseLong(text));
+        } catch (NumberFormatException e) {
+            return 0;
+        }
+    }
+
+    private static ByteBuffer read(Path file, long from) throws IOException {
+        try (SeekableByteChannel channel = Files.newByteChannel(file)) {
+            long rest = Math.max(0, channel.size() - from);
+            ByteBuffer content = ByteBuffer.allocate((int) Math.min(rest, MOST_BYTES));
+            channel.position(from);
+            int count = channel.read(content);
+            while (count >= 0 && content.hasRemaining()) {
+                count = channel.read(content);
+            }
+            return content.flip();
+        }
+    }
+
+    /** Only what the list names can be read, so no path leads out of the folder; a run that has ended keeps its name. */
+    private Optional<Path> find(String name) throws IOException {
+        return files().stream().filter(file -> name(file).equals(name)).findFirst();
+    }
+
+    private List<Path> files() throws IOException {
+        return shelf.isEmpty() ? List.of() : shelf.get().list();
+    }
+
+    private static String name(Path file) {
+        return String.valueOf(file.getFileName()).replace(UNFINISHED, "").replace(RecordingShelf.ENDING, "");
+    }
+
+    private String list() throws IOException {
+        JsonArray recordings = new JsonArray();
+        for (Path file : files()) {
+            describe(file).ifPresent(recordings::add);
+        }
+        JsonObject json = new JsonObject();
+        json.add("recordings", recordings);
+        shelf.ifPresent(place -> json.addProperty("folder", place.folder().toString()));
+        return json.toString();
+    }
+
+    /** Empty if the file has just gone. */
+    private static Optional<JsonObject> describe(Path file) throws IOException {
+        try {
+            long age =
+                    System.currentTimeMillis() - Files.getLastModifiedTime(file).toMillis();
+            JsonObject json = new JsonObject();
+            json.addProperty("name", name(file));
+            json.addProperty("bytes", Files.size(file));
+            json.addProperty("running", file.toString().endsWith(UNFINISHED) && age < STILL_RUNNING_MILLIS);
+            return Optional.of(json);
+        } catch (NoSuchFileException gone) {
+            return Optional.empty();
+        }
+    }
+}

@@ -1,0 +1,77 @@
+/** Opens the rooms when one enters them first, so that nobody waits for a room that is not needed. */
+
+/**
+ * @typedef {import('./rooms.js').RoomName} RoomName
+ * @typedef {{deeds: import('./keys.js').Deed[], mouse: string[][]}} Keys
+ */
+
+const MOTION_MOUSE = [
+  ['Drag a limb', 'turn its joints'],
+  ['Shift, drag', 'the whole arm or leg follows'],
+  ['Drag the torso', 'the feet stay where they are'],
+  ['Drag the ground', 'turn the view'],
+  ['Drag a keyframe', 'change its time'],
+  ['Shift, click', 'choose several keyframes'],
+];
+
+const REPLAY_MOUSE = [
+  ['Drag the time line', 'go to any moment'],
+  ['Drag the ground', 'turn the view'],
+  ['Click a robot', 'follow it'],
+];
+
+export class RoomDesk {
+  /**
+   * @param {object} surroundings
+   * @param {string} surroundings.token
+   * @param {(text: string) => void} surroundings.note
+   * @param {() => import('../state/quality.js').Quality} surroundings.quality
+   * @param {() => {name: string, degrees: ArrayLike<number>} | undefined} surroundings.robotOfRun
+   */
+  constructor(surroundings) {
+    this.surroundings = surroundings;
+    /** @type {Awaited<ReturnType<typeof import('../motion/motion-room.js').openMotionRoom>> | undefined} */
+    this.motion = undefined;
+    /** @type {Awaited<ReturnType<typeof import('../replay/replay-room.js').openReplayRoom>> | undefined} */
+    this.replay = undefined;
+    /** @type {Set<RoomName>} */
+    this.opening = new Set();
+  }
+
+  /** @param {RoomName} room */
+  async enter(room) {
+    this.motion?.touch();
+    const isOpen = room === 'field' || this[room] !== undefined || this.opening.has(room);
+    if (isOpen || this.surroundings.token === '') {
+      return;
+    }
+    this.opening.add(room);
+    try {
+      await (room === 'motion' ? this.#openMotion() : this.#openReplay());
+    } catch (error) {
+      this.surroundings.note(`This room cannot open: ${/** @type {Error} */ (error).message}`);
+    }
+    this.opening.delete(room);
+  }
+
+  /** @param {RoomName} room @param {Keys} field @returns {Keys} what keys and mouse do in a room */
+  keys(room, field) {
+    if (room === 'motion') {
+      return { deeds: this.motion?.deeds ?? [], mouse: MOTION_MOUSE };
+    }
+    return room === 'replay' ? { deeds: this.replay?.deeds ?? [], mouse: REPLAY_MOUSE } : field;
+  }
+
+  async #openMotion() {
+    const { openMotionRoom } = await import('../motion/motion-room.js');
+    const { quality, ...others } = this.surroundings;
+    const wanted = decodeURIComponent(location.hash.split('/')[1] ?? '') || undefined;
+    this.motion = await openMotionRoom({ ...others, quality: quality(), wanted });
+    this.motion.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
+  }
+
+  async #openReplay() {
+    const { openReplayRoom } = await import('../replay/replay-room.js');
+    this.replay = await openReplayRoom(this.surroundings);
+  }
+}

@@ -1,0 +1,106 @@
+/** The page of a single HTML file: plays the recording that it carries, without any server. */
+import { CameraDesk } from '../field/camera-desk.js';
+import { FieldView } from '../field/field-view.js';
+import { Hand } from '../field/hand.js';
+import { button, byId, element, setText } from '../panels/elements.js';
+import { scoreBoardPanel } from '../panels/score-board.js';
+import { QUALITIES, QualityChooser, qualityRange } from '../state/quality.js';
+import { RecordingReader } from '../state/replay/recording-reader.js';
+import { advanced, atMoment, BEGINNING, frameOf, MOMENTS_PER_SECOND, sceneOf } from '../state/replay/replay-state.js';
+import { initialState, withConnection, withScene, withFrame } from '../state/studio-state.js';
+import { ReplayLine } from './replay-line.js';
+
+const models = JSON.parse(byId('models').textContent ?? '{}');
+const reader = new RecordingReader((type) => models[type].hinges.length);
+const packed = Uint8Array.from(atob(byId('recording').textContent ?? ''), (letter) => letter.charCodeAt(0));
+const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')).getReader();
+try {
+  for (let part = await stream.read(); !part.done; part = await stream.read()) {
+    reader.push(part.value);
+  }
+} catch {
+  // A run that was cut off has no end; what came before is good.
+}
+
+document.documentElement.dataset.theme = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
+const view = new FieldView(byId('stage'), QUALITIES[1]);
+const chooser = new QualityChooser(qualityRange(view.graphics), false);
+view.setQuality(chooser.quality);
+view.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
+const desk = new CameraDesk(view.camera);
+let replay = { ...BEGINNING, count: reader.moments.length, playing: true };
+let state = withConnection(initialState(true));
+let revision = 0;
+let stale = true;
+let last = 0;
+new Hand(view, desk, {
+  now: () => state,
+  send: () => {},
+  changed: () => {
+    stale = true;
+  },
+});
+const board = scoreBoardPanel();
+const play = button('', '', () => {
+  const isOver = replay.index >= replay.count - 1;
+  replay = { ...(isOver ? atMoment(replay, 0) : replay), playing: !replay.playing };
+});
+play.className = 'primary';
+const reading = element('span', { class: 'seconds' });
+const place = element('div', { class: 'replay-line' });
+const line = new ReplayLine(place, (index) => {
+  replay = { ...atMoment(replay, index), playing: false };
+});
+byId('replay').append(place, element('div', { class: 'replay-bar' }, play, reading));
+addEventListener('resize', () => {
+  view.resize();
+  stale = true;
+});
+requestAnimationFrame(turn);
+
+/** @param {number} now milliseconds */
+function turn(now) {
+  const seconds = Math.min(0.2, (now - last) / 1000);
+  const before = replay;
+  replay = advanced(replay, seconds);
+  if (stale || before !== replay || replay.playing) {
+    draw(now, seconds);
+  }
+  last = now;
+  requestAnimationFrame(turn);
+}
+
+/** @param {number} now @param {number} seconds */
+function draw(now, seconds) {
+  const moment = reader.moments[Math.round(replay.index)];
+  if (!moment) {
+    setText(reading, 'This recording is empty.');
+    return;
+  }
+  const roster = state.scene?.robots !== moment.robots;
+  const scene = sceneOf(moment, reader.header, models, roster ? ++revision : revision);
+  if (roster) {
+    view.setScene(scene);
+    desk.setScene(scene);
+  }
+  state = withFrame(withScene(state, scene), frameOf(moment, scene), now);
+  view.update(/** @type {any} */ (state.frame));
+  stale = desk.update(view.crowd.poses, seconds);
+  view.light.shine(desk.shown.target, view.camera.position);
+  view.draw();
+  board(state, now);
+  line.draw(replay, reader.events);
+  setText(play, replay.playing ? '❚❚ Pause' : '▶ Play');
+  const text = (/** @type {number} */ index) => (index / MOMENTS_PER_SECOND).toFixed(1);
+  setText(reading, `${text(replay.index)} of ${text(replay.count - 1)} s`);
+}
+
+Object.assign(window, {
+  player: {
+    reader,
+    view,
+    get replay() {
+      return replay;
+    },
+  },
+});

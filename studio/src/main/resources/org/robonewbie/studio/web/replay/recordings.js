@@ -1,0 +1,96 @@
+/** Fetches recordings from the studio's server and unpacks them while they come; a run that goes on is followed. */
+import { RecordingReader } from '../state/replay/recording-reader.js';
+
+/**
+ * @typedef {object} RecordingEntry
+ * @property {string} name
+ * @property {number} bytes
+ * @property {boolean} running
+ */
+
+const FOLLOW_MILLISECONDS = 1000;
+
+/** @param {string} token @param {string} path */
+async function ask(token, path) {
+  const answer = await fetch(`api/${path}`, { headers: { 'Studio-Token': token } });
+  if (!answer.ok) {
+    throw new Error(await answer.text());
+  }
+  return answer;
+}
+
+/** @param {string} token @returns {Promise<{folder?: string, recordings: RecordingEntry[]}>} */
+export async function listRecordings(token) {
+  return (await ask(token, 'recordings')).json();
+}
+
+/** @param {string} token @returns {Promise<Record<string, import('../state/kinematics.js').RobotModel>>} */
+export async function loadModels(token) {
+  return (await ask(token, 'models')).json();
+}
+
+/** One recording that is being read. */
+export class RecordingFile {
+  /**
+   * @param {string} token
+   * @param {string} name
+   * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
+   * @param {() => void} grown
+   */
+  constructor(token, name, models, grown) {
+    this.token = token;
+    this.name = name;
+    this.grown = grown;
+    this.reader = new RecordingReader((type) => models[type].hinges.length);
+    this.read = 0;
+    /** @type {Uint8Array[]} the packed bytes as they came */
+    this.packed = [];
+    this.open = true;
+    this.timer = 0;
+    const unpacking = new DecompressionStream('gzip');
+    this.writer = unpacking.writable.getWriter();
+    this.done = this.#unpack(unpacking.readable.getReader());
+  }
+
+  /** @param {boolean} follows whether the run goes on */
+  async load(follows) {
+    for (let size = await this.#fetchMore(); size > 0 && this.open; size = await this.#fetchMore()) {
+      this.grown();
+    }
+    if (follows && this.open) {
+      this.timer = window.setTimeout(() => this.load(true).catch(() => {}), FOLLOW_MILLISECONDS);
+    }
+  }
+
+  close() {
+    this.open = false;
+    clearTimeout(this.timer);
+    this.writer.abort().catch(() => {});
+  }
+
+  async #fetchMore() {
+    const answer = await ask(this.token, `recordings/${encodeURIComponent(this.name)}?from=${this.read}`);
+    const bytes = new Uint8Array(await answer.arrayBuffer());
+    this.read += bytes.length;
+    if (bytes.length > 0) {
+      this.packed.push(bytes);
+      await this.writer.write(bytes);
+    }
+    return bytes.length;
+  }
+
+  /** @param {ReadableStreamDefaultReader<Uint8Array>} unpacked */
+  async #unpack(unpacked) {
+    try {
+      for (let part = await unpacked.read(); !part.done; part = await unpacked.read()) {
+        this.reader.push(part.value);
+        this.grown();
+      }
+    } catch (error) {
+      if (this.open) {
+        this.problem = /** @type {Error} */ (error).message;
+        this.grown();
+      }
+    }
+  }
+}

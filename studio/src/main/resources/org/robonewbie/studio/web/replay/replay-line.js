@@ -1,0 +1,105 @@
+/** The time line of a replay: events as marks, the part that is repeated, the moment that is shown. */
+import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
+
+/**
+ * @typedef {import('../state/replay/replay-state.js').ReplayState} ReplayState
+ * @typedef {import('../state/replay/recording-reader.js').RecordedEvent} RecordedEvent
+ */
+
+const SVG = 'http://www.w3.org/2000/svg';
+const SIDE = 12;
+const HEIGHT = 44;
+
+/** Each kind of event has a colour and a shape of its own. @type {Record<RecordedEvent['kind'], string>} */
+const SHAPES = {
+  goal: 'M0 10l2.4 5 5.4.6-4 3.7 1.1 5.4L0 22l-4.9 2.7 1.1-5.4-4-3.7 5.4-.6z',
+  fall: 'M-6 12h12L0 22z',
+  foul: 'M-5 12h10v10h-10z',
+  playmode: 'M-1.2 10h2.4v14h-2.4z',
+};
+
+/** @type {Record<RecordedEvent['kind'], string>} */
+const NAMES = { goal: 'Goal', fall: 'Fall', foul: 'Foul', playmode: 'Play mode' };
+
+export class ReplayLine {
+  /**
+   * @param {HTMLElement} place
+   * @param {(index: number) => void} scrub
+   */
+  constructor(place, scrub) {
+    this.place = place;
+    this.scrub = scrub;
+    this.svg = node('svg', { height: String(HEIGHT), class: 'replay-drawing' });
+    this.marks = node('g', {});
+    this.loop = node('rect', { class: 'loop', y: '4', height: '24' });
+    this.track = node('rect', { class: 'track', x: String(SIDE), y: '26', height: '5', rx: '2.5' });
+    this.done = node('rect', { class: 'done', x: String(SIDE), y: '26', height: '5', rx: '2.5' });
+    this.knob = node('circle', { class: 'knob', cy: '28.5', r: '7' });
+    this.svg.append(this.loop, this.track, this.done, this.marks, this.knob);
+    place.append(this.svg);
+    this.count = 1;
+    this.drawn = '';
+    let pressed = false;
+    const move = (/** @type {PointerEvent} */ event) => {
+      const x = event.clientX - place.getBoundingClientRect().left - SIDE;
+      this.scrub((x / Math.max(1, place.clientWidth - 2 * SIDE)) * (this.count - 1));
+    };
+    place.addEventListener('pointerdown', (event) => {
+      pressed = true;
+      place.setPointerCapture(event.pointerId);
+      move(event);
+    });
+    place.addEventListener('pointermove', (event) => pressed && move(event));
+    for (const end of ['pointerup', 'pointercancel']) {
+      place.addEventListener(end, () => {
+        pressed = false;
+      });
+    }
+  }
+
+  /** @param {ReplayState} state @param {readonly RecordedEvent[]} events */
+  draw(state, events) {
+    const width = Math.max(1, this.place.clientWidth - 2 * SIDE);
+    this.count = Math.max(2, state.count);
+    const x = (/** @type {number} */ index) => SIDE + (width * index) / (this.count - 1);
+    const [from, to] = state.loop ?? [0, 0];
+    set(this.svg, { width: String(width + 2 * SIDE) });
+    set(this.track, { width: String(width) });
+    set(this.done, { width: String(Math.max(0, x(state.index) - SIDE)) });
+    set(this.knob, { cx: String(x(state.index)) });
+    set(this.loop, { x: String(x(from)), width: String(x(to) - x(from)) });
+    const key = `${width} ${state.count} ${events.length}`;
+    if (key !== this.drawn) {
+      this.drawn = key;
+      this.marks.replaceChildren(...events.map((event) => this.#mark(event, x(event.index))));
+    }
+  }
+
+  /** @param {RecordedEvent} event @param {number} x */
+  #mark(event, x) {
+    const mark = node('path', { d: SHAPES[event.kind], class: `event ${event.kind}`, transform: `translate(${x.toFixed(1)} -7)` });
+    const title = document.createElementNS(SVG, 'title');
+    title.textContent = eventText(event);
+    mark.append(title);
+    return mark;
+  }
+}
+
+/** @param {RecordedEvent} event @returns {string} */
+export function eventText({ kind, text, index }) {
+  return `${(index / MOMENTS_PER_SECOND).toFixed(1)} s · ${NAMES[kind]}: ${text}`;
+}
+
+/** @param {string} name @param {Record<string, string>} attributes */
+function node(name, attributes) {
+  const made = document.createElementNS(SVG, name);
+  set(made, attributes);
+  return made;
+}
+
+/** @param {Element} target @param {Record<string, string>} attributes */
+function set(target, attributes) {
+  for (const [key, value] of Object.entries(attributes)) {
+    target.setAttribute(key, value);
+  }
+}

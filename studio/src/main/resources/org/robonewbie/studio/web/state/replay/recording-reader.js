@@ -1,0 +1,228 @@
+/**
+ * Reads recordings piece by piece as they come; the format is described in docs/recording-format.md. Pure.
+ *
+ * @typedef {object} Game
+ * @property {string} playMode
+ * @property {number} half
+ * @property {number} scoreLeft
+ * @property {number} scoreRight
+ * @property {string} left
+ * @property {string} right
+ *
+ * @typedef {import('../../live/state-frame.js').Player} Player
+ *
+ * @typedef {object} Moment one cycle
+ * @property {number} cycle
+ * @property {number} gameTime seconds
+ * @property {Game} game
+ * @property {Player[]} robots
+ * @property {Int32Array} numbers ball's pose, then for each robot the torso's pose and the hinges' angles, in the file's steps
+ *
+ * @typedef {object} RecordedEvent
+ * @property {number} index of the moment
+ * @property {'goal' | 'foul' | 'playmode' | 'fall'} kind
+ * @property {string} text
+ */
+
+const MAGIC = 'RoboNewbie recording\n';
+const VERSION = 1;
+const HEADER = 1;
+const GAME = 2;
+const ROBOTS = 3;
+const EVENT = 5;
+const CYCLE = 6;
+const POSE_NUMBERS = 7;
+const CYCLE_SECONDS = 0.02;
+const SIDES = /** @type {const} */ (['', 'left', 'right']);
+
+export class RecordingReader {
+  /** @param {(type: string) => number} hingesOf how many hinges a type of robot has */
+  constructor(hingesOf) {
+    this.hingesOf = hingesOf;
+    /** @type {Moment[]} */
+    this.moments = [];
+    /** @type {RecordedEvent[]} */
+    this.events = [];
+    /** @type {Record<string, string>} */
+    this.header = {};
+    this.rest = new Uint8Array();
+    this.begun = false;
+    /** @type {Game} */
+    this.game = { playMode: 'BeforeKickOff', half: 1, scoreLeft: 0, scoreRight: 0, left: '', right: '' };
+    /** @type {Player[]} */
+    this.robots = [];
+    this.ticks = 0;
+    this.ball = new Int32Array(POSE_NUMBERS);
+    /** @type {Map<number, Int32Array>} */
+    this.tracks = new Map();
+  }
+
+  /**
+   * Takes the next bytes of the recording, already decompressed.
+   *
+   * @param {Uint8Array} bytes
+   * @throws {Error} if it is no recording; the message is meant for people
+   */
+  push(bytes) {
+    const all = new Uint8Array(this.rest.length + bytes.length);
+    all.set(this.rest);
+    all.set(bytes, this.rest.length);
+    const source = new Source(all);
+    let good = 0;
+    try {
+      if (!this.begun) {
+        this.#begin(source);
+      }
+      good = source.at;
+      while (source.at < all.length) {
+        this.#record(source);
+        good = source.at;
+      }
+    } catch (error) {
+      if (!(error instanceof EndOfBytes)) {
+        throw error;
+      }
+    }
+    this.rest = all.slice(good);
+  }
+
+  /** @param {Source} source */
+  #begin(source) {
+    const magic = String.fromCharCode(...source.bytes(MAGIC.length));
+    if (magic !== MAGIC) {
+      throw new Error('This is not a recording of RoboNewbie, or it is damaged.');
+    }
+    const version = source.unsigned();
+    if (version !== VERSION) {
+      throw new Error(`This recording has version ${version}; this page reads version ${VERSION}.`);
+    }
+    this.begun = true;
+  }
+
+  /** @param {Source} source */
+  #record(source) {
+    const kind = source.bytes(1)[0];
+    const content = new Source(source.bytes(source.unsigned()));
+    if (kind === HEADER) {
+      this.header = Object.fromEntries(content.text().split('\n').map((line) => line.split(/=(.*)/s).slice(0, 2)));
+    } else if (kind === GAME) {
+      const playMode = content.text();
+      const [half, scoreLeft, scoreRight] = [content.unsigned(), content.unsigned(), content.unsigned()];
+      this.game = { playMode, half, scoreLeft, scoreRight, left: content.text(), right: content.text() };
+    } else if (kind === ROBOTS) {
+      this.robots = Array.from({ length: content.unsigned() }, () => readRobot(content));
+    } else if (kind === EVENT) {
+      this.#event(content.text());
+    } else if (kind === CYCLE) {
+      this.#cycle(content);
+    }
+  }
+
+  /** @param {string} text */
+  #event(text) {
+    const [kind, ...words] = text.split(' ');
+    if (kind === 'goal' || kind === 'foul' || kind === 'playmode') {
+      this.events.push({ index: this.moments.length, kind, text: words.join(' ') });
+    }
+  }
+
+  /** @param {Source} content */
+  #cycle(content) {
+    const cycle = content.unsigned();
+    this.ticks += content.signed();
+    const sizes = this.robots.map(({ type }) => POSE_NUMBERS + this.hingesOf(type));
+    const numbers = new Int32Array(POSE_NUMBERS + sizes.reduce((sum, size) => sum + size, 0));
+    readTrack(this.ball, content);
+    numbers.set(this.ball);
+    let at = POSE_NUMBERS;
+    this.robots.forEach(({ id }, i) => {
+      const track = this.tracks.get(id) ?? new Int32Array(sizes[i]);
+      this.tracks.set(id, track);
+      readTrack(track, content);
+      numbers.set(track, at);
+      at += sizes[i];
+    });
+    const moment = { cycle, gameTime: this.ticks * CYCLE_SECONDS, game: this.game, robots: this.robots, numbers };
+    this.#noteFalls(moment);
+    this.moments.push(moment);
+  }
+
+  /** A robot falls when its torso is tilted by more than 60° and was not in the moment before. @param {Moment} moment */
+  #noteFalls(moment) {
+    const before = this.moments.at(-1);
+    if (before?.robots !== moment.robots) {
+      return;
+    }
+    let at = POSE_NUMBERS;
+    for (const { type, team, number } of moment.robots) {
+      if (upright(moment.numbers, at) < 0.5 && upright(before.numbers, at) >= 0.5) {
+        this.events.push({ index: this.moments.length, kind: 'fall', text: `${team} ${number}`.trim() });
+      }
+      at += POSE_NUMBERS + this.hingesOf(type);
+    }
+  }
+}
+
+class EndOfBytes extends Error {}
+
+class Source {
+  /** @param {Uint8Array} content */
+  constructor(content) {
+    this.content = content;
+    this.at = 0;
+  }
+
+  /** @param {number} count */
+  bytes(count) {
+    if (this.at + count > this.content.length) {
+      throw new EndOfBytes();
+    }
+    this.at += count;
+    return this.content.subarray(this.at - count, this.at);
+  }
+
+  /** @returns {number} */
+  unsigned() {
+    let value = 0;
+    for (let factor = 1; ; factor *= 128) {
+      const byte = this.bytes(1)[0];
+      value += (byte & 127) * factor;
+      if (byte < 128) {
+        return value;
+      }
+    }
+  }
+
+  /** @returns {number} */
+  signed() {
+    const value = this.unsigned();
+    return value % 2 === 0 ? value / 2 : -(value + 1) / 2;
+  }
+
+  /** @returns {string} */
+  text() {
+    return new TextDecoder().decode(this.bytes(this.unsigned()));
+  }
+}
+
+/** @param {Source} content @returns {Player} */
+function readRobot(content) {
+  const id = content.unsigned();
+  const type = `TYPE_${content.unsigned()}`;
+  const side = SIDES[content.unsigned()];
+  return { id, type, side, number: content.unsigned(), team: content.text() };
+}
+
+/** @param {Int32Array} track @param {Source} content */
+function readTrack(track, content) {
+  for (let i = 0; i < track.length; i++) {
+    track[i] += content.signed();
+  }
+}
+
+/** @param {Int32Array} numbers @param {number} at @returns {number} cosine of the torso's tilt */
+function upright(numbers, at) {
+  const [x, y] = [numbers[at + 4], numbers[at + 5]];
+  const square = [3, 4, 5, 6].reduce((sum, i) => sum + numbers[at + i] ** 2, 0) || 1;
+  return 1 - (2 * (x * x + y * y)) / square;
+}

@@ -1,0 +1,68 @@
+package org.robonewbie.studio;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+
+/** A short run of the real simulator that is recorded: a robot bends until it falls, and the ball is put into a goal. */
+final class RecordedRun implements AutoCloseable {
+
+    private final Simulator simulator;
+    private final AgentLink link;
+    private final MessageBuffer message = new MessageBuffer();
+
+    RecordedRun(Path file) throws IOException {
+        simulator = Simulator.start(
+                SimulatorSettings.beginner()
+                        .agentPort(0)
+                        .synchronous(true)
+                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                        .seed(1)
+                        .recording(Optional.of(file))
+                        .build(),
+                Console.standard());
+        link = simulator.connect();
+        say("(scene rsg/agent/nao/nao.rsg)(syn)");
+        say("(init (unum 1)(teamname Ada's))(syn)");
+        say("(syn)");
+    }
+
+    /** Lets some cycles pass. */
+    RecordedRun cycles(int count, String effectors) throws IOException {
+        for (int i = 0; i < count; i++) {
+            say(effectors + "(syn)");
+        }
+        return this;
+    }
+
+    /** Records four seconds with a goal and a fall. */
+    static void write(Path file) throws IOException {
+        try (RecordedRun run = new RecordedRun(file)) {
+            run.cycles(60, "");
+            run.simulator.control().dropBall();
+            run.cycles(5, "");
+            run.simulator.control().placeBall(new Vector3(6.1, 0, 0.1), Vector3.ZERO);
+            run.cycles(20, "").cycles(60, "(lle3 4)(rle3 4)(he1 1)").cycles(60, "");
+        }
+    }
+
+    private void say(String text) throws IOException {
+        message.clear();
+        message.append(text);
+        link.send(message);
+        link.receive(message);
+    }
+
+    @Override
+    public void close() {
+        simulator.close();
+        link.close();
+    }
+}

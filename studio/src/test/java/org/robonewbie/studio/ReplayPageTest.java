@@ -1,0 +1,177 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonElement;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.simulator.recording.RecordingShelf;
+
+/** The replay as people have it: in a real browser, with a recording of the real simulator. */
+class ReplayPageTest {
+
+    private static final String STATE = "studio.replay.state";
+    private static Chromium browser;
+
+    @TempDir
+    private static Path place;
+
+    private final SmallSimulation simulation = new SmallSimulation().withRobot();
+    private StudioServer studio = open();
+
+    private StudioServer open() {
+        try {
+            RecordingShelf shelf = new RecordingShelf(place, 1_000_000);
+            return StudioServer.start(
+                    simulation.start(), 0, AccessToken.random(), new StudioFolders(place, Optional.of(shelf)));
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @BeforeAll
+    static void record() throws IOException {
+        Tool.BROWSER.orSkip();
+        RecordedRun.write(place.resolve("game.rec"));
+        browser = Chromium.open(1366, 768);
+    }
+
+    @AfterAll
+    static void closeBrowser() {
+        if (browser != null) {
+            browser.close();
+        }
+    }
+
+    @AfterEach
+    void close() {
+        browser.visit("about:blank");
+        browser.forgetComplaints();
+        studio.close();
+        simulation.close();
+    }
+
+    private void visit() {
+        browser.visit(studio.address() + "&quality=lowest&theme=light#replay");
+        browser.await("studio.replay && " + STATE + ".count > 150 && studio.view.drawCalls > 0");
+    }
+
+    private double number(String expression) {
+        return browser.evaluate(expression).getAsDouble();
+    }
+
+    @Test
+    void recordedRunIsShownWithItsEvents() {
+        visit();
+
+        String kinds = browser.evaluate("studio.replay.file.reader.events.map(event => event.kind).join(' ')")
+                .getAsString();
+        assertThat(kinds).contains("goal").contains("fall").contains("playmode");
+        browser.press("End");
+        browser.await("document.querySelector('.team.left').textContent === \"Ada's\"");
+        browser.await("document.querySelectorAll('.event.goal').length === 1");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void draggingTheTimeLineMovesRobotsAndScore() {
+        visit();
+        String box = "document.querySelector('#replay-line').getBoundingClientRect()";
+        double y = number(box + ".y + 28");
+        double right = number(box + ".right - 14");
+
+        browser.mouse("mousePressed", number(box + ".x + 60"), y);
+        browser.await(STATE + ".index < 12 && studio.view.crowd.poses.length === 1");
+        browser.await("document.querySelector('.score').textContent.replace(/\\s/g, '') === '0:0'"
+                + " || document.querySelector('.score').textContent.includes('0')");
+        double before = number("studio.view.crowd.poses[0][2]");
+        browser.mouse("mouseMoved", right, y);
+        browser.mouse("mouseReleased", right, y);
+
+        browser.await(STATE + ".index > " + STATE + ".count - 5");
+        browser.await("studio.view.crowd.poses[0][2] < " + (before - 0.1));
+        browser.await("document.querySelector('.score').textContent.includes('1')");
+    }
+
+    @Test
+    void eventsAreJumpedToAndTheRunIsPlayed() {
+        visit();
+        browser.click("#event-next");
+        browser.await("document.querySelector('#toast').textContent.includes('Play mode')"
+                + " || document.querySelector('#toast').textContent.includes('Goal')");
+        browser.press("Home");
+        browser.await(STATE + ".index === 0");
+        browser.press("ArrowRight");
+        browser.await(STATE + ".index === 1");
+
+        browser.evaluate("document.querySelector('#replay-speed').value = '8';"
+                + "document.querySelector('#replay-speed').dispatchEvent(new Event('change'))");
+        browser.click("#replay-play");
+
+        browser.await(STATE + ".index === " + STATE + ".count - 1 && !" + STATE + ".playing");
+    }
+
+    @Test
+    void backInTheFieldTheRunningSimulationIsShown() {
+        visit();
+
+        browser.evaluate("location.hash = '#field'");
+
+        browser.await("document.querySelector('.team.left').textContent === 'Blue Newbies'");
+        browser.await("getComputedStyle(document.querySelector('#transport')).display !== 'none'");
+    }
+
+    @Test
+    void tableHasOneLineForEachCycle() {
+        visit();
+
+        JsonElement lines = browser.evaluate("import('./state/replay/replay-state.js').then(({ csvOf }) =>"
+                + " csvOf(studio.replay.file.reader.moments, studio.replay.models).split('\\n').length)");
+
+        assertThat(lines.getAsInt()).isBetween(150, 250);
+    }
+
+    @Test
+    void singleFilePlaysWithoutTheStudio() throws IOException {
+        visit();
+        String page = browser.evaluate("import('./replay/standalone.js').then(({ standalonePage }) =>"
+                        + " standalonePage(studio.replay.file.packed, studio.replay.models, 'game'))")
+                .getAsString();
+        Path file = Files.writeString(place.resolve("game.html"), page);
+
+        assertThat(Files.size(file)).isLessThan(1_500_000);
+        browser.visit(file.toUri().toString());
+        browser.await("player.replay.index > 5 && player.view.drawCalls > 0");
+        browser.await("document.querySelector('.team.left').textContent === \"Ada's\"");
+        assertThat(browser.complaints()).allMatch(text -> text.contains("file:"));
+    }
+
+    @Test
+    void roomWithoutRecordingsSaysSo() throws IOException {
+        try (StudioServer empty =
+                StudioServer.start(simulation, 0, AccessToken.random(), new StudioFolders(place, Optional.empty()))) {
+            browser.visit(empty.address() + "&quality=lowest#replay");
+
+            browser.await("document.querySelector('#replay').textContent.includes('Nothing is recorded yet.')");
+        }
+    }
+
+    @Test
+    void replayIsWorthAPicture() throws IOException {
+        browser.visit(studio.address() + "&quality=high&theme=light#replay");
+        browser.await("studio.replay && " + STATE + ".count > 150");
+        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");
+        browser.await("studio.desk.isStill && " + STATE + ".index > 100 && document.querySelector('#toast').hidden");
+        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
+        Files.write(Files.createDirectories(pictures).resolve("studio-replay.png"), browser.screenshot());
+
+        assertThat(number("document.documentElement.scrollWidth")).isEqualTo(1366);
+    }
+}
