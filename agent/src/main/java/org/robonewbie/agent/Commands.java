@@ -112,8 +112,12 @@ final class Commands {
         for (Joint joint : Senses.JOINTS) {
             writeSpeed(joint);
         }
-        pose.ifPresent(place -> writer.beam(place.x(), place.y(), place.degrees()));
-        text.ifPresent(writer::say);
+        if (pose.isPresent()) {
+            writer.beam(pose.get().x(), pose.get().y(), pose.get().degrees());
+        }
+        if (text.isPresent()) {
+            writer.say(text.get());
+        }
         writer.synchronise();
         pose = Optional.empty();
         text = Optional.empty();

@@ -31,7 +31,7 @@ import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 @State(Scope.Thread)
 @BenchmarkMode(Mode.SampleTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
-@Warmup(iterations = 5, time = 1)
+@Warmup(iterations = 15, time = 2)
 @Measurement(iterations = 5, time = 2)
 @Fork(1)
 public class AgentCycle {
@@ -91,6 +91,14 @@ public class AgentCycle {
         if (nao.motions().isFinished()) {
             nao.motions().loop("walk-forward");
         }
+        nao.act();
+    }
+
+    /** One whole cycle in which the walk engine moves all joints. */
+    @Benchmark
+    public void cycleWithWalk() {
+        nao.sense();
+        nao.walk().towards(0.3, 0, 0);
         nao.act();
     }
 }

@@ -29,8 +29,12 @@ public final class FallDetector {
         if (!Double.isFinite(strength)) {
             return;
         }
-        Vector3 bounded = strength > STRONGEST ? acceleration.times(STRONGEST / strength) : acceleration;
-        up = up.plus(bounded.minus(up).times(CYCLE_SECONDS / SMOOTHING_SECONDS));
+        double bound = strength > STRONGEST ? STRONGEST / strength : 1;
+        double share = CYCLE_SECONDS / SMOOTHING_SECONDS;
+        up = new Vector3(
+                up.x() + share * (bound * acceleration.x() - up.x()),
+                up.y() + share * (bound * acceleration.y() - up.y()),
+                up.z() + share * (bound * acceleration.z() - up.z()));
     }
 
     /** Believes the robot to stand, after it was put somewhere else. */
