@@ -12,7 +12,7 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 
 /**
- * A soccer player that shows what improvement looks like: it scores about ten times as fast as {@link Agent_SimpleSoccer}.
+ * A soccer player that shows what improvement looks like: it scores about twenty times as fast as {@link Agent_SimpleSoccer}.
  *
  * <p>What it does better: it walks into any direction without stopping, decides in each cycle instead of after each motion, knows
  * where it is and so where the goal is without seeing it, remembers the ball while it moves itself, and keeps its eyes on the
