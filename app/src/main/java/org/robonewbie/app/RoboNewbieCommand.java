@@ -18,6 +18,7 @@ import picocli.CommandLine.IVersionProvider;
             StudioCommand.class,
             FidelityCommand.class,
             MeasureCommand.class,
+            BenchmarkCommand.class,
             DoctorCommand.class
         },
         footer = {

@@ -36,6 +36,7 @@ class ArchitectureTest {
                     "org.robonewbie.nao..",
                     "org.robonewbie.protocol..",
                     "org.ode4j..",
+                    "com.sun.management..",
                     "com.google.gson..",
                     "org.slf4j.."
                 }),

@@ -1,0 +1,30 @@
+package org.robonewbie.simulator.benchmark;
+
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.simulator.world.PhysicsEngine;
+
+/**
+ * What is measured.
+ *
+ * @param robots numbers of robots, each 1 to 22
+ * @param scenes what they do
+ * @param warmUpSeconds simulated seconds before the measurement, in which Java compiles what is used most
+ * @param seconds simulated seconds that are measured
+ * @param physics what computes the motion of all bodies, in our own server
+ * @param other the server to be measured; ours in this process if empty
+ */
+public record BenchmarkPlan(
+        List<Integer> robots,
+        List<Scene> scenes,
+        double warmUpSeconds,
+        double seconds,
+        PhysicsEngine physics,
+        Optional<ServerAddress> other) {
+
+    /** Makes the lists unmodifiable. */
+    public BenchmarkPlan {
+        robots = List.copyOf(robots);
+        scenes = List.copyOf(scenes);
+    }
+}

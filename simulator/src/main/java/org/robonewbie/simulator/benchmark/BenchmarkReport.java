@@ -1,0 +1,95 @@
+package org.robonewbie.simulator.benchmark;
+
+import com.google.gson.GsonBuilder;
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+
+/**
+ * The results of a benchmark.
+ *
+ * @param runs one for each number of robots and scene, in the order in which they were made
+ */
+public record BenchmarkReport(List<BenchmarkRun> runs) {
+
+    private static final String HEADER = String.format(
+            Locale.ROOT,
+            "%6s %-9s %7s %12s %16s %15s %12s%n",
+            "robots",
+            "scene",
+            "threads",
+            "x real time",
+            "CPU ms per cycle",
+            "bytes per cycle",
+            "peak memory");
+
+    /** Makes the list unmodifiable. */
+    public BenchmarkReport {
+        runs = List.copyOf(runs);
+    }
+
+    /**
+     * Names the columns of {@link #line}.
+     *
+     * @return one line
+     */
+    public static String header() {
+        return HEADER;
+    }
+
+    /**
+     * Writes a run for people.
+     *
+     * @param run the run
+     * @return one line of a table
+     */
+    public static String line(BenchmarkRun run) {
+        return String.format(
+                Locale.ROOT,
+                "%6d %-9s %7s %12.1f %16s %15s %9.0f MB%n",
+                run.robots(),
+                run.scene(),
+                run.threads() == 0 ? "-" : String.valueOf(run.threads()),
+                run.realTimeFactor(),
+                text("%.3f", run.cpuMillisPerCycle()),
+                text("%.0f", run.allocatedBytesPerCycle()),
+                run.peakMemoryBytes() / 1e6);
+    }
+
+    private static String text(String format, OptionalDouble value) {
+        return value.isPresent() ? String.format(Locale.ROOT, format, value.getAsDouble()) : "-";
+    }
+
+    /**
+     * Writes the results for programs: {@code {"runs":[{"robots":…,"scene":…,"threads":…,"realTimeFactor":…,
+     * "cpuMillisPerCycle":…,"allocatedBytesPerCycle":…,"cycles":…,"peakMemoryBytes":…}]}} with null for what is unknown.
+     *
+     * @return JSON text
+     */
+    public String toJson() {
+        JsonArray list = new JsonArray();
+        runs.forEach(run -> list.add(json(run)));
+        JsonObject all = new JsonObject();
+        all.add("runs", list);
+        return new GsonBuilder().serializeNulls().setPrettyPrinting().create().toJson(all) + "\n";
+    }
+
+    private static JsonObject json(BenchmarkRun run) {
+        JsonObject object = new JsonObject();
+        object.addProperty("robots", run.robots());
+        object.addProperty("scene", run.scene().toString());
+        object.addProperty("threads", run.threads());
+        object.addProperty("realTimeFactor", run.realTimeFactor());
+        add(object, "cpuMillisPerCycle", run.cpuMillisPerCycle());
+        add(object, "allocatedBytesPerCycle", run.allocatedBytesPerCycle());
+        object.addProperty("cycles", run.cycles());
+        object.addProperty("peakMemoryBytes", run.peakMemoryBytes());
+        return object;
+    }
+
+    private static void add(JsonObject object, String name, OptionalDouble value) {
+        object.addProperty(name, value.isPresent() ? value.getAsDouble() : null);
+    }
+}

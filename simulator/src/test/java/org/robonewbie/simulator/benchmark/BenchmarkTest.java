@@ -1,0 +1,98 @@
+package org.robonewbie.simulator.benchmark;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.OptionalLong;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.simulator.world.PhysicsEngine;
+
+class BenchmarkTest {
+
+    @Test
+    void everyNumberOfRobotsIsMeasuredInEveryScene() throws IOException {
+        BenchmarkPlan plan = plan(List.of(1, 3), List.of(Scene.WALKING, Scene.HEAP), Optional.empty());
+        List<BenchmarkRun> progress = new ArrayList<>();
+
+        BenchmarkReport report = new Benchmark(plan).run(progress::add);
+
+        assertThat(report.runs()).isEqualTo(progress);
+        assertThat(report.runs()).extracting(BenchmarkRun::robots).containsExactly(1, 3, 1, 3);
+        assertThat(report.runs())
+                .extracting(BenchmarkRun::scene)
+                .containsExactly(Scene.WALKING, Scene.WALKING, Scene.HEAP, Scene.HEAP);
+        assertThat(report.runs()).allSatisfy(run -> {
+            assertThat(run.cycles()).isEqualTo(10);
+            assertThat(run.realTimeFactor()).isPositive();
+            assertThat(run.cpuMillisPerCycle().orElseThrow()).isPositive();
+            assertThat(run.allocatedBytesPerCycle().orElseThrow()).isPositive();
+            assertThat(run.peakMemoryBytes()).isPositive();
+        });
+    }
+
+    @Test
+    void resultsAreWrittenAsJson() throws IOException {
+        BenchmarkPlan plan = plan(List.of(1), List.of(Scene.STANDING), Optional.empty());
+
+        String json = new Benchmark(plan).run(run -> {}).toJson();
+
+        JsonObject run = JsonParser.parseString(json)
+                .getAsJsonObject()
+                .getAsJsonArray("runs")
+                .get(0)
+                .getAsJsonObject();
+        assertThat(run.keySet())
+                .containsExactly(
+                        "robots",
+                        "scene",
+                        "threads",
+                        "realTimeFactor",
+                        "cpuMillisPerCycle",
+                        "allocatedBytesPerCycle",
+                        "cycles",
+                        "peakMemoryBytes");
+        assertThat(run.get("robots").getAsInt()).isEqualTo(1);
+        assertThat(run.get("scene").getAsString()).isEqualTo("standing");
+        assertThat(run.get("threads").getAsInt()).isEqualTo(1);
+    }
+
+    @Test
+    void serverOfAnotherProcessIsMeasuredOverTcp() throws IOException {
+        SimulatorSettings settings = SimulatorSettings.league()
+                .agentPort(0)
+                .monitorPort(OptionalInt.of(0))
+                .synchronous(true)
+                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .build();
+        try (Simulator simulator = Simulator.start(settings, Console.silent())) {
+            ServerAddress address = new ServerAddress(
+                    "127.0.0.1",
+                    simulator.agentPort(),
+                    simulator.monitorPort().orElseThrow(),
+                    OptionalLong.of(ProcessHandle.current().pid()));
+
+            BenchmarkReport report =
+                    new Benchmark(plan(List.of(2), List.of(Scene.WALKING), Optional.of(address))).run(run -> {});
+
+            BenchmarkRun run = report.runs().get(0);
+            assertThat(run.threads()).isZero();
+            assertThat(run.realTimeFactor()).isPositive();
+            assertThat(run.allocatedBytesPerCycle()).isEmpty();
+            assertThat(BenchmarkReport.line(run)).contains("walking");
+        }
+    }
+
+    private static BenchmarkPlan plan(List<Integer> robots, List<Scene> scenes, Optional<ServerAddress> other) {
+        return new BenchmarkPlan(robots, scenes, 0.1, 0.2, PhysicsEngine.STANDARD, other);
+    }
+}
