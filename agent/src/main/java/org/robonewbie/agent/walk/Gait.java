@@ -73,4 +73,31 @@ public record Gait(
                 0.15 * x[11],
                 330);
     }
+
+    /**
+     * Swings the arms otherwise.
+     *
+     * @param degreesPerMetre degrees of arm swing for each metre between the feet
+     * @return the same gait with other arms
+     */
+    public Gait withArmSwing(double degreesPerMetre) {
+        return new Gait(
+                stepMillis,
+                keyframesPerStep,
+                torsoHeight,
+                leanDegrees,
+                feetForward,
+                feetApart,
+                sway,
+                swayPhase,
+                roll,
+                lift,
+                liftSkew,
+                bothFeet,
+                swingHipDegrees,
+                toeDegrees,
+                bounce,
+                bouncePhase,
+                degreesPerMetre);
+    }
 }

@@ -24,6 +24,8 @@ public record WalkStyle(
         double leanPerChange,
         WalkVelocity slip) {
 
+    private static final double DEGREES_OF_ARM_FOR_EACH_METRE = 180;
+
     /** The walk of {@link Walk}. */
     public static final WalkStyle STANDARD =
             of(200, new WalkVelocity(1.12, 1.25, 1.2), new WalkVelocity(0.65, 0.22, 70), new double[] {
@@ -60,7 +62,7 @@ public record WalkStyle(
                 0.0001 * x[i + 11]);
         double change = Math.max(0.02, 0.08 + 0.02 * x[i + 12]);
         return new WalkStyle(
-                Gait.of(stepMillis, 1, x),
+                Gait.of(stepMillis, 1, x).withArmSwing(DEGREES_OF_ARM_FOR_EACH_METRE),
                 gains,
                 most,
                 0.6 * most.forward(),

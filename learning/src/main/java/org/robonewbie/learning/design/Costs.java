@@ -1,9 +1,13 @@
 package org.robonewbie.learning.design;
 
 import java.util.Arrays;
+import java.util.List;
 import org.robonewbie.learning.trial.Watch;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /** What several designs have in common. */
@@ -22,6 +26,22 @@ final class Costs {
                 * Arrays.stream(coordinates)
                         .map(x -> Math.max(0, Math.abs(x) - limit))
                         .sum();
+    }
+
+    /** Adds up by how many degrees a motion that is played again and again asks for more than the motors can do. */
+    static double degreesBeyondMotors(Motion motion) {
+        double sum = 0;
+        List<Keyframe> keyframes = motion.keyframes();
+        Posture before = keyframes.get(keyframes.size() - 1).posture();
+        for (Keyframe keyframe : keyframes) {
+            double seconds = keyframe.durationMillis() / 1000.0;
+            for (Joint joint : Joint.values()) {
+                double way = Math.abs(keyframe.posture().degrees(joint) - before.degrees(joint));
+                sum += Math.max(0, way - joint.maxDegreesPerSecond() * seconds);
+            }
+            before = keyframe.posture();
+        }
+        return sum;
     }
 
     /** A posture within the joints' ranges with angles in tenths of a degree. */

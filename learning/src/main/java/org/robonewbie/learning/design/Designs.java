@@ -14,7 +14,7 @@ public final class Designs {
     private static final double[] WALK = {
         -0.32, -1.62, 0.87, -0.5, 0.65, -0.39, 1.02, 0.18, 1.26, 0.03, 0.29, -0.99, 1.26, -1.19, 3.3
     };
-    private static final double[] FAST = {-0.3, -1.6, 0.9, -0.5, 0.6, -0.4, 0.5, 0.2, 1.3, 0, 0.3, -1, 1.3, -1.2, 5.5};
+    private static final double[] FAST = {-0.9, -1.6, 1.3, 0, 1.2, -0.9, -0.2, 0.3, 1.3, -0.3, -0.4, -1, 0.9, -1.5, 5.8};
     private static final double[] KICK = {
         -2, -0.8, 0.8, -1, 1.1, 1, -0.3, -2.3, 1.1, -2.2, 2.9, 0.3, -4.4, 1.1, -3.9, 3.7, -1.5, 3.7, -0.9
     };
@@ -26,11 +26,11 @@ public final class Designs {
             Map.entry(
                     "walk-forward",
                     () -> new WalkDesign(
-                            "walk-forward", false, 320, 8, 0.2, WALK, new SearchPlan(1, 0.2, 12, 30, 4, 3))),
+                            "walk-forward", false, 320, 8, 0.2, 330, WALK, new SearchPlan(1, 0.2, 12, 30, 4, 3))),
             Map.entry(
                     "walk-forward-fast",
                     () -> new WalkDesign(
-                            "walk-forward-fast", true, 320, 8, 0.4, FAST, new SearchPlan(1, 0.3, 10, 60, 3, 4))),
+                            "walk-forward-fast", true, 360, 9, 0.36, 180, FAST, new SearchPlan(1, 0.3, 12, 50, 3, 3))),
             Map.entry(
                     "turn-left",
                     () -> new FootworkDesign(

@@ -63,6 +63,7 @@ public final class KickDesign extends SearchedDesign {
         double shortfall = Math.abs(trial.metres() - wantedMetres) / wantedMetres;
         return (trial.standing() ? 0 : 2 + trial.fallCost())
                 + 3 * Math.min(1, shortfall)
+                + (shortfall > 0.25 ? 1 + 2 * Math.min(1, shortfall) : 0)
                 + Math.min(1, Math.abs(trial.degreesAside()) / 30)
                 + 0.1 * trial.seconds()
                 + Costs.beyond(x, 5);

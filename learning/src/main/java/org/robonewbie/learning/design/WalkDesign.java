@@ -29,6 +29,7 @@ public final class WalkDesign extends SearchedDesign {
     private final int stepMillis;
     private final int keyframesPerStep;
     private final double wantedSpeed;
+    private final double armSwing;
 
     /**
      * Describes a walk.
@@ -38,6 +39,7 @@ public final class WalkDesign extends SearchedDesign {
      * @param stepMillis time of one step
      * @param keyframesPerStep postures in each step
      * @param wantedSpeed metres per second; more brings nothing
+     * @param armSwing degrees of arm swing for each metre between the feet
      * @param start first guess: coordinates of {@link Gait#of} and the length of a step in units of 2 cm
      * @param plan how it is searched for
      */
@@ -47,6 +49,7 @@ public final class WalkDesign extends SearchedDesign {
             int stepMillis,
             int keyframesPerStep,
             double wantedSpeed,
+            double armSwing,
             double[] start,
             SearchPlan plan) {
         super(start, plan);
@@ -55,6 +58,7 @@ public final class WalkDesign extends SearchedDesign {
         this.stepMillis = stepMillis;
         this.keyframesPerStep = keyframesPerStep;
         this.wantedSpeed = wantedSpeed;
+        this.armSwing = armSwing;
     }
 
     @Override
@@ -85,6 +89,7 @@ public final class WalkDesign extends SearchedDesign {
             return 6 - 3 * seconds / TRIAL_SECONDS - Math.min(0.5, Math.max(0, speed));
         }
         return Costs.beyond(x, 6)
+                + 0.02 * Costs.degreesBeyondMotors(walk)
                 + 2 * Math.max(0, 1 - speed / wantedSpeed)
                 + 0.5 * Math.abs(course.left())
                 + Math.abs(course.turnedDegrees()) / 30
@@ -92,7 +97,7 @@ public final class WalkDesign extends SearchedDesign {
     }
 
     private Gait gait(double[] x) {
-        return Gait.of(stepMillis, keyframesPerStep, x);
+        return Gait.of(stepMillis, keyframesPerStep, x).withArmSwing(armSwing);
     }
 
     private static double stepLength(double[] x) {
