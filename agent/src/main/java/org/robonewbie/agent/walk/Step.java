@@ -38,6 +38,11 @@ public record Step(
      * @return the posture
      */
     public Posture posture(InverseKinematics kinematics, double time, Correction correction) {
+        return posture(kinematics, Stance.POSTURE, time, correction);
+    }
+
+    /** The same, while the search for the angles begins with a posture that is near. */
+    Posture posture(InverseKinematics kinematics, Posture near, double time, Correction correction) {
         Carriage carriage = before.towards(after, time);
         StepMoment moment = new StepMoment(gait, leg, time, carriage.vigour());
         FootPlace swinging = swinging(moment, correction);
@@ -47,7 +52,7 @@ public record Step(
         FootPose swung = foot(leg, swinging, middle, carriage, moment, true);
         FootPose standing = foot(leg.other(), support, middle, carriage, moment, false);
         Posture arms = armsSwinging(
-                leg, swinging.seenFrom(middle).x() - support.seenFrom(middle).x());
+                near, swinging.seenFrom(middle).x() - support.seenFrom(middle).x());
         Posture posture = leg == Leg.LEFT
                 ? torso.above(kinematics, arms, swung, standing)
                 : torso.above(kinematics, arms, standing, swung);
@@ -92,11 +97,11 @@ public record Step(
                 swings ? moment.toeDegrees() : 0);
     }
 
-    private Posture armsSwinging(Leg ahead, double metres) {
-        double leftAhead = ahead == Leg.LEFT ? metres : -metres;
+    private Posture armsSwinging(Posture posture, double metres) {
+        double leftAhead = leg == Leg.LEFT ? metres : -metres;
         double swing = Math.max(-MOST_ARM_DEGREES, Math.min(MOST_ARM_DEGREES, gait.armSwing() * leftAhead));
         Posture stance = Stance.POSTURE;
-        return stance.with(Joint.LEFT_SHOULDER_PITCH, stance.degrees(Joint.LEFT_SHOULDER_PITCH) - swing)
+        return posture.with(Joint.LEFT_SHOULDER_PITCH, stance.degrees(Joint.LEFT_SHOULDER_PITCH) - swing)
                 .with(Joint.RIGHT_SHOULDER_PITCH, stance.degrees(Joint.RIGHT_SHOULDER_PITCH) + swing);
     }
 

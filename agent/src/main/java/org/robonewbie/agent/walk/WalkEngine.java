@@ -31,6 +31,7 @@ public final class WalkEngine {
     private FootPlace right = FootPlace.RIGHT;
     private Leg leg = Leg.LEFT;
     private Carriage carriage;
+    private Posture last = Stance.POSTURE;
     private Step step;
     private boolean standing = true;
     private boolean feetSideBySide = true;
@@ -104,7 +105,8 @@ public final class WalkEngine {
         cycle++;
         double time = (double) cycle / cyclesPerStep;
         Correction correction = correction(time);
-        Posture walking = step.posture(kinematics, time, correction);
+        Posture walking = step.posture(kinematics, last, time, correction);
+        last = walking;
         double vigour = step.before().towards(step.after(), time).vigour();
         if (cycle == cyclesPerStep) {
             end(correction);
@@ -114,6 +116,7 @@ public final class WalkEngine {
 
     private void begin() {
         if (standing) {
+            last = Stance.POSTURE;
             leg = wanted.left() + 0.01 * wanted.turn() >= 0 ? Leg.LEFT : Leg.RIGHT;
         }
         step = nextStep();

@@ -14,9 +14,11 @@ public final class Designs {
     private static final double[] WALK = {
         -0.32, -1.62, 0.87, -0.5, 0.65, -0.39, 1.02, 0.18, 1.26, 0.03, 0.29, -0.99, 1.26, -1.19, 3.3
     };
-    private static final double[] FAST = {-0.9, -1.6, 1.3, 0, 1.2, -0.9, -0.2, 0.3, 1.3, -0.3, -0.4, -1, 0.9, -1.5, 5.8};
+    private static final double[] FAST = {-0.9, -1.6, 1.3, 0, 1.2, -0.9, -0.2, 0.3, 1.3, -0.3, -0.4, -1, 0.9, -1.5, 5.8
+    };
     private static final double[] KICK = {
-        -2, -0.8, 0.8, -1, 1.1, 1, -0.3, -2.3, 1.1, -2.2, 2.9, 0.3, -4.4, 1.1, -3.9, 3.7, -1.5, 3.7, -0.9
+        -0.8, -3.9, -1.3, -3.2, 1.1, -0.1, 0.9, -3.4, 1.4, -3.1, 1.3, -0.7, -2.7, 1.2, -4.9, 3.8, -1.0, 2.6, -0.4, 1.4,
+        -0.4, 2.0, 0.2, -1.6, 2.2, -1.3, 1.9, 1.8, 1.3, -0.3, -0.7, -2.2
     };
     private static final double[] PASS = {
         -2, -1, 4, -1, 0.4, 1.3, -0.3, -2.5, 0.4, -2.6, 2.9, -0.1, -3, 0.5, -4, 1, -1.2, 2, -0.1
@@ -56,9 +58,9 @@ public final class Designs {
                     () -> new KickDesign(
                             "kick-right",
                             "kicks the ball hard with the right foot",
-                            6,
+                            5.6,
                             KICK,
-                            new SearchPlan(1, 0.25, 12, 50, 5, 3))),
+                            new SearchPlan(1, 0.05, 12, 12, 6, 2))),
             Map.entry(
                     "pass-right",
                     () -> new KickDesign(
@@ -66,7 +68,7 @@ public final class Designs {
                             "passes the ball with the right foot",
                             1.5,
                             PASS,
-                            new SearchPlan(1, 0.3, 10, 25, 3, 4))),
+                            new SearchPlan(1, 0.2, 12, 30, 4, 2))),
             Map.entry("stand-up-from-left-side", SideGetUpDesign::new),
             Map.entry("dance", DanceDesign::new),
             Map.entry("dive-left", () -> new DiveDesign("dive-left", new SearchPlan(1, 0.8, 14, 60, 3, 4))),

@@ -1,8 +1,13 @@
 package org.robonewbie.learning.design;
 
+import java.util.Arrays;
+import java.util.Locale;
 import java.util.Random;
+import java.util.stream.Collectors;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.learning.search.Search;
+import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.learning.search.Trial;
 import org.robonewbie.learning.trial.WalkTrial;
 
@@ -17,7 +22,28 @@ import org.robonewbie.learning.trial.WalkTrial;
  */
 public record EngineDesign(int stepMillis, WalkVelocity slip, WalkVelocity most, double newtons) implements Trial {
 
+    /** What the shipped walk was searched for with, and how. */
+    public static final EngineDesign STANDARD =
+            new EngineDesign(200, new WalkVelocity(1, 1, 1), new WalkVelocity(0.75, 0.3, 90), 5);
+
+    private static final SearchPlan PLAN = new SearchPlan(1, 0.1, 16, 20, 3, 2);
+    private static final double[] START = {
+        2.1, -1.5, 1.1, -1.3, 3.3, 0.3, -3.3, 0.1, 0.0, -0.3, -2.6, -0.5, 3.0, -1.4, 2.1, -0.2, -0.5, 0.7, 0.4, 0.1,
+        -1.0, 1.2, 0.8, -0.8, 0.5, 3.0, 0.9, 0.1, -1.7, -0.0
+    };
     private static final double SECONDS = 7;
+
+    /**
+     * Searches for the coordinates of {@link WalkStyle#STANDARD}, which must be put there by hand.
+     *
+     * @param arguments none
+     */
+    public static void main(String[] arguments) {
+        double[] found = new Search(PLAN, STANDARD).run(START, System.out::println);
+        System.out.println(Arrays.stream(found)
+                .mapToObj(x -> String.format(Locale.ROOT, "%.2f", x))
+                .collect(Collectors.joining(", ")));
+    }
 
     @Override
     public double cost(double[] x, long seed) {

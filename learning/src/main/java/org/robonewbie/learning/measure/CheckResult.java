@@ -21,10 +21,11 @@ public record CheckResult(MotionCheck check, List<Outcome> outcomes) {
      * Carries out trials, several at a time.
      *
      * @param check the question
-     * @param trials how many
+     * @param wanted how many; a thorough check makes more of them
      * @return the answer, the same each time
      */
-    public static CheckResult of(MotionCheck check, int trials) {
+    public static CheckResult of(MotionCheck check, int wanted) {
+        long trials = Math.round(check.thoroughness() * wanted);
         Outcome[] outcomes =
                 LongStream.range(0, trials).parallel().mapToObj(check.trial()).toArray(Outcome[]::new);
         return new CheckResult(check, Arrays.asList(outcomes));

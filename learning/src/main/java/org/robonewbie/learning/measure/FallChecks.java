@@ -19,6 +19,7 @@ final class FallChecks {
         return List.of(
                 fall("fall-forward", Lying.ON_FRONT),
                 fall("fall-back", Lying.ON_BACK),
+                rollOver(),
                 dive("dive-left", 1),
                 dive("dive-right", -1));
     }
@@ -31,6 +32,18 @@ final class FallChecks {
             double seconds = robot.seconds() - start;
             robot.hold(1, TrialObserver.NONE);
             return new Outcome(end.isTrueOf(robot), seconds);
+        });
+    }
+
+    private static MotionCheck rollOver() {
+        String name = "roll-over-to-back";
+        return new MotionCheck(name, "lying on front after a fall, arms anywhere", "ends lying on back", "s", seed -> {
+            TrialRobot robot = Lying.ON_FRONT.fallen(seed);
+            double start = robot.seconds();
+            robot.play(Library.motion(name), TrialObserver.NONE);
+            double seconds = robot.seconds() - start;
+            robot.hold(1, TrialObserver.NONE);
+            return new Outcome(Lying.ON_BACK.isTrueOf(robot), seconds);
         });
     }
 

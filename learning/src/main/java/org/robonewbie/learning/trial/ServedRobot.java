@@ -7,6 +7,7 @@ import java.util.function.BooleanSupplier;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.walk.Walk;
+import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
@@ -217,6 +218,7 @@ public final class ServedRobot implements AutoCloseable {
         for (int i = 0; i < CYCLES_TO_SETTLE; i++) {
             exchange();
         }
+        simulator.match().setPlayMode(PlayMode.PLAY_ON);
     }
 
     private void goOn(BooleanSupplier end, double mostSeconds) {
