@@ -1,24 +1,37 @@
 package org.robonewbie.examples;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.robonewbie.agent.Options;
+import org.robonewbie.agent.motion.MotionLibrary;
 import org.robonewbie.nao.Vector3;
 
 /**
  * Takes penalties: gets behind the ball as {@link Agent_BetterSoccer} does, but then kicks it hard.
  *
- * <p>A kick needs patience. The robot stops where the ball lies right before one of its feet, looks once more, and only then
- * plays the motion. Where exactly the ball must lie, the file of the motion says: {@code start: stance, ball 17 to 21 cm ahead}.
+ * <p>A kick needs patience. The robot stops where the ball lies right before one of its feet, stands still, looks once more, and
+ * only then plays the motion. Where the ball must lie, the file of the motion says in its comment {@code // ball:}. To see the ball
+ * from the torso and not from the leaning head, it asks the accelerometer how much it leans.
  *
  * <p>Start {@link Agent_PenaltyGoalkeeper} in the same simulator. Ideas: choose the corner that the goalkeeper leaves free.
  */
 public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
 
-    private static final double KICK_FORWARD_METRES = 0.19;
-    private static final double KICK_ASIDE_METRES = 0.055;
-    private static final double GOOD_METRES = 0.02;
-    private static final double GOOD_DEGREES = 8;
+    private static final Pattern BALL = Pattern.compile("([0-9.]+) m ahead, ([0-9.]+) m to the left");
     private static final double NEAR_METRES = 0.45;
-    private static final double SLOW = 0.8;
+    private static final double GOOD_METRES = 0.012;
+    private static final double FAIR_METRES = 0.02;
+    private static final double GOOD_DEGREES = 8;
+    private static final double STILL_SECONDS = 0.5;
+    private static final double PATIENCE_SECONDS = 8;
+    private static final double HEAD_ABOVE_TORSO_METRES = 0.155;
+
+    private final Vector3 kickPlace = kickPlace();
+    private double leanDegrees;
+    private double stoppedSeconds;
+    private double nearSeconds;
 
     /** Creates the agent. */
     public Agent_PenaltyAttacker() {}
@@ -39,23 +52,65 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
 
     @Override
     protected void bring(Vector3 ball, Vector3 goal) {
+        double feltDegrees =
+                Math.toDegrees(Math.asin(limited(-nao.getAcceleration().x() / 9.81, 0.3)));
+        leanDegrees += 0.1 * (feltDegrees - leanDegrees); // smooth, since each step shakes the robot
+        Vector3 place = fromTorso(ball);
         double turn = Math.toDegrees(Math.atan2(goal.y() - ball.y(), goal.x() - ball.x()));
-        double distance = Math.hypot(ball.x(), ball.y());
-        if (distance > NEAR_METRES || Math.abs(turn) > 40 || ball.x() < 0.05) {
+        if (Math.hypot(place.x(), place.y()) > NEAR_METRES || Math.abs(turn) > 40 || place.x() < 0.05) {
+            nearSeconds = nao.getTime();
             super.bring(ball, goal);
-            return;
-        }
-        boolean left = ball.y() > 0;
-        double forward = ball.x() - KICK_FORWARD_METRES;
-        double aside = ball.y() - (left ? KICK_ASIDE_METRES : -KICK_ASIDE_METRES);
-        boolean good =
-                Math.abs(forward) < GOOD_METRES && Math.abs(aside) < GOOD_METRES && Math.abs(turn) < GOOD_DEGREES;
-        if (!good) {
-            walk.towards(SLOW * forward, SLOW * aside, turn);
-        } else if (walk.isWalking()) {
-            walk.stop();
         } else {
-            motions.start(left ? "kick-left" : "kick-right");
+            prepareKick(place, turn);
         }
+    }
+
+    /** Steps to where the kick begins, and kicks. */
+    private void prepareKick(Vector3 ball, double turn) {
+        boolean left = ball.y() > 0;
+        double forward = ball.x() - kickPlace.x();
+        double aside = ball.y() - (left ? kickPlace.y() : -kickPlace.y());
+        boolean patient = nao.getTime() - nearSeconds < PATIENCE_SECONDS;
+        double tolerance = patient ? GOOD_METRES : FAIR_METRES;
+        boolean good = Math.abs(forward) < tolerance && Math.abs(aside) < tolerance && Math.abs(turn) < GOOD_DEGREES;
+        if (walk.isWalking()) {
+            stoppedSeconds = nao.getTime();
+        }
+        boolean still = nao.getTime() - stoppedSeconds > STILL_SECONDS;
+        if (good && still) {
+            motions.start(left ? "kick-left" : "kick-right");
+            nearSeconds = nao.getTime();
+        } else if (good) {
+            walk.stop();
+        } else if (still || walk.isWalking()) {
+            walk.towards(limited(forward, 0.1), limited(aside, 0.08), turn);
+        }
+    }
+
+    /** Where a ball lies that the head sees, measured level from below the torso. */
+    private Vector3 fromTorso(Vector3 ball) {
+        double lean = Math.toRadians(leanDegrees);
+        double up = ball.z() + HEAD_ABOVE_TORSO_METRES;
+        return new Vector3(ball.x() * Math.cos(lean) + up * Math.sin(lean), ball.y(), 0);
+    }
+
+    /** Where the ball must lie for a kick with the left foot: metres ahead of the torso and to its left. */
+    private static Vector3 kickPlace() {
+        try {
+            String words = new MotionLibrary()
+                    .find("kick-left")
+                    .flatMap(file -> file.property("ball"))
+                    .orElse("");
+            Matcher place = BALL.matcher(words);
+            return place.find()
+                    ? new Vector3(Double.parseDouble(place.group(1)), Double.parseDouble(place.group(2)), 0)
+                    : new Vector3(0.19, 0.055, 0);
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
+    }
+
+    private static double limited(double value, double most) {
+        return Math.max(-most, Math.min(most, value));
     }
 }
