@@ -30,7 +30,7 @@ final class RecordedRun implements AutoCloseable {
                 Console.standard());
         link = simulator.connect();
         say("(scene rsg/agent/nao/nao.rsg)(syn)");
-        say("(init (unum 1)(teamname Ada's))(syn)");
+        say("(init (unum 1)(teamname Ada))(syn)");
         say("(syn)");
     }
 

@@ -32,7 +32,8 @@ class RecordingShelfTest {
         assertThat(newer).exists();
         assertThat(newest).exists();
         assertThat(other).exists();
-        assertThat(next).doesNotExist().hasParent(folder);
+        assertThat(next).doesNotExist();
+        assertThat(next.getParent()).isEqualTo(folder);
         assertThat(next.toString()).endsWith(".rec");
     }
 
