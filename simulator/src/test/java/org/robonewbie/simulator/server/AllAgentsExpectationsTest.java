@@ -149,6 +149,11 @@ class AllAgentsExpectationsTest {
         LeagueServer.cyclesOfAll(5, "(beam -9 5 0)(syn)", agent);
         assertThat(server.torso(0, 0)).isCloseTo(-3, within(0.2));
 
+        server.control().setPlayMode(PlayMode.BEFORE_KICK_OFF);
+        LeagueServer.cyclesOfAll(500, "(beam -9 5 0)(syn)", agent);
+        assertThat(server.torso(0, 0)).isCloseTo(-9, within(0.06));
+        assertThat(server.torso(0, 2)).isBetween(0.38, 0.41);
+
         server.control().setPlayMode(PlayMode.GOAL_RIGHT);
         LeagueServer.cyclesOfAll(5, "(beam -9 5 0)(syn)", agent);
         assertThat(server.torso(0, 0)).isCloseTo(-9, within(0.06));

@@ -185,6 +185,7 @@ final class Body implements RigidBody {
     @Override
     public void setRotation(Rotation turn) {
         Rotations.copy(turn, rotation);
+        Rotations.straighten(rotation);
         Rotations.toQuaternion(rotation, quaternion);
         tellForms();
     }

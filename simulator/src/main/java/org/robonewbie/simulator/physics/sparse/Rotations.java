@@ -64,6 +64,28 @@ final class Rotations {
         q[3] = q3 * factor;
     }
 
+    /**
+     * Makes the rows of a matrix unit vectors that are square to each other again. Else the rounding of a turn that is
+     * multiplied with the next one grows with each of them, as for a sleeping robot that is beamed in each cycle.
+     */
+    static void straighten(double[] matrix) {
+        scale(matrix, 0, 1 / Math.sqrt(dot(matrix, 0, matrix, 0)));
+        double along = dot(matrix, 0, matrix, 3);
+        for (int i = 0; i < 3; i++) {
+            matrix[3 + i] -= along * matrix[i];
+        }
+        scale(matrix, 3, 1 / Math.sqrt(dot(matrix, 3, matrix, 3)));
+        matrix[6] = matrix[1] * matrix[5] - matrix[2] * matrix[4];
+        matrix[7] = matrix[2] * matrix[3] - matrix[0] * matrix[5];
+        matrix[8] = matrix[0] * matrix[4] - matrix[1] * matrix[3];
+    }
+
+    private static void scale(double[] matrix, int at, double factor) {
+        for (int i = at; i < at + 3; i++) {
+            matrix[i] *= factor;
+        }
+    }
+
     static void toMatrix(double[] q, double[] matrix) {
         double xx = 2 * q[1] * q[1];
         double yy = 2 * q[2] * q[2];
