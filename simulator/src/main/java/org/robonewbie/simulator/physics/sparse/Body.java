@@ -50,6 +50,7 @@ final class Body implements RigidBody {
     private final MoveClock clock;
     private final List<Form> forms = new ArrayList<>();
     private boolean asleep;
+    private int turns;
     private int restingStepsLeft = STEPS_TO_FALL_ASLEEP;
 
     Body(MassDistribution distribution, Vector3 position, MoveClock clock) {
@@ -68,6 +69,11 @@ final class Body implements RigidBody {
 
     double[] turn() {
         return quaternion;
+    }
+
+    /** Counts how often the body has been turned, so that others know whether what they derived from it still holds. */
+    int turns() {
+        return turns;
     }
 
     void attach(Form form) {
@@ -145,6 +151,7 @@ final class Body implements RigidBody {
         }
         Rotations.turn(quaternion, velocity, seconds);
         Rotations.toMatrix(quaternion, rotation);
+        turns++;
         Arrays.fill(force, 0);
         tellForms();
     }
@@ -187,6 +194,7 @@ final class Body implements RigidBody {
         Rotations.copy(turn, rotation);
         Rotations.straighten(rotation);
         Rotations.toQuaternion(rotation, quaternion);
+        turns++;
         tellForms();
     }
 

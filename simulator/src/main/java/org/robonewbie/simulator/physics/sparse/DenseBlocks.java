@@ -110,12 +110,28 @@ final class DenseBlocks {
 
     /** x[to...] -= block · x[from...] for a block of height × width. */
     static void subtractTimes(double[] m, int start, int height, int width, double[] x, int from, int to) {
+        if (width == 6) {
+            subtractTimesSix(m, start, height, x, from, to);
+            return;
+        }
         for (int r = 0; r < height; r++) {
             double sum = 0;
             for (int i = 0; i < width; i++) {
                 sum += m[start + r * width + i] * x[from + i];
             }
             x[to + r] -= sum;
+        }
+    }
+
+    private static void subtractTimesSix(double[] m, int start, int height, double[] x, int from, int to) {
+        for (int r = 0; r < height; r++) {
+            int a = start + 6 * r;
+            x[to + r] -= m[a] * x[from]
+                    + m[a + 1] * x[from + 1]
+                    + m[a + 2] * x[from + 2]
+                    + m[a + 3] * x[from + 3]
+                    + m[a + 4] * x[from + 4]
+                    + m[a + 5] * x[from + 5];
         }
     }
 

@@ -23,6 +23,9 @@ final class HingeJoint extends Joint implements MotorHinge {
     private final double[] axisOnParent = new double[3];
     private final double[] startTurn = new double[4];
     private double speed;
+    private double angle;
+    private int childTurns = -1;
+    private int parentTurns = -1;
 
     private final double[] relative = new double[4];
     private final double[] childArm = new double[3];
@@ -60,6 +63,15 @@ final class HingeJoint extends Joint implements MotorHinge {
 
     @Override
     public double angleRadians() {
+        if (childTurns != child.turns() || parentTurns != parent.turns()) {
+            angle = measureAngle();
+            childTurns = child.turns();
+            parentTurns = parent.turns();
+        }
+        return angle;
+    }
+
+    private double measureAngle() {
         double[] now = relative;
         relativeTurn(now);
         double[] start = startTurn;
@@ -69,8 +81,8 @@ final class HingeJoint extends Joint implements MotorHinge {
         double z = -now[0] * start[3] + now[3] * start[0] - now[1] * start[2] + now[2] * start[1];
         double sine = Math.sqrt(x * x + y * y + z * z);
         boolean forward = x * axisOnChild[0] + y * axisOnChild[1] + z * axisOnChild[2] >= 0;
-        double angle = 2 * Math.atan2(sine, forward ? w : -w);
-        return -(angle > Math.PI ? angle - 2 * Math.PI : angle);
+        double turned = 2 * Math.atan2(sine, forward ? w : -w);
+        return -(turned > Math.PI ? turned - 2 * Math.PI : turned);
     }
 
     /** The parent's turn seen from the child: conjugate(child) · parent. */
@@ -96,11 +108,11 @@ final class HingeJoint extends Joint implements MotorHinge {
         ConstraintRows.setAngular(rows.first, row, axis[0], axis[1], axis[2]);
         ConstraintRows.setAngular(rows.second, row, -axis[0], -axis[1], -axis[2]);
         rows.softness[row] = definition.softness();
-        double angle = angleRadians();
-        if (angle <= definition.minRadians()) {
-            stop(rows, rate, angle - definition.minRadians(), 1);
-        } else if (angle >= definition.maxRadians()) {
-            stop(rows, rate, angle - definition.maxRadians(), -1);
+        double now = angleRadians();
+        if (now <= definition.minRadians()) {
+            stop(rows, rate, now - definition.minRadians(), 1);
+        } else if (now >= definition.maxRadians()) {
+            stop(rows, rate, now - definition.maxRadians(), -1);
         } else {
             rows.wanted[row] = speed;
             rows.lower[row] = -definition.maxTorque();

@@ -3,8 +3,12 @@ package org.robonewbie.simulator.physics.sparse;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -12,7 +16,13 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.model.Shape;
+import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.Contact;
+import org.robonewbie.simulator.physics.HingeDefinition;
+import org.robonewbie.simulator.physics.MassDistribution;
+import org.robonewbie.simulator.physics.Material;
+import org.robonewbie.simulator.physics.MotorHinge;
 import org.robonewbie.simulator.physics.PhysicsWorld;
 import org.robonewbie.simulator.physics.Pose;
 import org.robonewbie.simulator.physics.RigidBody;
@@ -178,6 +188,45 @@ class SparsePhysicsWorldTest {
         }
 
         assertThat(world.ball().position().z()).isLessThan(0.1);
+    }
+
+    @Test
+    void stepsInTheSteadyStateAllocateNothing() {
+        ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        PhysicsWorld world = new SparsePhysicsWorld();
+        MotorHinge hinge = addRockingPair(world);
+        rock(world, hinge, 400);
+
+        long before = thread.getCurrentThreadAllocatedBytes();
+        rock(world, hinge, 400);
+        long allocated = thread.getCurrentThreadAllocatedBytes() - before;
+
+        assertThat(world.contacts()).isNotEmpty();
+        assertThat(allocated).isLessThan(400);
+    }
+
+    private static MotorHinge addRockingPair(PhysicsWorld world) {
+        Material material = new Material(
+                Optional.empty(), OptionalDouble.of(0.6), OptionalDouble.of(1e-4), OptionalDouble.of(5e-3));
+        world.addGround(material, "ground");
+        Assembly assembly = world.addAssembly();
+        Shape box = new Shape.Box(new Vector3(0.2, 0.2, 0.1));
+        RigidBody foot = assembly.addBody(MassDistribution.of(box, 1), new Vector3(0, 0, 0.05));
+        RigidBody head = assembly.addBody(MassDistribution.of(box, 0.2), new Vector3(0, 0, 0.2));
+        assembly.addCollider(foot, box, material, "foot");
+        assembly.addCollider(head, box, material, "head");
+        return assembly.addHinge(
+                head,
+                foot,
+                new HingeDefinition(new Vector3(0, 0, 0.1), new Vector3(1, 0, 0), -1, 1, 10, 1e-8, 0.8, 1, 1e-5));
+    }
+
+    private static void rock(PhysicsWorld world, MotorHinge hinge, int steps) {
+        for (int step = 0; step < steps; step++) {
+            hinge.setSpeed(step / 20 % 2 == 0 ? 0.5 : -0.5);
+            world.findContacts();
+            world.step(0.02);
+        }
     }
 
     @Test
