@@ -44,6 +44,7 @@ final class BlockCholesky {
         Arrays.fill(changed, 0, plan.joints(), true);
     }
 
+    /** Half of a hinge's rows have no linear part, which saves half of their work. */
     private void addOverlap(int column, double[] response, int row, double[] jacobian, int offset) {
         int width = plan.rows(column);
         int height = plan.rows(row);
@@ -58,9 +59,17 @@ final class BlockCholesky {
             double j4 = jacobian[a + 4];
             double j5 = jacobian[a + 5];
             int end = row == column ? r + 1 : width;
+            int to = offset + r * width;
+            if (j0 == 0 && j1 == 0 && j2 == 0) {
+                for (int c = 0; c < end; c++) {
+                    int b = columnStart + 6 * c;
+                    matrix[to + c] += j3 * response[b + 3] + j4 * response[b + 4] + j5 * response[b + 5];
+                }
+                continue;
+            }
             for (int c = 0; c < end; c++) {
                 int b = columnStart + 6 * c;
-                matrix[offset + r * width + c] += j0 * response[b]
+                matrix[to + c] += j0 * response[b]
                         + j1 * response[b + 1]
                         + j2 * response[b + 2]
                         + j3 * response[b + 3]

@@ -5,14 +5,18 @@ final class DenseBlocks {
 
     private DenseBlocks() {}
 
-    /** target -= left · rightᵀ, where left is height × inner, right width × inner and target height × width. */
+    /**
+     * target -= left · rightᵀ, where left is height × inner, right width × inner and target height × width. If left and
+     * right are the same, the result is symmetric and only its lower half is computed.
+     */
     static void subtractProduct(double[] m, int left, int right, int target, int height, int width, int inner) {
         if (inner == 6) {
             subtractProductOfSix(m, left, right, target, height, width);
             return;
         }
         for (int r = 0; r < height; r++) {
-            for (int c = 0; c < width; c++) {
+            int end = left == right ? r + 1 : width;
+            for (int c = 0; c < end; c++) {
                 double sum = 0;
                 for (int i = 0; i < inner; i++) {
                     sum += m[left + r * inner + i] * m[right + c * inner + i];
@@ -32,7 +36,8 @@ final class DenseBlocks {
             double a3 = m[a + 3];
             double a4 = m[a + 4];
             double a5 = m[a + 5];
-            for (int c = 0; c < width; c++) {
+            int end = left == right ? r + 1 : width;
+            for (int c = 0; c < end; c++) {
                 int b = right + 6 * c;
                 m[target + r * width + c] -=
                         a0 * m[b] + a1 * m[b + 1] + a2 * m[b + 2] + a3 * m[b + 3] + a4 * m[b + 4] + a5 * m[b + 5];
