@@ -33,7 +33,9 @@ public enum Scene {
 
         @Override
         Vector3 place(int robot) {
-            return new Vector3(-3 + 0.3 * (robot % 3), 0.3 * (robot / 3 % 3), 0.6 + 0.5 * (robot / 9));
+            int row = robot / 3 % 3;
+            int layer = robot / 9;
+            return new Vector3(-3 + 0.3 * (robot % 3), 0.3 * row, 0.6 + 0.5 * layer);
         }
 
         @Override
