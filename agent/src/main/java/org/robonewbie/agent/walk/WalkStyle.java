@@ -26,15 +26,26 @@ public record WalkStyle(
 
     private static final double DEGREES_OF_ARM_FOR_EACH_METRE = 180;
 
+    private static final double[] COORDINATES = {
+        2.1, -1.5, 1.1, -1.3, 3.3, 0.3, -3.3, 0.1, 0.0, -0.3, -2.6, -0.5, 3.0, -1.4, 2.1, -0.2, -0.5, 0.7, 0.4, 0.1,
+        -1.0, 1.2, 0.8, -0.8, 0.5, 3.0, 0.9, 0.1, -1.7, -0.0
+    };
+
     /** The walk of {@link Walk}. */
     public static final WalkStyle STANDARD =
-            of(200, new WalkVelocity(1.12, 1.25, 1.2), new WalkVelocity(0.65, 0.22, 70), new double[] {
-                2.1, -1.5, 1.1, -1.3, 3.3, 0.3, -3.3, 0.1, 0.0, -0.3, -2.6, -0.5, 3.0, -1.4, 2.1, -0.2, -0.5, 0.7, 0.4,
-                0.1, -1.0, 1.2, 0.8, -0.8, 0.5, 3.0, 0.9, 0.1, -1.7, -0.0
-            });
+            of(200, new WalkVelocity(1.12, 1.25, 1.2), new WalkVelocity(0.6, 0.22, 70), COORDINATES);
 
     /** How many numbers {@link #of} takes. */
     public static final int PARAMETERS = Gait.PARAMETERS + 16;
+
+    /**
+     * Gives the coordinates that {@link #of} takes for the standard walk.
+     *
+     * @return a copy
+     */
+    public static double[] coordinates() {
+        return COORDINATES.clone();
+    }
 
     /**
      * Makes a style from the coordinates of a search, in which 0 is a careful first guess and 1 a noticeable change.

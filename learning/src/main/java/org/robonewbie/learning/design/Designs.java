@@ -52,7 +52,7 @@ public final class Designs {
             Map.entry(
                     "side-step-left",
                     () -> new FootworkDesign(
-                            "side-step-left", "steps 9 cm to the left", GAIT, foot -> foot.moved(0, 0.05), 2)),
+                            "side-step-left", "steps 8 cm to the left", GAIT, foot -> foot.moved(0, 0.05), 2)),
             Map.entry(
                     "kick-right",
                     () -> new KickDesign(

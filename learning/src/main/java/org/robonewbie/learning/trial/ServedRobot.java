@@ -9,6 +9,7 @@ import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -63,6 +64,16 @@ public final class ServedRobot implements AutoCloseable {
      * @param seed start of all noise
      */
     public ServedRobot(long seed) {
+        this(seed, RobotType.TYPE_0);
+    }
+
+    /**
+     * Starts a simulator and puts a robot of some type into it that goes to the stance.
+     *
+     * @param seed start of all noise
+     * @param type how the robot is built
+     */
+    public ServedRobot(long seed, RobotType type) {
         try {
             SimulatorSettings settings = SimulatorSettings.beginner()
                     .agentPort(0)
@@ -74,7 +85,7 @@ public final class ServedRobot implements AutoCloseable {
         } catch (IOException e) {
             throw new UncheckedIOException("The simulator of the trial cannot start.", e);
         }
-        join();
+        join(type);
         perform("stand");
         hold(0.3);
         start = robot().torso().position();
@@ -205,8 +216,8 @@ public final class ServedRobot implements AutoCloseable {
         simulator.close();
     }
 
-    private void join() {
-        writer.createRobot("rsg/agent/nao/nao.rsg", List.of());
+    private void join(RobotType type) {
+        writer.createRobot("rsg/agent/nao/nao_hetero.rsg", List.of(Integer.toString(type.ordinal())));
         send();
         for (int i = 1; i < CYCLES_TO_APPEAR; i++) {
             simulator.cycle();
