@@ -17,6 +17,7 @@ import picocli.CommandLine.IVersionProvider;
             SimulatorCommand.class,
             StudioCommand.class,
             FidelityCommand.class,
+            RecordReferenceCommand.class,
             MeasureCommand.class,
             BenchmarkCommand.class,
             DoctorCommand.class

@@ -87,8 +87,8 @@ public final class FidelityBench {
         List<RecordingFidelity> results = new ArrayList<>();
         List<String> problems = new ArrayList<>();
         for (Path file : recordingsIn(directory)) {
-            try (InputStream content = Files.newInputStream(file)) {
-                results.add(Replay.of(RecordingReader.read(file.getFileName().toString(), content), route, physics));
+            try {
+                results.add(Replay.of(read(file), route, physics));
             } catch (EOFException | ZipException e) {
                 problems.add(file.getFileName() + " is damaged (" + e.getMessage() + "). Copy or pack it again.");
             } catch (IOException e) {
@@ -96,6 +96,23 @@ public final class FidelityBench {
             }
         }
         return new FidelityReport(results, problems);
+    }
+
+    /**
+     * Reads one recording.
+     *
+     * @param file a file whose name ends with .jsonl or .jsonl.gz
+     * @return the recording
+     * @throws IOException if it cannot be read; the text says why
+     */
+    public static Recording read(Path file) throws IOException {
+        String name = String.valueOf(file.getFileName());
+        if (!RecordingReader.isRecording(name)) {
+            throw new IOException(file + " is no recording. Name a file that ends with .jsonl or .jsonl.gz.");
+        }
+        try (InputStream content = Files.newInputStream(file)) {
+            return RecordingReader.read(name, content);
+        }
     }
 
     /**

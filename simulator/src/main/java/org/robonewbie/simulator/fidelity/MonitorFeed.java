@@ -1,0 +1,137 @@
+package org.robonewbie.simulator.fidelity;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.protocol.monitor.MonitorLink;
+import org.robonewbie.protocol.monitor.MonitoredRobot;
+import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.protocol.monitor.TransformNode;
+import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.physics.Rotation;
+
+/** Listens at a monitor port in a thread of its own and keeps where the torso of one robot was, message by message. */
+final class MonitorFeed implements AutoCloseable {
+
+    /** Said of a server that runs on without its agents. */
+    static final String DOES_NOT_WAIT = "The server has not waited for the agent. Let it run in sync mode:"
+            + " $agentSyncMode = true in spark.rb, or robonewbie simulator --sync.";
+
+    private static final String FULL_SCENE = "(RSG";
+    private static final long QUIET_MILLISECONDS = 300;
+    private static final long SECONDS_UNTIL_QUIET = 5;
+    private static final long SECONDS_UNTIL_NEXT = 3;
+
+    private final MonitorLink link;
+    private final List<Optional<Pose>> torsos = new ArrayList<>();
+    private volatile Optional<PlayerNumber> watched = Optional.empty();
+    private String lastText = "";
+    private long lastChange;
+
+    private MonitorFeed(MonitorLink link) {
+        this.link = link;
+    }
+
+    static MonitorFeed connect(String host, int port) throws IOException {
+        MonitorFeed feed = new MonitorFeed(MonitorLink.connect(host, port));
+        Thread thread = new Thread(feed::listen, "monitor");
+        thread.setDaemon(true);
+        thread.start();
+        return feed;
+    }
+
+    void watch(PlayerNumber player) {
+        watched = Optional.of(player);
+    }
+
+    /**
+     * Waits until nothing moves any more, since the server waits; tells how many messages have come. A server may go on
+     * sending the same message meanwhile.
+     */
+    synchronized int awaitQuiet() throws IOException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS_UNTIL_QUIET);
+        long start = System.nanoTime();
+        while (System.nanoTime() - Math.max(start, lastChange) < TimeUnit.MILLISECONDS.toNanos(QUIET_MILLISECONDS)) {
+            if (System.nanoTime() > end) {
+                throw new IOException(DOES_NOT_WAIT);
+            }
+            pause(QUIET_MILLISECONDS);
+        }
+        return torsos.size();
+    }
+
+    /** Waits until a number of messages have come in all; tells whether they have within two seconds. */
+    synchronized boolean await(int messages) throws IOException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS_UNTIL_NEXT);
+        while (torsos.size() < messages && System.nanoTime() < end) {
+            pause(QUIET_MILLISECONDS);
+        }
+        return torsos.size() >= messages;
+    }
+
+    private synchronized void pause(long milliseconds) throws IOException {
+        try {
+            wait(milliseconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IOException("The recording was interrupted.", e);
+        }
+    }
+
+    /** Asks for exact numbers in the next message; otherwise small movements are left out. */
+    void requestFullState() throws IOException {
+        link.send(new TrainerCommand.RequestFullState());
+    }
+
+    /** Tells how many messages have come. */
+    synchronized int count() {
+        return torsos.size();
+    }
+
+    /** Gives the torso's pose in one message, counted from 0. */
+    synchronized Optional<Pose> torso(int index) {
+        return index >= 0 && index < torsos.size() ? torsos.get(index) : Optional.empty();
+    }
+
+    @Override
+    public void close() {
+        link.close();
+    }
+
+    private void listen() {
+        try {
+            while (link.receive()) {
+                boolean isRepeated = link.lastMessage().toString().equals(lastText);
+                lastText = link.lastMessage().toString();
+                add(isRepeated, watched.flatMap(link.world()::robot)
+                        .flatMap(MonitorFeed::torsoOf)
+                        .filter(torso -> link.world().isCurrent() && lastText.contains(FULL_SCENE)));
+            }
+        } catch (IOException e) {
+            // The session ends when the agent's connection breaks too.
+        }
+    }
+
+    private synchronized void add(boolean isRepeated, Optional<Pose> torso) {
+        lastChange = isRepeated ? lastChange : System.nanoTime();
+        torsos.add(torso);
+        notifyAll();
+    }
+
+    private static Optional<Pose> torsoOf(MonitoredRobot robot) {
+        return robot.link(NaoModel.TORSO).map(MonitorFeed::pose);
+    }
+
+    private static Pose pose(TransformNode node) {
+        return new Pose(
+                node.position(),
+                new Rotation(
+                        node.element(0), node.element(4), node.element(8),
+                        node.element(1), node.element(5), node.element(9),
+                        node.element(2), node.element(6), node.element(10)));
+    }
+}

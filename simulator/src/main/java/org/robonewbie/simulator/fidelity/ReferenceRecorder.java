@@ -1,0 +1,89 @@
+package org.robonewbie.simulator.fidelity;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import java.util.Optional;
+import java.util.zip.GZIPOutputStream;
+
+/**
+ * Records robots on a running server, a real rcssserver3d or ours, in the format that {@link FidelityBench} replays.
+ *
+ * <p>The server has to wait for its agents (sync mode) and to tell monitors each cycle; without noise of beams and without
+ * other robots nearby the recordings are exact.
+ *
+ * <pre>{@code
+ * new ReferenceRecorder(new ReferenceServer("127.0.0.1", 3100, 3200), 0, System.out)
+ *         .record(ReferenceScenario.all(), Path.of("my-recordings"));
+ * }</pre>
+ */
+public final class ReferenceRecorder {
+
+    private static final int ATTEMPTS = 5;
+
+    private final ReferenceServer server;
+    private final int type;
+    private final PrintStream progress;
+
+    /**
+     * Prepares recordings.
+     *
+     * @param server where the server is
+     * @param type number of the robot's build, 0 to 4
+     * @param progress where to tell how far it is
+     */
+    public ReferenceRecorder(ReferenceServer server, int type, PrintStream progress) {
+        this.server = server;
+        this.type = type;
+        this.progress = progress;
+    }
+
+    /**
+     * Records scenarios one after the other, each with a new robot.
+     *
+     * @param scenarios what to record
+     * @param directory where to write a file for each; created if it is missing
+     * @throws IOException if the server does not answer as it should or a file cannot be written; the message says what to do
+     */
+    public void record(List<ReferenceScenario> scenarios, Path directory) throws IOException {
+        Files.createDirectories(directory);
+        for (int i = 0; i < scenarios.size(); i++) {
+            ReferenceScenario scenario = scenarios.get(i);
+            progress.println("recording " + (i + 1) + " of " + scenarios.size() + ": " + scenario.name() + " ("
+                    + scenario.description() + ")");
+            write(directory.resolve(scenario.name() + ".jsonl.gz"), scenario, record(scenario));
+        }
+    }
+
+    private List<String> record(ReferenceScenario scenario) throws IOException {
+        for (int attempt = 1; attempt <= ATTEMPTS; attempt++) {
+            try (ReferenceSession session = ReferenceSession.open(server)) {
+                Optional<List<String>> lines = session.record(type, scenario.commands());
+                if (lines.isPresent()) {
+                    return lines.get();
+                }
+            }
+            progress.println("  messages to the monitor came late; once more");
+        }
+        throw new IOException("The server's messages to the monitor do not fit to the cycles of the agent, " + ATTEMPTS
+                + " times in a row. Close what else keeps the computer busy, and try again.");
+    }
+
+    private void write(Path file, ReferenceScenario scenario, List<String> lines) throws IOException {
+        Path draft = file.resolveSibling(file.getFileName() + ".new");
+        try (OutputStream packed = new GZIPOutputStream(Files.newOutputStream(draft))) {
+            String base = "recorded by RoboNewbie, robot type " + type
+                    + "; torso from the monitor port (m, deg), the rest as the server sent it";
+            packed.write((RowWriter.header(scenario.description(), base) + "\n").getBytes(StandardCharsets.UTF_8));
+            for (String line : lines) {
+                packed.write((line + "\n").getBytes(StandardCharsets.UTF_8));
+            }
+        }
+        Files.move(draft, file, StandardCopyOption.REPLACE_EXISTING);
+    }
+}

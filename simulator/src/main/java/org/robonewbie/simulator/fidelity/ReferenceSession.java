@@ -1,0 +1,145 @@
+package org.robonewbie.simulator.fidelity;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.frame.TcpAgentLink;
+import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.protocol.perceptor.GameState;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
+
+/**
+ * One robot on a server in sync mode, watched through the monitor port at the same time.
+ *
+ * <p>The answer to message N is read when the world has already made step N + 1, so that it acts in step N + 2, and what was
+ * sent stands on line N + 1 of the recording. While the server waits for the answer to message N, its newest message to
+ * monitors is the one of step N + 1; that tells which belong together.
+ */
+final class ReferenceSession implements AutoCloseable {
+
+    private static final int CYCLES_TO_STAND_STILL = 150;
+    private static final int CYCLES_TO_JOIN = 60;
+    private static final double CYCLE_SECONDS = 0.02;
+    private static final String STEP_ADVICE =
+            " Set $monitorStep = 0.02 in spark.rb, or start robonewbie simulator with --monitor-step 0.02.";
+
+    private record Felt(PerceptorMessage message, String sent) {}
+
+    private final AgentLink agent;
+    private final MonitorFeed monitor;
+    private final MessageBuffer buffer = new MessageBuffer();
+    private final PerceptorMessageReader reader = new PerceptorMessageReader();
+
+    private ReferenceSession(AgentLink agent, MonitorFeed monitor) {
+        this.agent = agent;
+        this.monitor = monitor;
+    }
+
+    static ReferenceSession open(ReferenceServer server) throws IOException {
+        MonitorFeed monitor = MonitorFeed.connect(server.host(), server.monitorPort());
+        try {
+            return new ReferenceSession(TcpAgentLink.connect(server.host(), server.port()), monitor);
+        } catch (IOException e) {
+            monitor.close();
+            throw e;
+        }
+    }
+
+    /**
+     * Lets the robot stand still, records it, and gives the lines without header; empty when messages to monitors were
+     * delayed, so that it is not known which belong to which cycle.
+     *
+     * @param type number of the robot's build, 0 to 4
+     * @param commands what to send in each cycle
+     */
+    Optional<List<String>> record(int type, List<String> commands) throws IOException {
+        send(type == 0 ? "(scene rsg/agent/nao/nao.rsg)" : "(scene rsg/agent/nao/nao_hetero.rsg " + type + ")");
+        receive();
+        monitor.watch(join());
+        exchange("(beam -5 0 0)");
+        for (int i = 0; i < CYCLES_TO_STAND_STILL; i++) {
+            exchange("");
+        }
+        int newest = monitor.awaitQuiet();
+        if (agent.isMessageWaiting()) {
+            throw new IOException(MonitorFeed.DOES_NOT_WAIT);
+        }
+        List<Felt> rows = new ArrayList<>();
+        monitor.requestFullState();
+        newest = monitor.awaitQuiet();
+        for (String command : commands) {
+            monitor.requestFullState();
+            rows.add(new Felt(exchange(command), command));
+            if (!monitor.await(newest + rows.size())) {
+                throw new IOException("The server does not send a message to monitors in each cycle." + STEP_ADVICE);
+            }
+        }
+        int messages = monitor.count() - newest;
+        checkTime(rows);
+        return messages == rows.size() ? Optional.of(lines(rows, newest - 1)) : Optional.empty();
+    }
+
+    @Override
+    public void close() {
+        agent.close();
+        monitor.close();
+    }
+
+    private PlayerNumber join() throws IOException {
+        PerceptorMessage answer = exchange("(init (unum 0)(teamname Reference))");
+        for (int i = 0; i < CYCLES_TO_JOIN; i++) {
+            Optional<PlayerNumber> player = answer.gameState().flatMap(ReferenceSession::player);
+            if (player.isPresent()) {
+                return player.get();
+            }
+            answer = exchange("");
+        }
+        throw new IOException("The server does not let the robot join a team. Are there two teams already?");
+    }
+
+    private static Optional<PlayerNumber> player(GameState state) {
+        return state.side().isPresent() && state.number().isPresent()
+                ? Optional.of(new PlayerNumber(
+                        state.side().orElse(TeamSide.LEFT), state.number().getAsInt()))
+                : Optional.empty();
+    }
+
+    private static void checkTime(List<Felt> rows) throws IOException {
+        double seconds = rows.get(rows.size() - 1).message().seconds().orElse(0)
+                - rows.get(0).message().seconds().orElse(0);
+        if (Math.abs(seconds - CYCLE_SECONDS * (rows.size() - 1)) > CYCLE_SECONDS / 2) {
+            throw new IOException(MonitorFeed.DOES_NOT_WAIT);
+        }
+    }
+
+    private List<String> lines(List<Felt> rows, int firstTorso) {
+        List<String> lines = new ArrayList<>();
+        for (int i = 0; i < rows.size(); i++) {
+            lines.add(RowWriter.row(rows.get(i).message(), monitor.torso(firstTorso + i), rows.get(i).sent()));
+        }
+        return lines;
+    }
+
+    private PerceptorMessage exchange(String commands) throws IOException {
+        send(commands);
+        return receive();
+    }
+
+    private void send(String commands) throws IOException {
+        buffer.clear();
+        buffer.append(commands + "(syn)");
+        agent.send(buffer);
+    }
+
+    private PerceptorMessage receive() throws IOException {
+        if (!agent.receive(buffer)) {
+            throw new IOException("The server has closed the agent's connection.");
+        }
+        return reader.read(buffer);
+    }
+}

@@ -1,0 +1,119 @@
+package org.robonewbie.simulator.fidelity;
+
+import com.google.gson.Gson;
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.Optional;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.perceptor.FootForce;
+import org.robonewbie.protocol.perceptor.FootForces;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.simulator.physics.Pose;
+
+/** Writes the lines of a recording. */
+final class RowWriter {
+
+    private static final Gson GSON = new Gson();
+    private static final MathContext SIX_DIGITS = new MathContext(6, RoundingMode.HALF_EVEN);
+
+    private RowWriter() {}
+
+    static String header(String test, String base) {
+        JsonObject about = new JsonObject();
+        about.addProperty("test", test);
+        about.addProperty("base", base);
+        JsonObject line = new JsonObject();
+        line.add("header", about);
+        return GSON.toJson(line);
+    }
+
+    /**
+     * Writes one cycle.
+     *
+     * @param message what the robot felt
+     * @param torso where it was, if the monitor port told
+     * @param sent what the client sent in answer to the message before
+     */
+    static String row(PerceptorMessage message, Optional<Pose> torso, String sent) {
+        JsonObject row = new JsonObject();
+        row.addProperty("t", message.seconds().orElse(0));
+        row.add("hj", joints(message));
+        message.accelerometer().ifPresent(value -> row.add("acc", array(value)));
+        message.gyro().ifPresent(value -> row.add("gyr", array(value)));
+        row.add("frp", footForces(message.footForces()));
+        torso.ifPresent(pose -> row.add("torso", torso(pose)));
+        row.addProperty("sent", sent);
+        return GSON.toJson(row);
+    }
+
+    private static JsonObject joints(PerceptorMessage message) {
+        JsonObject joints = new JsonObject();
+        for (Joint joint : Joint.values()) {
+            message.jointAngles()
+                    .degrees(joint)
+                    .ifPresent(degrees -> joints.addProperty(joint.perceptorName(), degrees));
+        }
+        message.jointAngles()
+                .extraHinges()
+                .forEach(hinge -> joints.addProperty(hinge.perceptorName(), hinge.degrees()));
+        return joints;
+    }
+
+    private static JsonObject footForces(FootForces forces) {
+        JsonObject plates = new JsonObject();
+        add(plates, "rf", forces.right());
+        add(plates, "lf", forces.left());
+        add(plates, "rf1", forces.rightToe());
+        add(plates, "lf1", forces.leftToe());
+        return plates;
+    }
+
+    private static void add(JsonObject plates, String name, Optional<FootForce> force) {
+        force.ifPresent(felt -> {
+            JsonObject plate = new JsonObject();
+            plate.add("c", array(felt.point()));
+            plate.add("f", array(felt.force()));
+            plates.add(name, plate);
+        });
+    }
+
+    private static JsonObject torso(Pose pose) {
+        Vector3 forward = pose.rotation().axisY();
+        JsonObject torso = new JsonObject();
+        JsonArray position = new JsonArray();
+        position.add(digits(pose.position().x()));
+        position.add(digits(pose.position().y()));
+        position.add(digits(pose.position().z()));
+        torso.add("pos", position);
+        torso.addProperty("up", digits(pose.rotation().axisZ().z()));
+        torso.addProperty("yaw", degrees(Math.atan2(forward.y(), forward.x())));
+        torso.addProperty("pitch", degrees(arcSine(forward.z())));
+        torso.addProperty("roll", degrees(arcSine(pose.rotation().axisX().z())));
+        return torso;
+    }
+
+    private static double arcSine(double sine) {
+        return Math.asin(Math.max(-1, Math.min(1, sine)));
+    }
+
+    /** Monitor messages have six digits. */
+    private static BigDecimal digits(double value) {
+        return new BigDecimal(value).round(SIX_DIGITS);
+    }
+
+    private static double degrees(double radians) {
+        return Math.rint(Math.toDegrees(radians) * 1e4) / 1e4;
+    }
+
+    private static JsonArray array(Vector3 vector) {
+        JsonArray array = new JsonArray();
+        array.add(vector.x());
+        array.add(vector.y());
+        array.add(vector.z());
+        return array;
+    }
+}
