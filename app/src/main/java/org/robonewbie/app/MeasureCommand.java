@@ -64,8 +64,9 @@ final class MeasureCommand implements Callable<Integer> {
             return load.measure();
         }
         if (!subject.equals(MOTIONS) && !subject.equals(AGENTS)) {
-            throw new CalledWronglyException("\"" + subject
-                    + "\" cannot be measured; write: robonewbie measure motions, or: measure agents, or: measure server");
+            throw new CalledWronglyException(
+                    "\"" + subject
+                            + "\" cannot be measured; write: robonewbie measure motions, or: measure agents, or: measure server");
         }
         if (seeds < 1) {
             throw new CalledWronglyException("--seeds " + seeds + ": give a number of trials of at least 1.");

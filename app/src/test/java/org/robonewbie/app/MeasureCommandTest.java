@@ -26,9 +26,8 @@ class MeasureCommandTest {
 
         assertThatThrownBy(command::call)
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessage(
-                        "\"mountains\" cannot be measured; write: robonewbie measure motions, or: measure agents,"
-                                + " or: measure server");
+                .hasMessage("\"mountains\" cannot be measured; write: robonewbie measure motions, or: measure agents,"
+                        + " or: measure server");
     }
 
     @Test

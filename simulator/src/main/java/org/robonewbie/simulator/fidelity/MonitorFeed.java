@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.protocol.monitor.MonitorLink;
 import org.robonewbie.protocol.monitor.MonitoredRobot;
@@ -22,15 +22,16 @@ final class MonitorFeed implements AutoCloseable {
             + " $agentSyncMode = true in spark.rb, or robonewbie simulator --sync.";
 
     private static final String FULL_SCENE = "(RSG";
-    private static final long QUIET_MILLISECONDS = 300;
-    private static final long SECONDS_UNTIL_QUIET = 5;
-    private static final long SECONDS_UNTIL_NEXT = 3;
+    private static final long LOOKING_NANOSECONDS = 500_000;
+    private static final long QUIET_NANOSECONDS = 300_000_000;
+    private static final long NANOSECONDS_UNTIL_QUIET = 5_000_000_000L;
+    private static final long NANOSECONDS_UNTIL_NEXT = 3_000_000_000L;
 
     private final MonitorLink link;
     private final List<Optional<Pose>> torsos = new ArrayList<>();
     private volatile Optional<PlayerNumber> watched = Optional.empty();
     private String lastText = "";
-    private long lastChange;
+    private volatile long lastChange;
 
     private MonitorFeed(MonitorLink link) {
         this.link = link;
@@ -52,34 +53,24 @@ final class MonitorFeed implements AutoCloseable {
      * Waits until nothing moves any more, since the server waits; tells how many messages have come. A server may go on
      * sending the same message meanwhile.
      */
-    synchronized int awaitQuiet() throws IOException {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS_UNTIL_QUIET);
+    int awaitQuiet() throws IOException {
         long start = System.nanoTime();
-        while (System.nanoTime() - Math.max(start, lastChange) < TimeUnit.MILLISECONDS.toNanos(QUIET_MILLISECONDS)) {
-            if (System.nanoTime() > end) {
+        while (System.nanoTime() - Math.max(start, lastChange) < QUIET_NANOSECONDS) {
+            if (System.nanoTime() - start > NANOSECONDS_UNTIL_QUIET) {
                 throw new IOException(DOES_NOT_WAIT);
             }
-            pause(QUIET_MILLISECONDS);
+            LockSupport.parkNanos(LOOKING_NANOSECONDS);
         }
-        return torsos.size();
+        return count();
     }
 
-    /** Waits until a number of messages have come in all; tells whether they have within two seconds. */
-    synchronized boolean await(int messages) throws IOException {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS_UNTIL_NEXT);
-        while (torsos.size() < messages && System.nanoTime() < end) {
-            pause(QUIET_MILLISECONDS);
+    /** Waits until a number of messages have come in all; tells whether they have within some seconds. */
+    boolean await(int messages) {
+        long end = System.nanoTime() + NANOSECONDS_UNTIL_NEXT;
+        while (count() < messages && System.nanoTime() < end) {
+            LockSupport.parkNanos(LOOKING_NANOSECONDS);
         }
-        return torsos.size() >= messages;
-    }
-
-    private synchronized void pause(long milliseconds) throws IOException {
-        try {
-            wait(milliseconds);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IOException("The recording was interrupted.", e);
-        }
+        return count() >= messages;
     }
 
     /** Asks for exact numbers in the next message; otherwise small movements are left out. */
@@ -107,9 +98,11 @@ final class MonitorFeed implements AutoCloseable {
             while (link.receive()) {
                 boolean isRepeated = link.lastMessage().toString().equals(lastText);
                 lastText = link.lastMessage().toString();
-                add(isRepeated, watched.flatMap(link.world()::robot)
-                        .flatMap(MonitorFeed::torsoOf)
-                        .filter(torso -> link.world().isCurrent() && lastText.contains(FULL_SCENE)));
+                add(
+                        isRepeated,
+                        watched.flatMap(link.world()::robot)
+                                .flatMap(MonitorFeed::torsoOf)
+                                .filter(torso -> link.world().isCurrent() && lastText.contains(FULL_SCENE)));
             }
         } catch (IOException e) {
             // The session ends when the agent's connection breaks too.
@@ -119,7 +112,6 @@ final class MonitorFeed implements AutoCloseable {
     private synchronized void add(boolean isRepeated, Optional<Pose> torso) {
         lastChange = isRepeated ? lastChange : System.nanoTime();
         torsos.add(torso);
-        notifyAll();
     }
 
     private static Optional<Pose> torsoOf(MonitoredRobot robot) {
@@ -130,8 +122,14 @@ final class MonitorFeed implements AutoCloseable {
         return new Pose(
                 node.position(),
                 new Rotation(
-                        node.element(0), node.element(4), node.element(8),
-                        node.element(1), node.element(5), node.element(9),
-                        node.element(2), node.element(6), node.element(10)));
+                        node.element(0),
+                        node.element(4),
+                        node.element(8),
+                        node.element(1),
+                        node.element(5),
+                        node.element(9),
+                        node.element(2),
+                        node.element(6),
+                        node.element(10)));
     }
 }

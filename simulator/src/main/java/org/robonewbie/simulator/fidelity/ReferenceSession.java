@@ -65,13 +65,13 @@ final class ReferenceSession implements AutoCloseable {
         for (int i = 0; i < CYCLES_TO_STAND_STILL; i++) {
             exchange("");
         }
-        int newest = monitor.awaitQuiet();
+        monitor.awaitQuiet();
         if (agent.isMessageWaiting()) {
             throw new IOException(MonitorFeed.DOES_NOT_WAIT);
         }
         List<Felt> rows = new ArrayList<>();
         monitor.requestFullState();
-        newest = monitor.awaitQuiet();
+        int newest = monitor.awaitQuiet();
         for (String command : commands) {
             monitor.requestFullState();
             rows.add(new Felt(exchange(command), command));
@@ -120,7 +120,10 @@ final class ReferenceSession implements AutoCloseable {
     private List<String> lines(List<Felt> rows, int firstTorso) {
         List<String> lines = new ArrayList<>();
         for (int i = 0; i < rows.size(); i++) {
-            lines.add(RowWriter.row(rows.get(i).message(), monitor.torso(firstTorso + i), rows.get(i).sent()));
+            lines.add(RowWriter.row(
+                    rows.get(i).message(),
+                    monitor.torso(firstTorso + i),
+                    rows.get(i).sent()));
         }
         return lines;
     }

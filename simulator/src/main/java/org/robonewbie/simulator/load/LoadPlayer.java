@@ -25,6 +25,7 @@ final class LoadPlayer implements Runnable {
 
     private final String team;
     private final int number;
+    private final boolean isTimed;
     private final AgentLink link;
     private final Arrivals arrivals = new Arrivals();
     private final MessageBuffer message = new MessageBuffer();
@@ -33,7 +34,13 @@ final class LoadPlayer implements Runnable {
     private volatile String playMode = "";
     private volatile double playSeconds;
 
-    LoadPlayer(int port, String team, int number) throws IOException {
+    /**
+     * Connects a player.
+     *
+     * @param isTimed whether it keeps the times at which messages come, which takes memory
+     */
+    LoadPlayer(int port, String team, int number, boolean isTimed) throws IOException {
+        this.isTimed = isTimed;
         this.team = team;
         this.number = number;
         this.link = TcpAgentLink.connect("127.0.0.1", port);
@@ -76,7 +83,9 @@ final class LoadPlayer implements Runnable {
             return false;
         }
         PerceptorMessage felt = reader.read(message);
-        arrivals.add(System.nanoTime(), felt.seconds().orElse(0));
+        if (isTimed) {
+            arrivals.add(System.nanoTime(), felt.seconds().orElse(0));
+        }
         felt.gameState().ifPresent(state -> {
             playMode = state.playModeName();
             playSeconds = state.playSeconds();

@@ -91,7 +91,7 @@ public final class MatchLoad {
     private List<LoadPlayer> connect(int port) throws IOException {
         List<LoadPlayer> players = new ArrayList<>();
         for (int i = 0; i < load.robots(); i++) {
-            LoadPlayer player = new LoadPlayer(port, i % 2 == 0 ? "Left" : "Right", i / 2 + 1);
+            LoadPlayer player = new LoadPlayer(port, i % 2 == 0 ? "Left" : "Right", i / 2 + 1, i == 0);
             Thread thread = new Thread(player, "player " + (i + 1));
             thread.setDaemon(true);
             thread.start();

@@ -83,7 +83,9 @@ class ReferenceRecorderTest {
 
         List<RecordedRow> rows = repeated.runs().get(0).rows();
         List<RecordedRow> original = shipped.runs().get(0).rows();
-        assertThat(rows).extracting(RecordedRow::sent).containsAll(original.stream().map(RecordedRow::sent).toList());
+        assertThat(rows)
+                .extracting(RecordedRow::sent)
+                .containsAll(original.stream().map(RecordedRow::sent).toList());
         assertThat(rows.get(150).gyro()).isEqualTo(original.get(150).gyro());
         assertThat(progress.toString(StandardCharsets.UTF_8)).contains("recording 1 of 1: d_fall_side_nonoise");
     }
@@ -108,9 +110,8 @@ class ReferenceRecorderTest {
     private static Simulator start(boolean synchronous) throws IOException {
         return Simulator.start(
                 SimulatorSettings.league()
-                        .parameters(SoccerParameters.league()
-                                .with("BeamNoiseXY=0")
-                                .with("BeamNoiseAngle=0"))
+                        .parameters(
+                                SoccerParameters.league().with("BeamNoiseXY=0").with("BeamNoiseAngle=0"))
                         .noise(false)
                         .agentPort(0)
                         .monitorPort(OptionalInt.of(0))
