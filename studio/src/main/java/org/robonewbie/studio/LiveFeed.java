@@ -1,11 +1,16 @@
 package org.robonewbie.studio;
 
 import java.nio.ByteBuffer;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.protocol.telemetry.TelemetryMessage;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
@@ -17,15 +22,17 @@ import org.robonewbie.simulator.WorldSnapshot;
  * each spectator that has dealt with its last frame; the others miss it. So no page can slow down the simulation or
  * another page.
  */
-final class LiveFeed implements SimulationObserver, AutoCloseable {
+final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable {
 
     /** A little less than two cycles, so that in real time every second cycle is sent. */
     private static final long SEND_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(37);
 
+    private static final int MOST_THOUGHTS = 20_000;
     private static final long LATEST_LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
 
     private final SimulationControl simulation;
     private final List<Spectator> spectators = new CopyOnWriteArrayList<>();
+    private final BlockingQueue<TelemetryMessage> thoughts = new ArrayBlockingQueue<>(MOST_THOUGHTS);
     private final Thread sender = new Thread(this::send, "studio-live-feed");
     private volatile @Nullable WorldSnapshot latest;
     private volatile boolean open = true;
@@ -74,8 +81,30 @@ final class LiveFeed implements SimulationObserver, AutoCloseable {
         }
     }
 
+    /** Takes what a robot tells; what is too much for the pages is left out. */
+    @Override
+    public void accept(TelemetryMessage message) {
+        if (isWanted() && !thoughts.offer(message)) {
+            thoughts.clear();
+        }
+    }
+
+    @Override
+    public boolean isWanted() {
+        return !spectators.isEmpty();
+    }
+
+    private void handOnThoughts() {
+        List<TelemetryMessage> news = new ArrayList<>();
+        thoughts.drainTo(news);
+        for (TelemetryMessage message : news) {
+            spectators.forEach(spectator -> spectator.hear(message));
+        }
+    }
+
     private void send() {
         while (open) {
+            handOnThoughts();
             WorldSnapshot snapshot = latest;
             if (snapshot != null && !spectators.isEmpty()) {
                 write(snapshot);

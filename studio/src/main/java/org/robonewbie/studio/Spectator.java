@@ -1,12 +1,19 @@
 package org.robonewbie.studio;
 
+import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.nio.ByteBuffer;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.eclipse.jetty.websocket.api.Callback;
 import org.eclipse.jetty.websocket.api.Session;
 import org.eclipse.jetty.websocket.api.StatusCode;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.protocol.telemetry.TelemetryLine;
+import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.SimulationControl;
 
 /**
@@ -18,10 +25,13 @@ import org.robonewbie.simulator.SimulationControl;
  */
 public final class Spectator extends Session.Listener.AbstractAutoDemanding {
 
+    private static final int MOST_LINES = 2000;
     private static final long REPEAT_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final LiveFeed feed;
     private final SimulationControl simulation;
+    private final Deque<String> heard = new ArrayDeque<>();
+    private volatile String watched = "";
     private volatile boolean ready;
     private int sentScene = -1;
     private @Nullable ByteBuffer sentFrame;
@@ -45,6 +55,8 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
             StudioCommand command = StudioCommandReader.read(message);
             if (command instanceof StudioCommand.Seen) {
                 ready = true;
+            } else if (command instanceof StudioCommand.Watch watch) {
+                watched = watch.team() + "\t" + watch.number();
             } else {
                 command.applyTo(simulation);
             }
@@ -60,6 +72,26 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         getSession().sendText(json.toString(), Callback.NOOP);
     }
 
+    /** Keeps what the watched robot tells until the page is ready for it. Called by the feed's thread only. */
+    void hear(TelemetryMessage message) {
+        if (watched.equals(message.team() + "\t" + message.number())) {
+            heard.add(TelemetryLine.write(message));
+            if (heard.size() > MOST_LINES) {
+                heard.remove();
+            }
+        }
+    }
+
+    private String thoughts() {
+        JsonArray lines = new JsonArray();
+        heard.forEach(lines::add);
+        heard.clear();
+        JsonObject json = new JsonObject();
+        json.addProperty("kind", "telemetry");
+        json.add("lines", lines);
+        return json.toString();
+    }
+
     /**
      * Sends a frame, and before it the scene if the page does not have it yet; does nothing while the page is busy. Called
      * by the feed's thread only.
@@ -73,14 +105,25 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         sentFrame = frame;
         sentNanos = System.nanoTime();
         Session session = getSession();
-        if (sentScene == sceneRevision) {
-            session.sendBinary(frame.duplicate(), Callback.NOOP);
-        } else {
+        List<String> texts = new ArrayList<>();
+        if (sentScene != sceneRevision) {
             sentScene = sceneRevision;
-            session.sendText(
-                    sceneJson,
-                    Callback.from(() -> session.sendBinary(frame.duplicate(), Callback.NOOP), failure -> {}));
+            texts.add(sceneJson);
         }
+        if (!heard.isEmpty()) {
+            texts.add(thoughts());
+        }
+        send(session, texts, frame);
+    }
+
+    /** Sends texts one after the other and the frame at last. */
+    private static void send(Session session, List<String> texts, ByteBuffer frame) {
+        if (texts.isEmpty()) {
+            session.sendBinary(frame.duplicate(), Callback.NOOP);
+            return;
+        }
+        List<String> others = texts.subList(1, texts.size());
+        session.sendText(texts.get(0), Callback.from(() -> send(session, others, frame), failure -> {}));
     }
 
     void sayGoodbye() {

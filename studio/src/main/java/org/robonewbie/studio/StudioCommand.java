@@ -21,6 +21,17 @@ sealed interface StudioCommand {
         public void applyTo(SimulationControl simulation) {}
     }
 
+    /**
+     * Asks for the thoughts of one robot only.
+     *
+     * @param team name of its team
+     * @param number its number
+     */
+    record Watch(String team, int number) implements StudioCommand {
+        @Override
+        public void applyTo(SimulationControl simulation) {}
+    }
+
     /** Stops the clock. */
     record Pause() implements StudioCommand {
         @Override

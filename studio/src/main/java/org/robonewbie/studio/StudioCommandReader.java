@@ -47,6 +47,7 @@ final class StudioCommandReader {
         String name = text("do");
         return switch (name) {
             case "seen" -> new StudioCommand.Seen();
+            case "watch" -> new StudioCommand.Watch(text("team"), (int) number("number", 0, PLAYERS));
             case "pause" -> new StudioCommand.Pause();
             case "resume" -> new StudioCommand.Resume();
             case "step" -> new StudioCommand.Step((int) number("cycles", 1, MAX_CYCLES));

@@ -13,6 +13,7 @@ import org.eclipse.jetty.util.thread.QueuedThreadPool;
 import org.eclipse.jetty.websocket.server.WebSocketUpgradeHandler;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.Viewer;
 import org.robonewbie.studio.motion.MotionRoom;
@@ -140,6 +141,11 @@ public final class StudioServer implements Viewer.View {
     @Override
     public boolean isWatched() {
         return feed.spectators() > 0;
+    }
+
+    @Override
+    public TelemetrySink telemetry() {
+        return feed;
     }
 
     /**

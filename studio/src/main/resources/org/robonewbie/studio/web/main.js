@@ -58,6 +58,7 @@ const smoothing = new Smoothing();
 const connection = new Connection(`ws://${location.host}/live?token=${encodeURIComponent(token)}`, {
   opened() {
     state = withConnection(state);
+    rooms.robot?.forget();
     smoothing.clear();
     stale = true;
   },
@@ -77,6 +78,8 @@ const connection = new Connection(`ws://${location.host}/live?token=${encodeURIC
         view.setScene(news);
         desk.setScene(news);
       }
+    } else if (news.kind === 'telemetry') {
+      rooms.robot?.hear(news.lines);
     } else {
       note(news.text);
     }
@@ -117,7 +120,7 @@ const draws = [
   trainerPanel(send),
   banner(),
 ];
-const rooms = new RoomDesk({ token, note, quality: () => chooser.quality, robotOfRun });
+const rooms = new RoomDesk({ token, note, quality: () => chooser.quality, robotOfRun, send });
 const room = roomsPanel(enter);
 setShadows(shadows);
 new Hand(view, desk, {
@@ -199,11 +202,13 @@ function turn(now) {
   const here = room();
   const isLive = here === 'field' && chooser.quality.smooth && smoothing.isMoving(now);
   const isReplayed = here === 'replay' && rooms.replay?.turn(seconds);
-  hasDrawn = here !== 'motion' && (stale || isLive || isReplayed === true);
+  hasDrawn = (here === 'field' || here === 'replay') && (stale || isLive || isReplayed === true);
   if (hasDrawn) {
     drawPicture(now, seconds);
   } else if (here === 'motion') {
     rooms.motion?.turn(seconds);
+  } else if (here === 'robot') {
+    rooms.robot?.turn(state, now);
   }
   lastTurn = now;
   if (owesAnswer) {
@@ -271,6 +276,9 @@ Object.assign(window, {
     chooser,
     get motion() {
       return rooms.motion;
+    },
+    get robot() {
+      return rooms.robot;
     },
     get replay() {
       return rooms.replay;

@@ -26,6 +26,7 @@ export class RoomDesk {
    * @param {string} surroundings.token
    * @param {(text: string) => void} surroundings.note
    * @param {() => import('../state/quality.js').Quality} surroundings.quality
+   * @param {(command: object) => void} surroundings.send
    * @param {() => {name: string, degrees: ArrayLike<number>} | undefined} surroundings.robotOfRun
    */
   constructor(surroundings) {
@@ -34,6 +35,8 @@ export class RoomDesk {
     this.motion = undefined;
     /** @type {Awaited<ReturnType<typeof import('../replay/replay-room.js').openReplayRoom>> | undefined} */
     this.replay = undefined;
+    /** @type {ReturnType<typeof import('../robot/robot-room.js').openRobotRoom> | undefined} */
+    this.robot = undefined;
     /** @type {Set<RoomName>} */
     this.opening = new Set();
   }
@@ -47,7 +50,7 @@ export class RoomDesk {
     }
     this.opening.add(room);
     try {
-      await (room === 'motion' ? this.#openMotion() : this.#openReplay());
+      await { motion: () => this.#openMotion(), replay: () => this.#openReplay(), robot: () => this.#openRobot() }[room]();
     } catch (error) {
       this.surroundings.note(`This room cannot open: ${/** @type {Error} */ (error).message}`);
     }
@@ -59,6 +62,9 @@ export class RoomDesk {
     if (room === 'motion') {
       return { deeds: this.motion?.deeds ?? [], mouse: MOTION_MOUSE };
     }
+    if (room === 'robot') {
+      return { deeds: this.robot?.deeds ?? [], mouse: [['Point at a curve', 'values at this moment']] };
+    }
     return room === 'replay' ? { deeds: this.replay?.deeds ?? [], mouse: REPLAY_MOUSE } : field;
   }
 
@@ -68,6 +74,11 @@ export class RoomDesk {
     const wanted = decodeURIComponent(location.hash.split('/')[1] ?? '') || undefined;
     this.motion = await openMotionRoom({ ...others, quality: quality(), wanted });
     this.motion.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
+  }
+
+  async #openRobot() {
+    const { openRobotRoom } = await import('../robot/robot-room.js');
+    this.robot = openRobotRoom(this.surroundings);
   }
 
   async #openReplay() {

@@ -1,11 +1,12 @@
 /** The rooms of the studio and the way from one to the other: the fragment of the address names the room. */
 import { byId, element } from './elements.js';
 
-/** @typedef {'field' | 'motion' | 'replay'} RoomName */
+/** @typedef {'field' | 'robot' | 'motion' | 'replay'} RoomName */
 
 /** Only rooms that one can enter are listed. @type {Array<{room: RoomName, place: string, name: string, hint: string}>} */
 const ROOMS = [
   { room: 'field', place: 'field-room', name: 'Field', hint: 'Watch and steer the game' },
+  { room: 'robot', place: 'robot-room', name: 'Robot', hint: 'See one robot from inside' },
   { room: 'motion', place: 'motion-room', name: 'Motion', hint: 'Shape motions' },
   { room: 'replay', place: 'field-room', name: 'Replay', hint: 'See runs again' },
 ];

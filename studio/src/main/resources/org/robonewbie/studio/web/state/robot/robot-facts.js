@@ -1,0 +1,68 @@
+/**
+ * What is true of one robot in the present frame. Pure.
+ *
+ * @typedef {import('../../live/state-frame.js').Scene} Scene
+ * @typedef {import('../../live/state-frame.js').Frame} Frame
+ *
+ * @typedef {object} TrueThing
+ * @property {string} name
+ * @property {'ball' | 'mate' | 'opponent' | 'post'} kind
+ * @property {number[]} position metres from the torso over the ground: forward, left
+ */
+import { headingDegrees, rotated } from '../kinematics.js';
+
+const LYING_COSINE = 0.5;
+
+/**
+ * @param {Scene} scene
+ * @param {Frame} frame
+ * @param {number} robot index
+ * @returns {TrueThing[]} ball, other robots and goal posts
+ */
+export function thingsAround(scene, frame, robot) {
+  const { torso } = frame.robots[robot];
+  const player = scene.robots[robot];
+  const things = [/** @type {TrueThing} */ ({ name: 'ball', kind: 'ball', position: seenFrom(torso, frame.ball) })];
+  frame.robots.forEach((other, i) => {
+    const { side, team, number } = scene.robots[i];
+    if (i !== robot) {
+      const kind = side === player.side ? 'mate' : 'opponent';
+      things.push({ name: `${team} ${number}`, kind, position: seenFrom(torso, other.torso) });
+    }
+  });
+  for (const x of [-1, 1]) {
+    for (const y of [-1, 1]) {
+      const place = [(x * scene.field.length) / 2, (y * scene.field.goalWidth) / 2];
+      things.push({ name: 'goal post', kind: 'post', position: seenFrom(torso, place) });
+    }
+  }
+  return things;
+}
+
+/**
+ * @param {ArrayLike<number>} torso pose of the robot
+ * @param {ArrayLike<number>} place x and y in the world
+ * @returns {number[]} the same place as the robot sees it: metres forward and left
+ */
+export function seenFrom(torso, place) {
+  const heading = (headingDegrees(torso) * Math.PI) / 180;
+  const [dx, dy] = [place[0] - torso[0], place[1] - torso[1]];
+  return [dx * Math.cos(heading) + dy * Math.sin(heading), dy * Math.cos(heading) - dx * Math.sin(heading)];
+}
+
+/**
+ * @param {Frame} frame
+ * @param {number} robot
+ * @returns {{x: number, y: number, height: number, heading: number, stands: boolean, ball: number}}
+ */
+export function placeOf(frame, robot) {
+  const { torso } = frame.robots[robot];
+  return {
+    x: torso[0],
+    y: torso[1],
+    height: torso[2],
+    heading: headingDegrees(torso),
+    stands: rotated(torso, 0, [0, 0, 1])[2] >= LYING_COSINE,
+    ball: Math.hypot(frame.ball[0] - torso[0], frame.ball[1] - torso[1]),
+  };
+}
