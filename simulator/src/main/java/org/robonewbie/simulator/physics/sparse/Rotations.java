@@ -9,6 +9,9 @@ import org.robonewbie.simulator.physics.Rotation;
  */
 final class Rotations {
 
+    /** Rounding that does no harm yet. */
+    private static final double STRAIGHT = 1e-13;
+
     private Rotations() {}
 
     static double[] identity() {
@@ -69,6 +72,9 @@ final class Rotations {
      * multiplied with the next one grows with each of them, as for a sleeping robot that is beamed in each cycle.
      */
     static void straighten(double[] matrix) {
+        if (isStraight(matrix)) {
+            return;
+        }
         scale(matrix, 0, 1 / Math.sqrt(dot(matrix, 0, matrix, 0)));
         double along = dot(matrix, 0, matrix, 3);
         for (int i = 0; i < 3; i++) {
@@ -78,6 +84,15 @@ final class Rotations {
         matrix[6] = matrix[1] * matrix[5] - matrix[2] * matrix[4];
         matrix[7] = matrix[2] * matrix[3] - matrix[0] * matrix[5];
         matrix[8] = matrix[0] * matrix[4] - matrix[1] * matrix[3];
+    }
+
+    private static boolean isStraight(double[] matrix) {
+        double worst = 0;
+        for (int row = 0; row < 9; row += 3) {
+            worst = Math.max(worst, Math.abs(dot(matrix, row, matrix, row) - 1));
+            worst = Math.max(worst, Math.abs(dot(matrix, row, matrix, (row + 3) % 9)));
+        }
+        return worst < STRAIGHT;
     }
 
     private static void scale(double[] matrix, int at, double factor) {
