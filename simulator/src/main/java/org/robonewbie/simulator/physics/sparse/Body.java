@@ -192,8 +192,8 @@ final class Body implements RigidBody {
     @Override
     public void setRotation(Rotation turn) {
         Rotations.copy(turn, rotation);
-        Rotations.straighten(rotation);
         Rotations.toQuaternion(rotation, quaternion);
+        Rotations.straighten(rotation);
         turns++;
         tellForms();
     }

@@ -9,9 +9,6 @@ import org.robonewbie.simulator.physics.Rotation;
  */
 final class Rotations {
 
-    /** Rounding that does no harm yet. */
-    private static final double STRAIGHT = 1e-13;
-
     private Rotations() {}
 
     static double[] identity() {
@@ -68,36 +65,41 @@ final class Rotations {
     }
 
     /**
-     * Makes the rows of a matrix unit vectors that are square to each other again. Else the rounding of a turn that is
-     * multiplied with the next one grows with each of them, as for a sleeping robot that is beamed in each cycle.
+     * Makes the rows of a matrix unit vectors that are square to each other again, as {@code dOrthogonalizeR} of ODE does. Else
+     * the rounding of a turn that is multiplied with the next one grows with each of them, as for a sleeping robot that is
+     * beamed in each cycle.
      */
     static void straighten(double[] matrix) {
-        if (isStraight(matrix)) {
-            return;
+        if (Math.sqrt(dot(matrix, 0, matrix, 0)) != 1) {
+            normalise(matrix, 0);
         }
-        scale(matrix, 0, 1 / Math.sqrt(dot(matrix, 0, matrix, 0)));
         double along = dot(matrix, 0, matrix, 3);
         for (int i = 0; i < 3; i++) {
             matrix[3 + i] -= along * matrix[i];
         }
-        scale(matrix, 3, 1 / Math.sqrt(dot(matrix, 3, matrix, 3)));
+        if (dot(matrix, 3, matrix, 3) != 1) {
+            normalise(matrix, 3);
+        }
         matrix[6] = matrix[1] * matrix[5] - matrix[2] * matrix[4];
         matrix[7] = matrix[2] * matrix[3] - matrix[0] * matrix[5];
         matrix[8] = matrix[0] * matrix[4] - matrix[1] * matrix[3];
     }
 
-    private static boolean isStraight(double[] matrix) {
-        double worst = 0;
-        for (int row = 0; row < 9; row += 3) {
-            worst = Math.max(worst, Math.abs(dot(matrix, row, matrix, row) - 1));
-            worst = Math.max(worst, Math.abs(dot(matrix, row, matrix, (row + 3) % 9)));
+    /** Gives a row the length 1; divides by its largest number first, as ODE does, so that even the rounding is the same. */
+    private static void normalise(double[] matrix, int row) {
+        int largest = Math.abs(matrix[row + 1]) > Math.abs(matrix[row]) ? row + 1 : row;
+        largest = Math.abs(matrix[row + 2]) > Math.abs(matrix[largest]) ? row + 2 : largest;
+        double factor = 1 / Math.abs(matrix[largest]);
+        double squares = 1;
+        for (int i = row; i < row + 3; i++) {
+            if (i != largest) {
+                matrix[i] *= factor;
+                squares += matrix[i] * matrix[i];
+            }
         }
-        return worst < STRAIGHT;
-    }
-
-    private static void scale(double[] matrix, int at, double factor) {
-        for (int i = at; i < at + 3; i++) {
-            matrix[i] *= factor;
+        double length = 1 / Math.sqrt(squares);
+        for (int i = row; i < row + 3; i++) {
+            matrix[i] = i == largest ? Math.copySign(length, matrix[i]) : matrix[i] * length;
         }
     }
 
