@@ -24,6 +24,7 @@ final class MonitorFeed implements AutoCloseable {
     private static final String FULL_SCENE = "(RSG";
     private static final long LOOKING_NANOSECONDS = 500_000;
     private static final long QUIET_NANOSECONDS = 300_000_000;
+    private static final long LATE_NANOSECONDS = 50_000_000;
     private static final long NANOSECONDS_UNTIL_QUIET = 5_000_000_000L;
     private static final long NANOSECONDS_UNTIL_NEXT = 3_000_000_000L;
 
@@ -66,7 +67,25 @@ final class MonitorFeed implements AutoCloseable {
 
     /** Waits until a number of messages have come in all; tells whether they have within some seconds. */
     boolean await(int messages) {
-        long end = System.nanoTime() + NANOSECONDS_UNTIL_NEXT;
+        return await(messages, NANOSECONDS_UNTIL_NEXT);
+    }
+
+    /**
+     * Waits for the moment when a server that repeats its message while it waits has just done so, since the next one is then
+     * far enough; tells how many messages have come.
+     */
+    int awaitRepetition() {
+        await(count() + 1, QUIET_NANOSECONDS);
+        return count();
+    }
+
+    /** Tells whether more messages come than were expected. */
+    boolean hasMoreThan(int messages) {
+        return await(messages + 1, LATE_NANOSECONDS);
+    }
+
+    private boolean await(int messages, long nanoseconds) {
+        long end = System.nanoTime() + nanoseconds;
         while (count() < messages && System.nanoTime() < end) {
             LockSupport.parkNanos(LOOKING_NANOSECONDS);
         }

@@ -71,7 +71,8 @@ final class ReferenceSession implements AutoCloseable {
         }
         List<Felt> rows = new ArrayList<>();
         monitor.requestFullState();
-        int newest = monitor.awaitQuiet();
+        monitor.awaitQuiet();
+        int newest = monitor.awaitRepetition();
         for (String command : commands) {
             monitor.requestFullState();
             rows.add(new Felt(exchange(command), command));
@@ -79,9 +80,9 @@ final class ReferenceSession implements AutoCloseable {
                 throw new IOException("The server does not send a message to monitors in each cycle." + STEP_ADVICE);
             }
         }
-        int messages = monitor.count() - newest;
+        boolean isDelayed = monitor.hasMoreThan(newest + rows.size());
         checkTime(rows);
-        return messages == rows.size() ? Optional.of(lines(rows, newest - 1)) : Optional.empty();
+        return isDelayed ? Optional.empty() : Optional.of(lines(rows, newest - 1));
     }
 
     @Override
