@@ -51,10 +51,9 @@ final class MonitorFeed implements AutoCloseable {
     }
 
     /**
-     * Waits until nothing moves any more, since the server waits; tells how many messages have come. A server may go on
-     * sending the same message meanwhile.
+     * Waits until nothing moves any more, since the server waits. A server may go on sending the same message meanwhile.
      */
-    int awaitQuiet() throws IOException {
+    void awaitQuiet() throws IOException {
         long start = System.nanoTime();
         while (System.nanoTime() - Math.max(start, lastChange) < QUIET_NANOSECONDS) {
             if (System.nanoTime() - start > NANOSECONDS_UNTIL_QUIET) {
@@ -62,7 +61,6 @@ final class MonitorFeed implements AutoCloseable {
             }
             LockSupport.parkNanos(LOOKING_NANOSECONDS);
         }
-        return count();
     }
 
     /** Waits until a number of messages have come in all; tells whether they have within some seconds. */
