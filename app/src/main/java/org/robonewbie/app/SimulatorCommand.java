@@ -11,6 +11,7 @@ import java.util.Random;
 import java.util.concurrent.Callable;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.load.MatchLoad;
 import org.robonewbie.simulator.monitor.MonitorSettings;
 import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
@@ -157,12 +158,31 @@ final class SimulatorCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         Console console = Console.standard();
         processName.ifPresent(ProcessName::set);
-        Simulator simulator = Simulator.start(settings(console), console);
+        SimulatorSettings settings = settings(console);
+        Simulator simulator = Simulator.start(settings, console);
         Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));
         console.say("Agents can join at port " + simulator.agentPort() + ", monitors at port "
                 + simulator.monitorPort().orElseThrow() + " of " + bindAddress + ". Control-C ends it.");
+        if (!settings.synchronous() && !beginner) {
+            startWarmUp(console);
+        }
         simulator.awaitEnd();
         return ExitCode.OK;
+    }
+
+    /** Prepares for many robots on the clock while the first agents are still on their way. */
+    private void startWarmUp(Console console) {
+        Thread warmUp = new Thread(
+                () -> {
+                    try {
+                        MatchLoad.warmUp(physics);
+                    } catch (IOException e) {
+                        console.say("The warm-up has failed, so the first seconds may be slow: " + e.getMessage());
+                    }
+                },
+                "warm-up");
+        warmUp.setDaemon(true);
+        warmUp.start();
     }
 
     /** Translates the options; what is given on the command line is stronger than the script. */

@@ -28,6 +28,8 @@ public final class Benchmark {
 
     private static final int CYCLES_TO_JOIN = 6;
 
+    private static final int ROBOTS_TO_WARM_UP = 2;
+
     private final BenchmarkPlan plan;
 
     /**
@@ -47,6 +49,9 @@ public final class Benchmark {
      * @throws IOException if a server cannot be reached or closes a connection
      */
     public BenchmarkReport run(Consumer<BenchmarkRun> progress) throws IOException {
+        if (plan.other().isEmpty()) {
+            warmUp();
+        }
         List<BenchmarkRun> runs = new ArrayList<>();
         for (Scene scene : plan.scenes()) {
             for (int robots : plan.robots()) {
@@ -56,6 +61,13 @@ public final class Benchmark {
             }
         }
         return new BenchmarkReport(runs);
+    }
+
+    /** Lets Java compile what all runs use, so that the first of them is not slower than the others. */
+    private void warmUp() throws IOException {
+        for (Scene scene : plan.scenes()) {
+            measure(ROBOTS_TO_WARM_UP, scene);
+        }
     }
 
     private BenchmarkRun measure(int robots, Scene scene) throws IOException {

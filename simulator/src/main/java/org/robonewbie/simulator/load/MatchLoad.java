@@ -1,8 +1,10 @@
 package org.robonewbie.simulator.load;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -15,6 +17,7 @@ import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.world.PhysicsEngine;
 
 /**
  * Plays whole matches of the league, two halves each, with many agents over TCP and one server, and measures what it costs.
@@ -31,6 +34,8 @@ public final class MatchLoad {
     private static final double SECONDS_BEFORE_KICK_OFF = 2;
     private static final long LOOKING_MILLISECONDS = 100;
     private static final double PROGRESS_SECONDS = 30;
+    private static final int WARM_UP_ROBOTS = 22;
+    private static final double WARM_UP_SECONDS = 10;
     private static final double SILENT_AGENT_SECONDS = 600;
 
     private final LoadSettings load;
@@ -48,12 +53,27 @@ public final class MatchLoad {
     }
 
     /**
-     * Plays the matches.
+     * Plays a short match that nobody sees, as fast as possible, which takes some seconds. Java translates a program to machine code
+     * while it runs; a world that shall keep step with the clock from its first cycle on lets it do so before.
+     *
+     * @param physics the engine that will move the world
+     * @throws IOException if the server cannot be started
+     */
+    public static void warmUp(PhysicsEngine physics) throws IOException {
+        LoadSettings load = new LoadSettings(WARM_UP_ROBOTS, WARM_UP_SECONDS, 1, false, physics);
+        new MatchLoad(load, new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8)).run();
+    }
+
+    /**
+     * Plays the matches; those on the clock after a {@linkplain #warmUp warm-up}.
      *
      * @return a result for each match
      * @throws IOException if the server cannot be started
      */
     public List<MatchLoadResult> run() throws IOException {
+        if (load.realTime()) {
+            warmUp(load.physics());
+        }
         List<MatchLoadResult> results = new ArrayList<>();
         try (Simulator simulator = Simulator.start(settings(), Console.silent())) {
             List<LoadPlayer> players = connect(simulator.agentPort());
