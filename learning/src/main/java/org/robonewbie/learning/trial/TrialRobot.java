@@ -5,6 +5,7 @@ import org.robonewbie.agent.motion.MotionPlayer;
 import org.robonewbie.agent.motion.Motors;
 import org.robonewbie.agent.motion.PostureFollower;
 import org.robonewbie.agent.walk.WalkEngine;
+import org.robonewbie.learning.objective.TrueStateEye;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
@@ -139,6 +140,15 @@ public final class TrialRobot {
      */
     public Ball ball() {
         return world.ball();
+    }
+
+    /**
+     * Opens an eye upon this robot.
+     *
+     * @return something that sees what is true; to be asked once after each cycle
+     */
+    public TrueStateEye eye() {
+        return new TrueStateEye(world, robot);
     }
 
     /**

@@ -1,0 +1,21 @@
+package org.robonewbie.learning.objective;
+
+/** Measures how fast the robot gets along its first heading; the time of a trial goes on after a fall. */
+final class SpeedGauge extends RememberingGauge {
+
+    private double metres;
+    private double seconds;
+
+    @Override
+    void measure(TrueState start, TrueState now, boolean hasFallen) {
+        seconds = now.seconds() - start.seconds();
+        if (!hasFallen) {
+            metres = start.ahead(now.torso());
+        }
+    }
+
+    @Override
+    public double value() {
+        return seconds > 0 ? metres / seconds : 0;
+    }
+}
