@@ -1,9 +1,11 @@
 package org.robonewbie.simulator;
 
+import java.util.Optional;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.frame.AgentLink;
 
 /**
  * Steers a running simulation from any thread; what is asked for takes effect between two cycles.
@@ -77,6 +79,23 @@ public interface SimulationControl {
      * @param playMode the new play mode
      */
     void setPlayMode(PlayMode playMode);
+
+    /**
+     * Lets the world go on from a state that was seen before. Robots of that state that do not play now are left out.
+     *
+     * @param before an earlier state, from which the velocities are taken; the same state for a world that rests
+     * @param moment the state to go on from
+     */
+    default void restore(WorldSnapshot before, WorldSnapshot moment) {}
+
+    /**
+     * Connects an agent of this process, which gets a robot as any other agent does.
+     *
+     * @return the agent's end of the connection; empty where agents cannot join
+     */
+    default Optional<AgentLink> connect() {
+        return Optional.empty();
+    }
 
     /**
      * Starts to report each cycle.

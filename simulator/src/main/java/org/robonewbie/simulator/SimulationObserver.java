@@ -1,5 +1,7 @@
 package org.robonewbie.simulator;
 
+import org.robonewbie.simulator.soccer.MatchEvent;
+
 /** Watches a simulation. */
 @FunctionalInterface
 public interface SimulationObserver {
@@ -11,4 +13,11 @@ public interface SimulationObserver {
      * @param snapshot the state, immutable
      */
     void cycleEnded(WorldSnapshot snapshot);
+
+    /**
+     * Receives what happened in the game within a cycle, before that cycle is reported.
+     *
+     * @param event a goal, a foul or another play mode
+     */
+    default void happened(MatchEvent event) {}
 }

@@ -34,6 +34,33 @@ public record Rotation(
     }
 
     /**
+     * Makes a rotation of a quaternion.
+     *
+     * @param w real part
+     * @param x first imaginary part
+     * @param y second imaginary part
+     * @param z third imaginary part; the length need not be exactly 1
+     * @return the rotation; none at all for a quaternion without length
+     */
+    public static Rotation ofQuaternion(double w, double x, double y, double z) {
+        double square = w * w + x * x + y * y + z * z;
+        if (!(square > 0)) {
+            return IDENTITY;
+        }
+        double s = 2 / square;
+        return new Rotation(
+                1 - s * (y * y + z * z),
+                s * (x * y - w * z),
+                s * (x * z + w * y),
+                s * (x * y + w * z),
+                1 - s * (x * x + z * z),
+                s * (y * z - w * x),
+                s * (x * z - w * y),
+                s * (y * z + w * x),
+                1 - s * (x * x + y * y));
+    }
+
+    /**
      * Turns a vector.
      *
      * @param v any vector

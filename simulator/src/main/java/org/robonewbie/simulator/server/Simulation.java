@@ -12,10 +12,12 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.recording.RunReport;
+import org.robonewbie.simulator.soccer.MatchEvent;
 
 /**
  * Runs cycle after cycle on one thread, the only one that touches the world. Other threads leave commands, which are carried
@@ -57,6 +59,7 @@ final class Simulation implements SimulationControl, Runnable {
         this.console = console;
         this.lastCycle = Math.rint(settings.seconds().orElse(Double.POSITIVE_INFINITY) / WorldSnapshot.CYCLE_SECONDS);
         this.cycle = SimulationCycle.begin(settings, console);
+        this.cycle.reportEventsTo(this::happened);
         this.reception = new Reception(port, cycle, settings);
         this.pacemaker = new Pacemaker(settings.speed());
         this.silenceWatch = new SilenceWatch(console, settings.silentAgentSeconds());
@@ -211,6 +214,10 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
+    private void happened(MatchEvent event) {
+        observers.forEach(observer -> observer.happened(event));
+    }
+
     private void standStill() {
         pacemaker.excuse();
         if (!reception.await(IDLE_MILLISECONDS)) {
@@ -295,6 +302,16 @@ final class Simulation implements SimulationControl, Runnable {
     @Override
     public void setPlayMode(PlayMode playMode) {
         command(() -> cycle.match().setPlayMode(playMode));
+    }
+
+    @Override
+    public void restore(WorldSnapshot before, WorldSnapshot moment) {
+        command(() -> new Restoration(cycle).restore(before, moment));
+    }
+
+    @Override
+    public Optional<AgentLink> connect() {
+        return Optional.of(reception.connect());
     }
 
     @Override

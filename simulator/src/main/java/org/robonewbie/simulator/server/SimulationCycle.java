@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.function.Consumer;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -43,6 +44,7 @@ final class SimulationCycle {
     private final RunRecorder recorder;
     private final boolean synchronous;
     private final ComplaintBook refusals;
+    private Consumer<MatchEvent> reporter = event -> {};
     private long cycle;
 
     private SimulationCycle(SimulatorSettings settings, SoccerWorld world, Console console, RunRecorder recorder) {
@@ -178,6 +180,11 @@ final class SimulationCycle {
         return agents.stream().anyMatch(agent -> agent.connection().link().isOpen());
     }
 
+    /** Finds somebody who wants to know what happens in the game. */
+    void reportEventsTo(Consumer<MatchEvent> newReporter) {
+        reporter = newReporter;
+    }
+
     /** Does all that belongs to one cycle, with the messages that have been read. */
     void run() {
         for (ConnectedAgent agent : agents) {
@@ -200,6 +207,7 @@ final class SimulationCycle {
         match.tick();
         recorder.cycleEnded(cycle, match, participants());
         tellSelfCollisions();
+        match.events().forEach(reporter);
         match.clearEvents();
         generateMessages();
     }

@@ -82,8 +82,8 @@ public final class GameState {
         playTicks = Math.round(seconds / TICK_SECONDS);
     }
 
-    void beginSecondHalf() {
-        half = 2;
+    void setHalf(int newHalf) {
+        half = newHalf;
     }
 
     void setScore(int left, int right) {

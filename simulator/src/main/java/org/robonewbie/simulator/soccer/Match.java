@@ -377,7 +377,7 @@ public final class Match {
     }
 
     private void beginSecondHalf() {
-        state.beginSecondHalf();
+        state.setHalf(2);
         halfBegun = false;
         if (parameters.isOn(SoccerParameter.CHANGE_SIDES_IN_SECOND_HALF)) {
             teams.changeSides();

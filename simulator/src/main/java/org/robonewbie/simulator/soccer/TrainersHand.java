@@ -39,6 +39,15 @@ public final class TrainersHand {
     }
 
     /**
+     * Sets which half is played.
+     *
+     * @param half 1 or 2
+     */
+    public void setHalf(int half) {
+        match.state().setHalf(half);
+    }
+
+    /**
      * Puts a player beside the pitch.
      *
      * @param player the player

@@ -98,6 +98,18 @@ public final class Ball {
         setVelocity(Vector3.ZERO);
     }
 
+    /**
+     * Gives the ball a place and a movement.
+     *
+     * @param motion where it is and how it moves and spins
+     */
+    public void place(LinkMotion motion) {
+        moveTo(motion.pose().position());
+        body.setRotation(motion.pose().rotation());
+        setVelocity(motion.velocity());
+        body.setAngularVelocity(motion.radiansPerSecond());
+    }
+
     /** Puts a ball that went beyond all limits back to the centre spot. */
     void finishStep() {
         if (!WorldLimits.isWithin(body.position())) {

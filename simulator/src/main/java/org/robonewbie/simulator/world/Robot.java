@@ -205,6 +205,25 @@ public final class Robot {
     }
 
     /**
+     * Gives all links a place and a movement and wakes them; all motors stand still until they are commanded again.
+     *
+     * @param links one movement for each link of the {@link #model}, in its order, with joints that hold together
+     */
+    public void place(List<LinkMotion> links) {
+        for (int i = 0; i < bodies.size(); i++) {
+            RigidBody body = bodies.get(i);
+            LinkMotion motion = links.get(i);
+            body.setPosition(WorldLimits.place(motion.pose().position()));
+            body.setRotation(motion.pose().rotation());
+            body.setVelocity(motion.velocity());
+            body.setAngularVelocity(motion.radiansPerSecond());
+        }
+        hinges.forEach(hinge -> hinge.setSpeed(0));
+        beam = Optional.empty();
+        wake();
+    }
+
+    /**
      * Puts the robot down upright with its joints as they are and stops all movement; it is not woken.
      *
      * @param position new centre of the torso in the world frame, metres
