@@ -22,6 +22,16 @@ public interface SimulationControl {
      */
     SoccerField field();
 
+    /**
+     * Tells whether the clock can be stopped and the world be restored.
+     *
+     * @return false for a world that is only watched, where {@link #pause}, {@link #resume}, {@link #step}, {@link #setSpeed}
+     *     and {@link #restore} are not possible
+     */
+    default boolean hasClock() {
+        return true;
+    }
+
     /** Stops the clock of the world; agents wait. */
     void pause();
 

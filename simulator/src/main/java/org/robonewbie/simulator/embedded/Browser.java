@@ -10,15 +10,20 @@ import org.robonewbie.simulator.Viewer;
 import org.robonewbie.simulator.server.Console;
 
 /** Opens the user's browser with the command of the operating system; where that fails, people open it themselves. */
-final class Browser {
+public final class Browser {
 
     private static final long PATIENCE_MILLISECONDS = 1200;
     private static final long LOOK_MILLISECONDS = 50;
 
     private Browser() {}
 
-    /** Opens a view in the browser, unless a page of an earlier run is still open and comes back by itself. */
-    static void openUnlessWatched(Viewer.View view, Console console) {
+    /**
+     * Opens a view in the browser, unless a page of an earlier run is still open and comes back by itself. It returns at once.
+     *
+     * @param view what is to be seen
+     * @param console is told the address if the browser cannot be opened
+     */
+    public static void openUnlessWatched(Viewer.View view, Console console) {
         Thread opener = new Thread(
                 () -> {
                     if (!comesBack(view)) {
@@ -37,7 +42,13 @@ final class Browser {
         return view.isWatched();
     }
 
-    static void open(URI address, Console console) {
+    /**
+     * Opens an address in the browser.
+     *
+     * @param address the address
+     * @param console is told the address if the browser cannot be opened
+     */
+    public static void open(URI address, Console console) {
         try {
             new ProcessBuilder(command(System.getProperty("os.name", ""), address))
                     .redirectErrorStream(true)

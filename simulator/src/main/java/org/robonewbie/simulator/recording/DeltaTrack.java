@@ -19,6 +19,14 @@ final class DeltaTrack {
         last[index] = steps;
     }
 
+    /** Writes seven numbers of a snapshot, position and quaternion, from an index on. */
+    void putPose(int index, float[] pose, int start, ByteSink sink) {
+        for (int i = 0; i < RecordingFormat.NUMBERS_PER_POSE; i++) {
+            double steps = i < 3 ? RecordingFormat.STEPS_PER_METRE : RecordingFormat.STEPS_PER_TURN;
+            put(index + i, pose[start + i], steps, sink);
+        }
+    }
+
     /** Writes seven numbers from an index on. */
     void putPose(int index, Pose pose, ByteSink sink) {
         Vector3 position = pose.position();

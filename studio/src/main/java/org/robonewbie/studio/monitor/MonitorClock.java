@@ -1,0 +1,72 @@
+package org.robonewbie.studio.monitor;
+
+import java.util.function.LongSupplier;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.protocol.monitor.MonitoredGame;
+import org.robonewbie.simulator.WorldSnapshot;
+
+/**
+ * Counts cycles of a server that tells only the time of play, which stands still before each kick-off. There a message counts as
+ * the two cycles that usually lie between messages.
+ */
+final class MonitorClock {
+
+    private static final int USUAL_CYCLES_PER_MESSAGE = 2;
+    private static final int MESSAGES_UNTIL_STANDSTILL = 10;
+    private static final double FOLLOWING = 0.1;
+
+    private final LongSupplier nanoTime;
+    private double lastPlaySeconds = Double.NaN;
+    private long cycle;
+    private int messagesWithoutTime;
+    private long lastNanos;
+    private double realTimeFactor = 1;
+
+    MonitorClock() {
+        this(System::nanoTime);
+    }
+
+    MonitorClock(LongSupplier nanoTime) {
+        this.nanoTime = nanoTime;
+        this.lastNanos = nanoTime.getAsLong();
+    }
+
+    void tick(MonitoredGame game) {
+        double seconds = game.timeSeconds() - lastPlaySeconds;
+        boolean moves = seconds > 0 && seconds < 10;
+        boolean mayStand = game.playMode()
+                .filter(mode -> mode == PlayMode.BEFORE_KICK_OFF || mode == PlayMode.GAME_OVER)
+                .isPresent();
+        lastPlaySeconds = game.timeSeconds();
+        messagesWithoutTime = moves || mayStand ? 0 : messagesWithoutTime + 1;
+        if (moves) {
+            long cycles = Math.max(1, Math.round(seconds / WorldSnapshot.CYCLE_SECONDS));
+            follow(cycles);
+            cycle += cycles;
+        } else if (mayStand) {
+            follow(USUAL_CYCLES_PER_MESSAGE);
+            cycle += USUAL_CYCLES_PER_MESSAGE;
+        }
+    }
+
+    private void follow(long cycles) {
+        long now = nanoTime.getAsLong();
+        double real = Math.max(1e-4, (now - lastNanos) / 1e9);
+        lastNanos = now;
+        realTimeFactor += FOLLOWING * (Math.min(100, cycles * WorldSnapshot.CYCLE_SECONDS / real) - realTimeFactor);
+    }
+
+    long cycle() {
+        return cycle;
+    }
+
+    /** Tells how many simulated seconds pass per second, roughly. */
+    double realTimeFactor() {
+        return realTimeFactor;
+    }
+
+    /** Tells whether messages come in which no time has passed, as from a server that is paused. */
+    boolean isStandingStill() {
+        return messagesWithoutTime > MESSAGES_UNTIL_STANDSTILL;
+    }
+}

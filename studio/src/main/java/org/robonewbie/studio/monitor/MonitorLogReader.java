@@ -1,0 +1,133 @@
+package org.robonewbie.studio.monitor;
+
+import java.io.BufferedInputStream;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.zip.GZIPInputStream;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.monitor.Foul;
+import org.robonewbie.protocol.monitor.MonitoredGame;
+import org.robonewbie.protocol.monitor.MonitoredWorld;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.recording.SnapshotRecording;
+import org.robonewbie.simulator.soccer.MatchEvent;
+
+/**
+ * Turns a log of monitor messages into a recording that the replay shows. It reads what rcssserver3d and our simulator write
+ * ({@code sparkmonitor.log}: one message per line) and what RoboViz records, also packed with gzip. Between two messages the
+ * movement is filled in, since such logs tell only each fifth of a second.
+ */
+public final class MonitorLogReader {
+
+    private static final int GZIP_MARK = 0x1f;
+    private static final int MOST_CYCLES_TO_FILL = 15;
+
+    private final MonitoredWorld world = new MonitoredWorld();
+    private final MonitorClock clock = new MonitorClock(() -> 0);
+    private final MessageBuffer message = new MessageBuffer();
+    private final List<String> events = new ArrayList<>();
+    private Optional<SnapshotRecording> recording = Optional.empty();
+    private Optional<WorldSnapshot> last = Optional.empty();
+    private MonitoredGame game = MonitoredGame.UNKNOWN;
+
+    private MonitorLogReader() {}
+
+    /**
+     * Converts a log.
+     *
+     * @param log the log
+     * @param recording the recording to write
+     * @throws IOException if the log cannot be read or holds no world; the message says so
+     */
+    public static void convert(Path log, Path recording) throws IOException {
+        MonitorLogReader reader = new MonitorLogReader();
+        try (BufferedReader lines = open(log)) {
+            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                reader.take(line, recording);
+            }
+        } catch (UncheckedIOException damaged) {
+            throw new IOException("\"" + log + "\" cannot be read to its end: " + damaged.getMessage(), damaged);
+        } finally {
+            reader.recording.ifPresent(SnapshotRecording::close);
+        }
+        if (reader.recording.isEmpty()) {
+            throw new IOException("\"" + log + "\" is no log of a SimSpark server: no line of it tells a whole scene.");
+        }
+    }
+
+    private static BufferedReader open(Path log) throws IOException {
+        InputStream raw = new BufferedInputStream(Files.newInputStream(log));
+        raw.mark(1);
+        boolean packed = raw.read() == GZIP_MARK;
+        raw.reset();
+        InputStream plain = packed ? new GZIPInputStream(raw) : raw;
+        return new BufferedReader(new InputStreamReader(plain, StandardCharsets.ISO_8859_1));
+    }
+
+    /** RoboViz puts drawings as lists of numbers in front of a message, which begins with the first bracket. */
+    private void take(String line, Path file) throws IOException {
+        int start = line.indexOf("((");
+        if (start < 0) {
+            return;
+        }
+        message.clear();
+        message.append(line.substring(start));
+        if (!world.read(message)) {
+            return;
+        }
+        clock.tick(world.gameState());
+        noteEvents();
+        if (recording.isEmpty()) {
+            recording = Optional.of(SnapshotRecording.open(file, header(), problem -> {}));
+        }
+        write(recording.get(), MonitorSnapshots.of(world, clock.cycle(), 1, false));
+    }
+
+    private void write(SnapshotRecording target, WorldSnapshot now) {
+        if (last.isPresent() && now.cycle() == last.get().cycle()) {
+            return;
+        }
+        last.ifPresent(before -> {
+            long gap = now.cycle() - before.cycle();
+            for (long i = 1; i < gap && gap <= MOST_CYCLES_TO_FILL; i++) {
+                target.write(Blend.of(before, now, (double) i / gap), List.of());
+            }
+        });
+        target.write(now, events);
+        events.clear();
+        last = Optional.of(now);
+    }
+
+    private void noteEvents() {
+        MonitorEvents.between(game, world.gameState()).stream()
+                .map(MatchEvent::text)
+                .forEach(events::add);
+        game = world.gameState();
+        for (Foul foul : world.newFouls()) {
+            events.add(MonitorEvents.of(foul).text());
+        }
+    }
+
+    private List<String> header() {
+        SoccerField field = MonitorSnapshots.field(world.environment());
+        return List.of(
+                "FieldLength=" + field.length(),
+                "FieldWidth=" + field.width(),
+                "GoalWidth=" + field.goalWidth(),
+                "GoalDepth=" + field.goalDepth(),
+                "GoalHeight=" + field.goalHeight(),
+                "PenaltyLength=" + field.penaltyLength(),
+                "PenaltyWidth=" + field.penaltyWidth(),
+                "FreeKickDistance=" + field.centreCircleRadius());
+    }
+}

@@ -1,0 +1,215 @@
+package org.robonewbie.studio.monitor;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.monitor.MonitorLink;
+import org.robonewbie.protocol.monitor.MonitoredGame;
+import org.robonewbie.protocol.monitor.MonitoredWorld;
+import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.soccer.MatchEvent;
+
+/**
+ * A simulation on a SimSpark server that runs elsewhere, seen and steered through its monitor port (source of the protocol:
+ * SimSpark's {@code sparkmonitor.cpp} and {@code trainercommandparser.cpp}). When the server ends it is looked for again.
+ *
+ * <p>A monitor cannot stop the server's clock, so pause, step and speed are refused with a sentence.
+ *
+ * <pre>{@code
+ * MonitoredSimulation match = MonitoredSimulation.connect("127.0.0.1", 3200);
+ * StudioServer.start(match, 0, AccessToken.random());
+ * }</pre>
+ */
+public final class MonitoredSimulation implements SimulationControl, AutoCloseable {
+
+    private static final String NO_CLOCK = "A monitor cannot stop or speed up a server of another process.";
+    private static final long RETRY_NANOS = TimeUnit.SECONDS.toNanos(1);
+    private static final double BALL_RADIUS = 0.042;
+
+    private final String host;
+    private final int port;
+    private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
+    private final Thread thread = new Thread(this::listen, "studio-monitor");
+    private final MonitorClock clock = new MonitorClock();
+    private volatile MonitorLink link;
+    private volatile SoccerField field = SoccerField.LEAGUE;
+    private volatile boolean open = true;
+    private MonitoredGame lastGame = MonitoredGame.UNKNOWN;
+
+    private MonitoredSimulation(String host, int port, MonitorLink link) {
+        this.host = host;
+        this.port = port;
+        this.link = link;
+        thread.setDaemon(true);
+    }
+
+    /**
+     * Connects to a server and begins to watch it.
+     *
+     * @param host name or address of its computer
+     * @param port its monitor port, 3200 by default
+     * @return the simulation that runs there
+     * @throws IOException if nobody answers there; the message says what to do
+     */
+    public static MonitoredSimulation connect(String host, int port) throws IOException {
+        MonitoredSimulation simulation = new MonitoredSimulation(host, port, MonitorLink.connect(host, port));
+        simulation.thread.start();
+        return simulation;
+    }
+
+    private void listen() {
+        while (open) {
+            try {
+                while (link.receive()) {
+                    take(link.world());
+                }
+            } catch (IOException lost) {
+                // The server has ended; it is looked for again below.
+            }
+            link.close();
+            seekAgain();
+        }
+    }
+
+    private void seekAgain() {
+        while (open) {
+            LockSupport.parkNanos(RETRY_NANOS);
+            try {
+                MonitorLink found = MonitorLink.connect(host, port);
+                link = found;
+                if (!open) {
+                    found.close();
+                }
+                return;
+            } catch (IOException stillAway) {
+                // People start servers again; until then there is nothing to do.
+            }
+        }
+    }
+
+    private void take(MonitoredWorld world) throws IOException {
+        if (!world.isCurrent()) {
+            link.send(new TrainerCommand.RequestFullState());
+            return;
+        }
+        field = MonitorSnapshots.field(world.environment());
+        clock.tick(world.gameState());
+        reportEvents(world);
+        WorldSnapshot snapshot =
+                MonitorSnapshots.of(world, clock.cycle(), clock.realTimeFactor(), clock.isStandingStill());
+        observers.forEach(observer -> observer.cycleEnded(snapshot));
+    }
+
+    private void reportEvents(MonitoredWorld world) {
+        world.newFouls().forEach(foul -> report(MonitorEvents.of(foul)));
+        MonitorEvents.between(lastGame, world.gameState()).forEach(this::report);
+        lastGame = world.gameState();
+    }
+
+    private void report(MatchEvent event) {
+        observers.forEach(observer -> observer.happened(event));
+    }
+
+    private void order(TrainerCommand... commands) {
+        try {
+            link.send(commands);
+        } catch (IOException lost) {
+            throw new IllegalStateException(
+                    "The server at " + host + ":" + port + " cannot be reached any more. Start it again.", lost);
+        }
+    }
+
+    @Override
+    public SoccerField field() {
+        return field;
+    }
+
+    @Override
+    public boolean hasClock() {
+        return false;
+    }
+
+    @Override
+    public void pause() {
+        throw new UnsupportedOperationException(NO_CLOCK);
+    }
+
+    @Override
+    public void resume() {
+        throw new UnsupportedOperationException(NO_CLOCK);
+    }
+
+    @Override
+    public void step(int cycles) {
+        throw new UnsupportedOperationException(NO_CLOCK);
+    }
+
+    @Override
+    public void setSpeed(double factor) {
+        throw new UnsupportedOperationException(NO_CLOCK);
+    }
+
+    /** Puts ball, clock and score back to the start of the game; robots stay where they are. */
+    @Override
+    public void reset() {
+        order(
+                new TrainerCommand.ChangePlayMode(PlayMode.BEFORE_KICK_OFF),
+                new TrainerCommand.SetTime(0),
+                new TrainerCommand.SetScore(0, 0),
+                new TrainerCommand.MoveBall(
+                        Optional.of(new Vector3(0, 0, BALL_RADIUS)), Optional.of(Vector3.ZERO)));
+    }
+
+    @Override
+    public void placeBall(Vector3 position, Vector3 velocity) {
+        order(new TrainerCommand.MoveBall(Optional.of(position), Optional.of(velocity)));
+    }
+
+    @Override
+    public void placeRobot(TeamSide side, int number, Vector3 position, double headingDegrees) {
+        order(new TrainerCommand.MoveAndTurnRobot(new PlayerNumber(side, number), position, headingDegrees - 90));
+    }
+
+    @Override
+    public void kickOff(TeamSide side) {
+        order(new TrainerCommand.KickOff(Optional.of(side)));
+    }
+
+    @Override
+    public void dropBall() {
+        order(new TrainerCommand.DropBall());
+    }
+
+    @Override
+    public void setPlayMode(PlayMode playMode) {
+        order(new TrainerCommand.ChangePlayMode(playMode));
+    }
+
+    @Override
+    public void addObserver(SimulationObserver observer) {
+        observers.add(observer);
+    }
+
+    @Override
+    public void removeObserver(SimulationObserver observer) {
+        observers.remove(observer);
+    }
+
+    @Override
+    public void close() {
+        open = false;
+        link.close();
+        LockSupport.unpark(thread);
+    }
+}

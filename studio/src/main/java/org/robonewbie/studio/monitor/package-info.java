@@ -1,0 +1,6 @@
+/**
+ * Watches a SimSpark server, be it ours or rcssserver3d, through its monitor port, and reads the logs that such servers write.
+ * Read {@link org.robonewbie.studio.monitor.MonitoredSimulation} first.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.studio.monitor;
