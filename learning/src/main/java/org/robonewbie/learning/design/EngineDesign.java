@@ -6,9 +6,9 @@ import java.util.Random;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.learning.search.CostFunction;
 import org.robonewbie.learning.search.Search;
 import org.robonewbie.learning.search.SearchPlan;
-import org.robonewbie.learning.search.Trial;
 import org.robonewbie.learning.trial.WalkTrial;
 
 /**
@@ -20,7 +20,8 @@ import org.robonewbie.learning.trial.WalkTrial;
  * @param most the largest speeds
  * @param newtons strength of the pushes
  */
-public record EngineDesign(int stepMillis, WalkVelocity slip, WalkVelocity most, double newtons) implements Trial {
+public record EngineDesign(int stepMillis, WalkVelocity slip, WalkVelocity most, double newtons)
+        implements CostFunction {
 
     /** What the next round of the search tries: stronger pushes than the rounds before, which had 4 and 5 N. */
     public static final EngineDesign NEXT =

@@ -1,14 +1,14 @@
 package org.robonewbie.learning.design;
 
 import java.util.List;
+import org.robonewbie.learning.search.CostFunction;
 import org.robonewbie.learning.search.SearchPlan;
-import org.robonewbie.learning.search.Trial;
 
 /**
  * A motion, or some that belong together, as coordinates that can be searched for. {@link MotionWorkshop} runs the search and
  * writes the files.
  */
-public interface MotionDesign extends Trial {
+public interface MotionDesign extends CostFunction {
 
     /**
      * Gives the first guess.

@@ -18,7 +18,7 @@ public final class Search {
     private static final double WEIGHT_OF_WORST = 0.3;
 
     private final SearchPlan plan;
-    private final Trial trial;
+    private final CostFunction trial;
 
     /**
      * Prepares a search.
@@ -26,7 +26,7 @@ public final class Search {
      * @param plan how long and how widely it looks
      * @param trial what candidates are tried with
      */
-    public Search(SearchPlan plan, Trial trial) {
+    public Search(SearchPlan plan, CostFunction trial) {
         this.plan = plan;
         this.trial = trial;
     }

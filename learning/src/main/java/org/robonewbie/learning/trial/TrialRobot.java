@@ -5,12 +5,13 @@ import org.robonewbie.agent.motion.MotionPlayer;
 import org.robonewbie.agent.motion.Motors;
 import org.robonewbie.agent.motion.PostureFollower;
 import org.robonewbie.agent.walk.WalkEngine;
+import org.robonewbie.learning.experiment.RobotStart;
+import org.robonewbie.learning.experiment.SoccerTrial;
+import org.robonewbie.learning.experiment.TrialSetting;
 import org.robonewbie.learning.objective.TrueStateEye;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Link;
-import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
@@ -18,7 +19,6 @@ import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.simulator.physics.Pose;
 import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
-import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
  * A robot alone in a world of its own, without server and sockets, that lives through the same cycle as with an agent: it
@@ -40,16 +40,20 @@ public final class TrialRobot {
     private static final Vector3 BALL_ASIDE = new Vector3(0, -3.5, 0.042);
     private static final Joint[] JOINTS = Joint.values();
 
-    private final SoccerWorld world = new SoccerWorld(SoccerField.BEGINNER);
-    private final Robot robot = world.addRobot(RobotType.TYPE_0);
+    private static final TrialSetting SETTING = TrialSetting.standing()
+            .withRobots(List.of(RobotStart.at(START.x(), START.y())))
+            .withBall(BALL_ASIDE)
+            .withSpread(0, 0, 0)
+            .withoutCamera()
+            .withSettling(0);
+
+    private final SoccerTrial trial = new SoccerTrial(SETTING);
+    private final Robot robot = trial.world().robots().get(0);
     private final Motors motors = new Motors();
-    private final double[] onTheWay = new double[Joint.COUNT];
     private long cycles;
 
     /** Puts a robot down with all joints at 0. */
     public TrialRobot() {
-        robot.moveUpright(START, -90);
-        world.ball().place(BALL_ASIDE);
         sense();
     }
 
@@ -139,7 +143,7 @@ public final class TrialRobot {
      * @return the ball of this robot's world
      */
     public Ball ball() {
-        return world.ball();
+        return trial.world().ball();
     }
 
     /**
@@ -148,7 +152,7 @@ public final class TrialRobot {
      * @return something that sees what is true; to be asked once after each cycle
      */
     public TrueStateEye eye() {
-        return new TrueStateEye(world, robot);
+        return new TrueStateEye(trial.world(), robot);
     }
 
     /**
@@ -275,11 +279,11 @@ public final class TrialRobot {
 
     private boolean cycle(TrialObserver observer) {
         motors.endCycle();
+        double[] speeds = new double[Joint.COUNT];
         for (Joint joint : JOINTS) {
-            robot.setMotorSpeed(joint, Math.toRadians(onTheWay[joint.ordinal()]));
-            onTheWay[joint.ordinal()] = motors.sentDegreesPerSecond(joint);
+            speeds[joint.ordinal()] = motors.sentDegreesPerSecond(joint);
         }
-        world.step();
+        trial.step(speeds);
         cycles++;
         sense();
         return observer.goOn(this);

@@ -2,7 +2,7 @@ package org.robonewbie.learning.search;
 
 /** Tries out what a candidate is worth; called from several threads. */
 @FunctionalInterface
-public interface Trial {
+public interface CostFunction {
 
     /**
      * Carries out one trial.
