@@ -41,6 +41,6 @@ class FirstExperimentTest {
 
         String shown = document.substring(document.indexOf("```java\n") + 8, document.indexOf("\n```\n"));
 
-        assertThat(source.replaceAll("\\s+", " ")).contains(shown.replaceAll("\\s+", " "));
+        assertThat(source.replaceAll("\\s+", "")).contains(shown.replaceAll("\\s+", ""));
     }
 }
