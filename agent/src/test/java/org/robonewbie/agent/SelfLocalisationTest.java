@@ -42,6 +42,32 @@ class SelfLocalisationTest {
     }
 
     @Test
+    void recognisesThePitchOfTheLeagueByTheDistancesOfItsLandmarks() {
+        SelfLocalisation unsure = new SelfLocalisation();
+        GroundPose truth = new GroundPose(9, -3, 30);
+        List<Vision.SeenLandmark> seen = List.of(
+                sighting(SoccerField.LEAGUE, truth, Landmark.GOAL_POST_1_RIGHT),
+                sighting(SoccerField.LEAGUE, truth, Landmark.FLAG_1_RIGHT));
+
+        rehearse(unsure, seen);
+
+        assertThat(unsure.field()).isEqualTo(SoccerField.LEAGUE);
+        assertThat(unsure.pose().x()).isCloseTo(9, within(1e-6));
+        assertThat(unsure.pose().y()).isCloseTo(-3, within(1e-6));
+    }
+
+    @Test
+    void doesNotGuessThePitchByOneLandmark() {
+        SelfLocalisation unsure = new SelfLocalisation();
+        unsure.setPose(new GroundPose(-1, 0, 0));
+
+        rehearse(unsure, List.of(sighting(SoccerField.LEAGUE, GroundPose.ORIGIN, Landmark.FLAG_1_RIGHT)));
+
+        assertThat(unsure.field()).isEqualTo(SoccerField.BEGINNER);
+        assertThat(unsure.pose().x()).isCloseTo(-1, within(1e-6));
+    }
+
+    @Test
     void usesTheOwnTeamsCoordinatesOnTheRightSideToo() {
         GroundPose truth = new GroundPose(-2, 1, -10);
 
@@ -119,8 +145,28 @@ class SelfLocalisationTest {
                 .build();
     }
 
+    private static void rehearse(SelfLocalisation localisation, List<Vision.SeenLandmark> seen) {
+        Agent looking = new Agent() {
+            @Override
+            protected void think() {
+                localisation.update(nao, fieldView);
+            }
+        };
+        looking.respond(Messages.standing()
+                .at(1)
+                .seeing(Vision.of(seen, Optional.empty(), List.of(), List.of()))
+                .build());
+    }
+
+    private static Vision.SeenLandmark sighting(SoccerField field, GroundPose truth, Landmark landmark) {
+        return new Vision.SeenLandmark(landmark, polar(truth, field.position(landmark)));
+    }
+
     private static PolarPosition polar(GroundPose truth, TeamSide side, Landmark landmark) {
-        Vector3 place = FIELD.position(landmark).times(side == TeamSide.LEFT ? 1 : -1);
+        return polar(truth, FIELD.position(landmark).times(side == TeamSide.LEFT ? 1 : -1));
+    }
+
+    private static PolarPosition polar(GroundPose truth, Vector3 place) {
         Direction direction = Direction.of(truth.fromFrame(place));
         return new PolarPosition(direction.distance(), direction.bearing(), direction.elevation());
     }

@@ -90,7 +90,7 @@ final class AgentMeasurement {
                         seed -> TimedAgents.walkToBall(seed, start(seed))),
                 new Task(
                         "Agent_SimpleSoccer",
-                        "scores from the usual start within 30 minutes",
+                        "scores from the usual start within 20 minutes",
                         TimedAgents::simpleSoccer),
                 new Task(
                         "Agent_BetterSoccer",

@@ -28,7 +28,7 @@ final class TimedAgents {
                 return running && nao.getOwnScore() == 0;
             }
         };
-        run(agent, seed, "1800");
+        run(agent, seed, "1200");
         return optional(scored[0]);
     }
 

@@ -8,7 +8,7 @@ import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 
 /**
@@ -22,13 +22,12 @@ import org.robonewbie.nao.Vector3;
  */
 public class Agent_BetterSoccer extends Agent {
 
-    private static final SoccerField FIELD = SoccerField.BEGINNER;
     private static final double MEMORY_SECONDS = 2;
     private static final double BEHIND_METRES = 0.25;
     private static final double AROUND_METRES = 0.35;
     private static final double FAR_METRES = 0.7;
 
-    private final SelfLocalisation self = new SelfLocalisation(FIELD);
+    private final SelfLocalisation self = new SelfLocalisation();
     private boolean placed;
 
     /** Creates the agent. */
@@ -62,6 +61,12 @@ public class Agent_BetterSoccer extends Agent {
         }
     }
 
+    /** Whether the referee gives the ball to the other team alone, for a goal kick for example: pushing it would be a foul. */
+    private boolean isBallForbidden() {
+        TeamSide opponent = nao.getTeamSide().opponent();
+        return nao.getPlayMode().kicker().filter(opponent::equals).isPresent();
+    }
+
     private void play() {
         FieldItem ball = fieldView.ball();
         if (ball.ageSeconds() > MEMORY_SECONDS) {
@@ -71,7 +76,11 @@ public class Agent_BetterSoccer extends Agent {
         }
         Vector3 ballNow = self.odometry().positionNow(ball);
         watch(ballNow);
-        Vector3 goal = self.pose().fromFrame(new Vector3(FIELD.length() / 2 + 0.2, 0, 0));
+        if (isBallForbidden()) {
+            walk.stop();
+            return;
+        }
+        Vector3 goal = self.pose().fromFrame(new Vector3(self.field().length() / 2 + 0.2, 0, 0));
         bring(ballNow, goal);
     }
 

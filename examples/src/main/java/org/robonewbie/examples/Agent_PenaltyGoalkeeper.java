@@ -2,13 +2,11 @@ package org.robonewbie.examples;
 
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
-import org.robonewbie.agent.StartPose;
 import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 
 /**
@@ -20,16 +18,18 @@ import org.robonewbie.nao.Vector3;
  */
 public final class Agent_PenaltyGoalkeeper extends Agent {
 
-    private static final SoccerField FIELD = SoccerField.BEGINNER;
-    private static final StartPose PLACE = new StartPose(-FIELD.length() / 2 + 0.25, 0, 0);
+    private static final double BEFORE_LINE_METRES = 0.25;
     private static final double FAST_METRES_PER_SECOND = 0.7;
-    private static final double SOON_SECONDS = 1.5;
+    private static final double ROLLING_SECONDS = 0.67;
     private static final double REACH_METRES = 0.12;
-    private static final double PICTURE_SECONDS = 0.3;
+    private static final double PICTURE_SECONDS = 0.12;
+    private static final int CERTAIN_PICTURES = 2;
+    private static final double MEMORY_SECONDS = 1;
 
-    private final SelfLocalisation self = new SelfLocalisation(FIELD);
+    private final SelfLocalisation self = new SelfLocalisation();
     private boolean placed;
     private double pictureSeconds;
+    private int shotPictures;
     private Vector3 ballBefore = Vector3.ZERO;
     private Vector3 ballVelocity = Vector3.ZERO;
 
@@ -49,67 +49,102 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
 
     @Override
     protected Options defaults() {
-        return Options.none().withTeam("Keepers").withNumber(1).withPose(PLACE.x(), PLACE.y(), PLACE.degrees());
+        GroundPose place = place();
+        return Options.none().withTeam("Keepers").withNumber(1).withPose(place.x(), place.y(), place.headingDegrees());
     }
 
     @Override
     protected void think() {
-        if (!placed || (nao.isBeamAllowed() && self.pose().x() > PLACE.x() + 1)) {
-            self.setPose(new GroundPose(PLACE.x(), PLACE.y(), PLACE.degrees()));
-            placed = true;
-        }
         self.update(nao, fieldView);
+        if (!placed || isElsewhere()) {
+            goToPlace();
+        }
         FieldItem ball = fieldView.ball();
         if (ball.isVisible() && nao.getTime() - pictureSeconds >= PICTURE_SECONDS - 0.001) {
-            measureVelocity(ball.position());
+            measure(ball.position());
         }
-        if (!motions.isFinished()) {
-            return;
-        }
-        if (nao.isFallen()) {
+        if (nao.isFallen() && motions.isFinished()) {
             motions.startGetUp();
-        } else if (ball.isVisible() && isShot(ball.position())) {
-            double crossing = crossing(ball.position());
-            if (Math.abs(crossing) > REACH_METRES) {
-                log.info("ball crosses %.2f m left of me with %.1f m/s", crossing, ballVelocity.length());
-                motions.start(crossing > 0 ? "dive-left" : "dive-right");
-            }
-        } else {
-            returnToPlace(ball);
+        } else if (motions.isFinished()) {
+            keep(ball);
         }
     }
 
-    private void measureVelocity(Vector3 ball) {
+    private void keep(FieldItem ball) {
+        double crossing = crossing(ball);
+        if (shotPictures < CERTAIN_PICTURES || Math.abs(crossing) < REACH_METRES) {
+            returnToPlace(ball);
+        } else {
+            log.info("ball crosses %.2f m left of me with %.1f m/s", crossing, ballVelocity.length());
+            motions.start(crossing > 0 ? "dive-left" : "dive-right");
+            shotPictures = 0;
+        }
+    }
+
+    private void measure(Vector3 ball) {
         double seconds = nao.getTime() - pictureSeconds;
-        boolean usable = seconds < 2 * PICTURE_SECONDS && !walk.isWalking();
+        boolean usable = seconds < 2 * PICTURE_SECONDS && !walk.isWalking() && motions.isFinished();
         ballVelocity = usable ? ball.minus(ballBefore).times(1 / seconds) : Vector3.ZERO;
         ballBefore = ball;
         pictureSeconds = nao.getTime();
+        shotPictures = isShot(ball) ? shotPictures + 1 : 0;
     }
 
-    /** Whether the ball comes so fast that the goal is in danger. */
+    /** Whether the ball comes so fast that the goal is in danger. The grass brakes it: it rolls 0.67 m for each m/s. */
     private boolean isShot(Vector3 ball) {
         double approach = -ballVelocity.x();
         return approach > FAST_METRES_PER_SECOND
-                && ball.x() / approach < SOON_SECONDS
-                && Math.abs(crossing(ball)) < FIELD.goalWidth() / 2 + 0.1;
+                && approach * ROLLING_SECONDS > ball.x()
+                && Math.abs(crossing(fieldView.ball())) < self.field().goalWidth() / 2 + 0.1;
     }
 
     /** How far to the left of the robot the ball will pass, in metres. */
-    private double crossing(Vector3 ball) {
+    private double crossing(FieldItem item) {
+        Vector3 ball = item.position();
         return ball.y() + ballVelocity.y() * ball.x() / Math.max(0.01, -ballVelocity.x());
     }
 
+    /** A step before the middle of the own goal; where that is, depends on the pitch. */
+    private GroundPose place() {
+        return new GroundPose(BEFORE_LINE_METRES - self.field().length() / 2, 0, 0);
+    }
+
+    /** Where the straight way of the ball into the middle of the goal comes by, in metres to the left. */
+    private double coveringY(FieldItem ball) {
+        if (ball.ageSeconds() > MEMORY_SECONDS) {
+            return 0;
+        }
+        Vector3 seen = self.pose().toFrame(ball.position());
+        double ballBeforeLine =
+                Math.max(2 * BEFORE_LINE_METRES, seen.x() + self.field().length() / 2);
+        return seen.y() * BEFORE_LINE_METRES / ballBeforeLine;
+    }
+
+    private boolean isElsewhere() {
+        return nao.isBeamAllowed() && Math.abs(self.pose().x() - place().x()) > 1;
+    }
+
+    private void goToPlace() {
+        GroundPose place = place();
+        if (placed) {
+            nao.beam(place.x(), place.y(), place.headingDegrees());
+            motions.reset();
+            motions.start("stand");
+        }
+        self.setPose(place);
+        placed = true;
+    }
+
     private void returnToPlace(FieldItem ball) {
-        Vector3 way = self.pose().fromFrame(new Vector3(PLACE.x(), PLACE.y(), 0));
+        Vector3 way = self.pose().fromFrame(new Vector3(place().x(), coveringY(ball), 0));
         double turn = -self.pose().headingDegrees();
-        boolean atPlace = Math.hypot(way.x(), way.y()) < (walk.isWalking() ? 0.08 : 0.25);
+        boolean atPlace = Math.hypot(way.x(), way.y()) < (walk.isWalking() ? 0.05 : 0.15);
         if (atPlace && Math.abs(turn) < (walk.isWalking() ? 5 : 15)) {
             walk.stop();
         } else {
             walk.towards(way.x(), way.y(), turn);
         }
-        if (ball.ageSeconds() > 1) {
+        if (ball.ageSeconds() > MEMORY_SECONDS) {
             lookAround.look();
         } else {
             nao.setJointAngle(Joint.NECK_YAW, Math.max(-80, Math.min(80, ball.bearing())), 180);

@@ -18,9 +18,12 @@ import org.robonewbie.nao.PlayMode;
  */
 public class Agent_SimpleSoccer extends Agent {
 
-    private static final double STRAIGHT_AHEAD_DEGREES = 6;
+    private static final double STRAIGHT_AHEAD_DEGREES = 5;
     private static final double FAR_METRES = 0.7;
     private static final double MEMORY_SECONDS = LookAround.ROUND_SECONDS + 0.2;
+    private static final int MANY_STEPS = 25;
+
+    private int stepsAround;
 
     /** Creates the agent. */
     public Agent_SimpleSoccer() {}
@@ -69,8 +72,9 @@ public class Agent_SimpleSoccer extends Agent {
     private void decideAtTheBall(FieldItem ball) {
         FieldItem leftPost = fieldView.opponentGoalLeftPost();
         FieldItem rightPost = fieldView.opponentGoalRightPost();
-        if (!isKnown(leftPost) || !isKnown(rightPost)) {
-            motions.start("turn-left");
+        boolean goalAhead = isKnown(leftPost) && isKnown(rightPost) && leftPost.bearing() > rightPost.bearing();
+        if (!goalAhead) {
+            goAroundTheBall();
         } else if (leftPost.bearing() <= ball.bearing()) {
             motions.start("side-step-left");
         } else if (rightPost.bearing() >= ball.bearing()) {
@@ -78,6 +82,13 @@ public class Agent_SimpleSoccer extends Agent {
         } else {
             motions.start("walk-forward"); // the ball is between the posts: push it
         }
+    }
+
+    /** Steps aside until the goal comes into view; the other way if that takes long, since a goal post may be in the way. */
+    private void goAroundTheBall() {
+        boolean left = stepsAround / MANY_STEPS % 2 == 0;
+        motions.start(left ? "side-step-left" : "side-step-right");
+        stepsAround++;
     }
 
     private boolean isKnown(FieldItem item) {

@@ -5,20 +5,19 @@ import org.robonewbie.agent.Options;
 import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.CameraTransformation;
-import org.robonewbie.nao.SoccerField;
 import org.robonewbie.protocol.perceptor.Vision;
 
 /**
  * Finds out where on the pitch it is while it walks about, and compares that with the truth.
  *
- * <p>This is more than a beginner needs: goal posts and flags tell the place, gyroscope and legs tell the movement in between;
- * see {@link SelfLocalisation}. In the studio the belief is drawn beside the robot.
+ * <p>This is more than a beginner needs: goal posts and flags tell the place and which pitch it is, gyroscope and legs tell the
+ * movement in between; see {@link SelfLocalisation}. In the studio the belief is drawn beside the robot.
  */
 public final class Agent_TestSelfLocalisation extends Agent {
 
     private static final String[] WAY = {"walk-forward", "walk-forward", "walk-forward", "turn-left", "turn-left"};
 
-    private final SelfLocalisation self = new SelfLocalisation(SoccerField.BEGINNER);
+    private final SelfLocalisation self = new SelfLocalisation();
     private int step;
     private int comparisons;
     private double sumOfErrors;

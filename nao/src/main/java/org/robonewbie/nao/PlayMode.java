@@ -69,6 +69,32 @@ public enum PlayMode {
     }
 
     /**
+     * Names the team that brings the ball into play while the other one keeps away: at a kick-off, kick-in, corner, goal kick,
+     * free kick or pass.
+     *
+     * @return the team; empty if both may play the ball or nobody may
+     */
+    public Optional<TeamSide> kicker() {
+        return switch (this) {
+            case KICK_OFF_LEFT,
+                    KICK_IN_LEFT,
+                    CORNER_KICK_LEFT,
+                    GOAL_KICK_LEFT,
+                    FREE_KICK_LEFT,
+                    DIRECT_FREE_KICK_LEFT,
+                    PASS_LEFT -> Optional.of(TeamSide.LEFT);
+            case KICK_OFF_RIGHT,
+                    KICK_IN_RIGHT,
+                    CORNER_KICK_RIGHT,
+                    GOAL_KICK_RIGHT,
+                    FREE_KICK_RIGHT,
+                    DIRECT_FREE_KICK_RIGHT,
+                    PASS_RIGHT -> Optional.of(TeamSide.RIGHT);
+            default -> Optional.empty();
+        };
+    }
+
+    /**
      * Finds a play mode by its name in SimSpark's messages.
      *
      * @param simSparkName the exact name

@@ -32,6 +32,7 @@ public final class Odometry {
     private GroundPose pose = GroundPose.ORIGIN;
     private Leg support = Leg.LEFT;
     private GroundPose torsoOnSupport = GroundPose.ORIGIN;
+    private boolean begun;
 
     /** Creates an odometry that begins at the origin. */
     public Odometry() {
@@ -46,7 +47,9 @@ public final class Odometry {
     public void update(NaoBody nao) {
         BodyPoses body = kinematics.poses(posture(nao));
         GroundPose now = torsoOn(body, support);
-        Vector3 step = nao.isFallen() ? Vector3.ZERO : torsoOnSupport.fromFrame(new Vector3(now.x(), now.y(), 0));
+        boolean standing = begun && !nao.isFallen();
+        Vector3 step = standing ? torsoOnSupport.fromFrame(new Vector3(now.x(), now.y(), 0)) : Vector3.ZERO;
+        begun = true;
         pose = pose.moved(step.x(), step.y(), nao.getGyro().z() * CYCLE_SECONDS);
         history[index(nao.getTime())] = pose;
         support = nao.getLeftFootPressure().force().z()

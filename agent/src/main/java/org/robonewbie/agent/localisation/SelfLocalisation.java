@@ -15,10 +15,12 @@ import org.robonewbie.nao.Vector3;
  * to where they say the robot must be. Two landmarks tell all, by the best rigid fit of what is seen to the map; a single one
  * tells the place if the direction is known.
  *
+ * <p>Which pitch it is, it finds out too: no two of the known pitches have their goal posts and flags at the same distances.
+ *
  * <p>Coordinates are those of the own team: x towards the opponents' goal, y to the left, the origin in the centre spot.
  *
  * <pre>{@code
- * private final SelfLocalisation self = new SelfLocalisation(SoccerField.BEGINNER);
+ * private final SelfLocalisation self = new SelfLocalisation();
  * // at the beginning of think():
  * self.update(nao, fieldView);
  * nao.tellPose(self.pose().x(), self.pose().y(), self.pose().headingDegrees());   // for the studio
@@ -29,7 +31,11 @@ public final class SelfLocalisation {
     private static final double SHARE_OF_FIT = 0.3;
     private static final double SHARE_OF_SINGLE = 0.1;
 
-    private final SoccerField field;
+    private static final List<SoccerField> PITCHES = List.of(SoccerField.BEGINNER, SoccerField.LEAGUE);
+    private static final double CERTAIN_METRES = 0.3;
+
+    private SoccerField field;
+    private boolean fieldKnown;
     private final Odometry odometry = new Odometry();
     private GroundPose pose = GroundPose.ORIGIN;
     private GroundPose odometryBefore = GroundPose.ORIGIN;
@@ -40,13 +46,23 @@ public final class SelfLocalisation {
     /** A landmark in the picture: where it is seen and where it stands. */
     private record Sighting(Vector3 seen, Vector3 map) {}
 
+    /** Creates a robot that does not know where it is, nor on which pitch. */
+    public SelfLocalisation() {
+        this(SoccerField.BEGINNER, false);
+    }
+
     /**
      * Creates a robot that does not know where it is.
      *
      * @param field the pitch with its landmarks
      */
     public SelfLocalisation(SoccerField field) {
+        this(field, true);
+    }
+
+    private SelfLocalisation(SoccerField field, boolean fieldKnown) {
         this.field = field;
+        this.fieldKnown = fieldKnown;
     }
 
     /**
@@ -63,7 +79,8 @@ public final class SelfLocalisation {
         pose = pose.moved(step.x(), step.y(), now.headingDegrees() - odometryBefore.headingDegrees());
         odometryBefore = now;
         if (nao.getVision().isPresent() && !nao.isFallen()) {
-            correct(sightings(view, nao.getTeamSide()));
+            recognisePitch(view, nao.getTeamSide());
+            correct(fieldKnown ? sightings(field, view, nao.getTeamSide()) : List.of());
         }
     }
 
@@ -84,6 +101,15 @@ public final class SelfLocalisation {
      */
     public GroundPose pose() {
         return pose;
+    }
+
+    /**
+     * Tells on which pitch the robot is.
+     *
+     * @return the pitch; that of the beginners until two landmarks were seen at once
+     */
+    public SoccerField field() {
+        return field;
     }
 
     /**
@@ -129,7 +155,26 @@ public final class SelfLocalisation {
         }
     }
 
-    private List<Sighting> sightings(LocalFieldView view, TeamSide side) {
+    private void recognisePitch(LocalFieldView view, TeamSide side) {
+        for (SoccerField pitch : PITCHES) {
+            List<Sighting> sightings = fieldKnown ? List.of() : sightings(pitch, view, side);
+            if (sightings.size() >= 2 && distanceError(sightings) < CERTAIN_METRES) {
+                field = pitch;
+                fieldKnown = true;
+            }
+        }
+    }
+
+    /** How much the distances between the landmarks differ from those on the map, in metres at the most. */
+    private static double distanceError(List<Sighting> sightings) {
+        Sighting first = sightings.get(0);
+        return sightings.stream()
+                .mapToDouble(other -> Math.abs(first.seen.distanceTo(other.seen) - first.map.distanceTo(other.map)))
+                .max()
+                .orElse(0);
+    }
+
+    private static List<Sighting> sightings(SoccerField field, LocalFieldView view, TeamSide side) {
         List<Sighting> sightings = new ArrayList<>();
         for (Landmark landmark : Landmark.values()) {
             FieldItem item = view.landmark(landmark);

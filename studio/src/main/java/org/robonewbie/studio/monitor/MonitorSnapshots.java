@@ -99,8 +99,7 @@ final class MonitorSnapshots {
             poses[at] = (float) position.x();
             poses[at + 1] = (float) position.y();
             poses[at + 2] = (float) position.z();
-            System.arraycopy(
-                    part.map(MonitorSnapshots::quaternion).orElse(UPRIGHT), 0, poses, at + 3, UPRIGHT.length);
+            System.arraycopy(part.map(MonitorSnapshots::quaternion).orElse(UPRIGHT), 0, poses, at + 3, UPRIGHT.length);
         }
         return poses;
     }

@@ -167,8 +167,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
                 new TrainerCommand.ChangePlayMode(PlayMode.BEFORE_KICK_OFF),
                 new TrainerCommand.SetTime(0),
                 new TrainerCommand.SetScore(0, 0),
-                new TrainerCommand.MoveBall(
-                        Optional.of(new Vector3(0, 0, BALL_RADIUS)), Optional.of(Vector3.ZERO)));
+                new TrainerCommand.MoveBall(Optional.of(new Vector3(0, 0, BALL_RADIUS)), Optional.of(Vector3.ZERO)));
     }
 
     @Override
