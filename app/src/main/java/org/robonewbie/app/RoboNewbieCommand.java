@@ -19,6 +19,7 @@ import picocli.CommandLine.IVersionProvider;
             FidelityCommand.class,
             RecordReferenceCommand.class,
             MeasureCommand.class,
+            CompetitionCommand.class,
             BenchmarkCommand.class,
             DoctorCommand.class
         },

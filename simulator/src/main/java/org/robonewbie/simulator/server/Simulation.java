@@ -290,6 +290,14 @@ final class Simulation implements SimulationControl, Runnable {
     }
 
     @Override
+    public void pushRobot(TeamSide side, int number, Vector3 newtons) {
+        command(() -> cycle.match()
+                .teams()
+                .player(side, number)
+                .ifPresent(player -> player.robot().push(newtons)));
+    }
+
+    @Override
     public void kickOff(TeamSide side) {
         command(() -> cycle.kickOff(side));
     }

@@ -1,0 +1,192 @@
+package org.robonewbie.competition;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.stream.Collectors;
+import org.robonewbie.competition.contest.Contest;
+import org.robonewbie.competition.contest.Entrant;
+import org.robonewbie.competition.contest.Table;
+import org.robonewbie.competition.contest.TeamResult;
+import org.robonewbie.competition.contest.Trial;
+import org.robonewbie.competition.contest.TrialResult;
+import org.robonewbie.competition.result.ResultFolder;
+import org.robonewbie.competition.result.TableFiles;
+import org.robonewbie.competition.team.ProgramFinder;
+import org.robonewbie.competition.team.TeamEntry;
+import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.competition.trial.TrialRunner;
+
+/**
+ * Holds a contest from the first trial to the table. Finished trials are kept in its folder at once; whoever holds the same
+ * contest again in the same folder gets what is missing done, and nothing twice.
+ *
+ * <pre>{@code
+ * Table table = new Competition(contest, teams, settings, System.out).hold();
+ * }</pre>
+ */
+public final class Competition {
+
+    private final Contest contest;
+    private final List<TeamEntry> teams;
+    private final CompetitionSettings settings;
+    private final PrintStream out;
+    private int finished;
+    private int planned;
+
+    /**
+     * Prepares a contest.
+     *
+     * @param contest its kind
+     * @param teams who takes part
+     * @param settings how it is held
+     * @param out where progress is told
+     */
+    public Competition(Contest contest, List<TeamEntry> teams, CompetitionSettings settings, PrintStream out) {
+        this.contest = contest;
+        this.teams = List.copyOf(teams);
+        this.settings = settings;
+        this.out = out;
+    }
+
+    /**
+     * Holds the contest, as far as it has not been held before.
+     *
+     * @return the table, which has been written into the folder, too
+     * @throws IOException if something cannot be read, written or started
+     * @throws InterruptedException if this thread is interrupted
+     */
+    public Table hold() throws IOException, InterruptedException {
+        try (ResultFolder folder = ResultFolder.open(settings.results())) {
+            Map<String, TeamProgram> programs = programs(folder.file("work").resolve("classes"));
+            TrialRunner runner = new TrialRunner(contest, programs, settings.limits(), settings.spectators());
+            ExecutorService trials = Executors.newFixedThreadPool(settings.parallelTrials());
+            try {
+                List<Trial> missing = missing(folder, programs);
+                while (!missing.isEmpty()) {
+                    runAll(missing, folder, programs, runner, trials);
+                    missing = missing(folder, programs);
+                }
+            } finally {
+                trials.shutdownNow();
+            }
+            Table table = contest.table(names(), folder);
+            new TableFiles(folder, teams).write(table, settings.seed());
+            return table;
+        }
+    }
+
+    private List<String> names() {
+        return teams.stream().map(TeamEntry::name).toList();
+    }
+
+    private Map<String, TeamProgram> programs(Path classes) throws IOException {
+        ProgramFinder finder = new ProgramFinder(settings.teamsFolder(), classes, settings.examples());
+        Map<String, TeamProgram> programs = new LinkedHashMap<>();
+        for (TeamEntry team : teams) {
+            TeamProgram program = finder.find(team);
+            programs.put(team.name(), program);
+            if (program instanceof TeamProgram.Broken broken) {
+                out.println("Team " + team.name() + " does not compile and loses its trials:");
+                out.println(broken.complaint().strip());
+            }
+        }
+        return programs;
+    }
+
+    private List<Trial> missing(ResultFolder folder, Map<String, TeamProgram> programs) throws IOException {
+        List<Trial> missing = new ArrayList<>();
+        List<Trial> before;
+        List<Trial> all = List.of();
+        do {
+            before = all;
+            all = contest.trials(names(), folder);
+            missing.clear();
+            for (Trial trial : all) {
+                if (!folder.load(trial.id(), circumstances(trial, programs))) {
+                    missing.add(trial);
+                }
+            }
+        } while (all.size() > before.size());
+        planned = all.size();
+        finished = all.size() - missing.size();
+        return missing;
+    }
+
+    private void runAll(
+            List<Trial> missing,
+            ResultFolder folder,
+            Map<String, TeamProgram> programs,
+            TrialRunner runner,
+            ExecutorService trials)
+            throws IOException, InterruptedException {
+        if (finished > 0) {
+            out.println(finished + " of " + planned + " trials are over already; their results are kept.");
+        }
+        List<Future<TrialResult>> running = new ArrayList<>();
+        for (Trial trial : missing) {
+            running.add(trials.submit(() -> {
+                TrialResult result = runner.run(trial, folder.filesOf(trial));
+                folder.save(result, circumstances(trial, programs));
+                tell(result);
+                return result;
+            }));
+        }
+        for (Future<TrialResult> one : running) {
+            try {
+                one.get();
+            } catch (ExecutionException failed) {
+                throw new IOException("A trial could not be held: " + failed.getCause(), failed);
+            }
+        }
+    }
+
+    private synchronized void tell(TrialResult result) {
+        finished++;
+        String teamsTold = result.teams().stream().map(Competition::told).collect(Collectors.joining("; "));
+        out.printf("[%d/%d] %s: %s%n", finished, planned, result.id(), teamsTold);
+    }
+
+    private static String told(TeamResult result) {
+        String figures = result.figures().entrySet().stream()
+                .map(figure -> figure.getKey() + " " + Math.round(figure.getValue() * 100) / 100.0)
+                .collect(Collectors.joining(", "));
+        return result.team() + " "
+                + (result.isPlayed() && !figures.isEmpty() ? figures : result.ending().sentence());
+    }
+
+    /** All that a result depends on: the trial itself, the programs, the limits. */
+    private String circumstances(Trial trial, Map<String, TeamProgram> programs) {
+        StringBuilder text = new StringBuilder(trial.id())
+                .append(trial.seed())
+                .append(trial.seconds())
+                .append(trial.entrants())
+                .append(trial.ball())
+                .append(trial.kickOff())
+                .append(trial.parameters().assignments())
+                .append(settings.limits());
+        for (Entrant entrant : trial.entrants()) {
+            TeamProgram program = programs.get(entrant.team());
+            text.append(program == null ? "" : program.fingerprint());
+        }
+        try {
+            byte[] digest = MessageDigest.getInstance("SHA-256")
+                    .digest(text.toString().getBytes(StandardCharsets.UTF_8));
+            return HexFormat.of().formatHex(digest).substring(0, 16);
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("This Java has no SHA-256, which every Java must have", e);
+        }
+    }
+}

@@ -1,0 +1,42 @@
+package org.robonewbie.competition.contest;
+
+import java.util.Map;
+import java.util.Random;
+
+/**
+ * What differs from one competition to the next.
+ *
+ * @param seed start of all random numbers
+ * @param varied whether start places depend on the seed, so that nobody can prepare for them
+ * @param ownSeeds seeds of teams that, to try something out, play in a world of their own chance
+ */
+public record Conditions(long seed, boolean varied, Map<String, Long> ownSeeds) {
+
+    /** Makes the map unmodifiable. */
+    public Conditions {
+        ownSeeds = Map.copyOf(ownSeeds);
+    }
+
+    /**
+     * Gives the usual conditions.
+     *
+     * @param seed start of all random numbers
+     * @return equal ones for all, the usual start places
+     */
+    public static Conditions of(long seed) {
+        return new Conditions(seed, false, Map.of());
+    }
+
+    long seedOf(String team) {
+        return ownSeeds.getOrDefault(team, seed);
+    }
+
+    /** A seed for one of several trials of the same teams. */
+    long seedOf(int... numbers) {
+        long mixed = seed;
+        for (int number : numbers) {
+            mixed = new Random(mixed * 31 + number).nextLong();
+        }
+        return mixed;
+    }
+}

@@ -1,0 +1,36 @@
+package org.robonewbie.competition.contest;
+
+/** How a trial ended for a team. Whatever is not {@link #PLAYED} has lost it the trial. */
+public enum Ending {
+    /** Its program ran until the trial was over. */
+    PLAYED("played to the end"),
+    /** Its sources have mistakes. */
+    NOT_COMPILED("its program does not compile"),
+    /** Its program brought no robot onto the pitch. */
+    NOT_STARTED("its program brought no robot onto the pitch"),
+    /** Its program ended by itself. */
+    STOPPED("its program ended before the trial was over"),
+    /** Its program kept the world waiting. */
+    SILENT("its program kept the world waiting and was taken out"),
+    /** Its program needed too much memory. */
+    TOO_MUCH_MEMORY("its program needed more memory than is allowed"),
+    /** Its program needed too much processor time. */
+    TOO_MUCH_TIME("its program needed more computing time than is allowed"),
+    /** It had more robots than it may have. */
+    TOO_MANY_ROBOTS("its program brought more robots onto the pitch than are allowed");
+
+    private final String sentence;
+
+    Ending(String sentence) {
+        this.sentence = sentence;
+    }
+
+    /**
+     * Tells it in words.
+     *
+     * @return a sentence without full stop
+     */
+    public String sentence() {
+        return sentence;
+    }
+}

@@ -1,0 +1,70 @@
+package org.robonewbie.competition.contest;
+
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * The table of a league: three points for a victory, one for a draw; among equal points the difference of goals decides, then the
+ * number of goals. Who is equal in all of that shares a place.
+ */
+final class LeagueTable {
+
+    static final List<String> COLUMNS = List.of("Played", "Won", "Drawn", "Lost", "Goals", "Points");
+
+    private LeagueTable() {}
+
+    /** What a team has reached. */
+    record Line(String team, int won, int drawn, int lost, int goals, int against) {
+
+        int points() {
+            return 3 * won + drawn;
+        }
+
+        int difference() {
+            return goals - against;
+        }
+
+        List<String> cells() {
+            return List.of(
+                    String.valueOf(won + drawn + lost),
+                    String.valueOf(won),
+                    String.valueOf(drawn),
+                    String.valueOf(lost),
+                    goals + ":" + against,
+                    String.valueOf(points()));
+        }
+
+        private Line plus(int own, int other) {
+            return new Line(
+                    team,
+                    won + (own > other ? 1 : 0),
+                    drawn + (own == other ? 1 : 0),
+                    lost + (own < other ? 1 : 0),
+                    goals + own,
+                    against + other);
+        }
+    }
+
+    /** Ranks teams by the meetings that are over. */
+    static List<Place<Line>> of(List<String> teams, List<Fixture> fixtures) {
+        List<Line> lines = teams.stream().map(team -> line(team, fixtures)).toList();
+        return Place.ranking(
+                lines,
+                Comparator.comparingInt(Line::points)
+                        .thenComparingInt(Line::difference)
+                        .thenComparingInt(Line::goals)
+                        .reversed());
+    }
+
+    private static Line line(String team, List<Fixture> fixtures) {
+        Line line = new Line(team, 0, 0, 0, 0, 0);
+        for (Fixture fixture : fixtures) {
+            if (fixture.home().equals(team)) {
+                line = line.plus(fixture.homeGoals(), fixture.awayGoals());
+            } else if (fixture.away().equals(team)) {
+                line = line.plus(fixture.awayGoals(), fixture.homeGoals());
+            }
+        }
+        return line;
+    }
+}

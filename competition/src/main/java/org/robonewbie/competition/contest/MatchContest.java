@@ -1,0 +1,130 @@
+package org.robonewbie.competition.contest;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+
+/**
+ * Matches of small teams: each team plays once against each other one. A team whose program fails loses the match 0:3, or higher
+ * if it was behind by more; if both fail, nobody gets anything.
+ *
+ * @param players robots of each team, 1 to 11
+ * @param seconds simulated seconds of a match, in one half
+ * @param conditions seeds
+ */
+public record MatchContest(int players, double seconds, Conditions conditions) implements Contest {
+
+    /** The name of this contest. */
+    public static final String NAME = "matches";
+
+    private static final int FORFEIT_GOALS = 3;
+
+    /** Where robots begin, in the order of their numbers; nobody stands in the centre circle. */
+    private static final double[][] LINE_UP = {
+        {-5, 0}, {-1.6, 0}, {-1.8, 2}, {-1.8, -2}, {-3, 0}, {-3, -1.5}, {-3, 1.5}, {-4, -2}, {-4, 0}, {-4, 2}, {-2.3, 0.8}
+    };
+
+    @Override
+    public String name() {
+        return NAME;
+    }
+
+    @Override
+    public String title() {
+        return "Matches, " + players + " against " + players;
+    }
+
+    @Override
+    public String rule() {
+        return "Each team plays each other one for " + Math.round(seconds)
+                + " s. Three points for a victory, one for a draw; then the difference of goals, then the goals decide.";
+    }
+
+    @Override
+    public List<Trial> trials(List<String> teams, Results results) {
+        return Fixture.pairs(teams).stream().map(this::trial).toList();
+    }
+
+    @Override
+    public Judge judge(Trial trial) {
+        return new MatchJudge(trial);
+    }
+
+    @Override
+    public Table table(List<String> teams, Results results) {
+        List<Fixture.Pair> pairs = Fixture.pairs(teams);
+        List<Fixture> fixtures = pairs.stream()
+                .flatMap(pair -> results.find(id(pair)).map(result -> fixture(pair, result)).stream())
+                .flatMap(Optional::stream)
+                .toList();
+        List<Table.Row> rows = LeagueTable.of(teams, fixtures).stream()
+                .map(place -> new Table.Row(
+                        place.rank(),
+                        place.who().team(),
+                        place.who().cells(),
+                        idsOf(pairs, place.who().team(), results)))
+                .toList();
+        return new Table(title(), rule(), LeagueTable.COLUMNS, rows);
+    }
+
+    /** The result that counts; empty if both teams have failed. */
+    static Optional<Fixture> fixture(Fixture.Pair pair, TrialResult result) {
+        TeamResult home = result.of(pair.home());
+        TeamResult away = result.of(pair.away());
+        if (!home.isPlayed() && !away.isPlayed()) {
+            return Optional.empty();
+        }
+        int homeGoals = goals(home);
+        int awayGoals = goals(away);
+        if (!home.isPlayed()) {
+            return Optional.of(new Fixture(pair.home(), pair.away(), 0, Math.max(FORFEIT_GOALS, awayGoals - homeGoals)));
+        }
+        if (!away.isPlayed()) {
+            return Optional.of(new Fixture(pair.home(), pair.away(), Math.max(FORFEIT_GOALS, homeGoals - awayGoals), 0));
+        }
+        return Optional.of(new Fixture(pair.home(), pair.away(), homeGoals, awayGoals));
+    }
+
+    private static int goals(TeamResult result) {
+        return (int) Math.round(result.figures().getOrDefault(MatchJudge.GOALS, 0.0));
+    }
+
+    private Trial trial(Fixture.Pair pair) {
+        SoccerParameters parameters = SoccerParameters.beginner()
+                .with(SoccerParameter.AUTOMATIC_KICK_OFF, 0)
+                .with(SoccerParameter.START_ANY_FIELD_POSITION, 0)
+                .with(SoccerParameter.BEAM_GRACE_TIME, 0);
+        return new Trial(
+                id(pair),
+                conditions.seedOf(pair.number()),
+                parameters,
+                List.of(entrant(pair.home()), entrant(pair.away())),
+                seconds,
+                pair.number() % 2 == 0 ? TeamSide.LEFT : TeamSide.RIGHT,
+                Optional.empty());
+    }
+
+    private Entrant entrant(String team) {
+        return new Entrant(
+                team,
+                Role.MAIN,
+                IntStream.range(0, players)
+                        .mapToObj(i -> new StartPlace(i + 1, LINE_UP[i][0], LINE_UP[i][1], 0))
+                        .toList());
+    }
+
+    private static String id(Fixture.Pair pair) {
+        return NAME + "-" + pair.home() + "-" + pair.away();
+    }
+
+    private static List<String> idsOf(List<Fixture.Pair> pairs, String team, Results results) {
+        return pairs.stream()
+                .filter(pair -> pair.home().equals(team) || pair.away().equals(team))
+                .map(MatchContest::id)
+                .filter(id -> results.find(id).isPresent())
+                .toList();
+    }
+}

@@ -1,0 +1,16 @@
+package org.robonewbie.competition.contest;
+
+import java.util.Optional;
+
+/** The trials that are over. */
+@FunctionalInterface
+public interface Results {
+
+    /**
+     * Finds a result.
+     *
+     * @param trialId name of the trial
+     * @return its result, or empty if it is not over
+     */
+    Optional<TrialResult> find(String trialId);
+}

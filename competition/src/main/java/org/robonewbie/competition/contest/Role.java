@@ -1,0 +1,22 @@
+package org.robonewbie.competition.contest;
+
+import java.util.Locale;
+
+/** What a program has to be in a trial. A team may have a program of its own for each role. */
+public enum Role {
+    /** Whatever the contest asks for. */
+    MAIN,
+    /** Shoots penalties. */
+    ATTACKER,
+    /** Keeps the goal against penalties. */
+    GOALKEEPER;
+
+    /**
+     * Gives the word for it in a file of teams.
+     *
+     * @return such as {@code attacker}
+     */
+    public String key() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+}

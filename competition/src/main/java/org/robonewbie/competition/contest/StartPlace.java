@@ -1,0 +1,54 @@
+package org.robonewbie.competition.contest;
+
+import java.util.Locale;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+
+/**
+ * Where a robot of a team starts, as its own team sees the pitch: the origin is the centre spot, x points to the opponents'
+ * goal and y to the left of that.
+ *
+ * @param number the robot's number, 1 to 11
+ * @param x metres
+ * @param y metres
+ * @param degrees direction to look to; 0 is towards the opponents' goal, positive is left
+ */
+public record StartPlace(int number, double x, double y, double degrees) {
+
+    /** Height of the torso of a robot that stands. */
+    private static final double TORSO_METRES = 0.4;
+
+    /**
+     * Writes the place as agents take it with {@code --pose}.
+     *
+     * @return such as {@code -0.5,0.4,-40}
+     */
+    public String pose() {
+        return text(x) + "," + text(y) + "," + text(degrees);
+    }
+
+    /**
+     * Tells where that is in the world.
+     *
+     * @param side the team's half
+     * @return centre of the torso, metres
+     */
+    public Vector3 position(TeamSide side) {
+        return side == TeamSide.LEFT ? new Vector3(x, y, TORSO_METRES) : new Vector3(-x, -y, TORSO_METRES);
+    }
+
+    /**
+     * Tells which way that is in the world.
+     *
+     * @param side the team's half
+     * @return degrees, 0 towards the right goal, counter-clockwise
+     */
+    public double heading(TeamSide side) {
+        return side == TeamSide.LEFT ? degrees : degrees + 180;
+    }
+
+    private static String text(double value) {
+        String text = String.format(Locale.ROOT, "%.3f", value).replaceFirst("\\.?0+$", "");
+        return text.equals("-0") ? "0" : text;
+    }
+}

@@ -1,0 +1,32 @@
+package org.robonewbie.competition.contest;
+
+import java.util.List;
+
+/**
+ * What a trial has shown. Nothing in it depends on the computer, so that the same trial gives the same result.
+ *
+ * @param id name of the trial
+ * @param seed start of all random numbers
+ * @param seconds simulated seconds from the start to the decision
+ * @param teams one result for each team that took part
+ */
+public record TrialResult(String id, long seed, double seconds, List<TeamResult> teams) {
+
+    /** Makes the list unmodifiable. */
+    public TrialResult {
+        teams = List.copyOf(teams);
+    }
+
+    /**
+     * Finds a team's result.
+     *
+     * @param name name of a team that took part
+     * @return its result
+     */
+    public TeamResult of(String name) {
+        return teams.stream()
+                .filter(result -> result.team().equals(name))
+                .findFirst()
+                .orElseThrow();
+    }
+}

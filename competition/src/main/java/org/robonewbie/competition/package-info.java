@@ -1,0 +1,6 @@
+/**
+ * The competition at the end of a course: many programs, one table, the same each time. Start reading with {@link
+ * org.robonewbie.competition.Competition}.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.competition;

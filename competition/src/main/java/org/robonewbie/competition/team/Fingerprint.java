@@ -1,0 +1,50 @@
+package org.robonewbie.competition.team;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+
+/** A checksum by which a changed program is noticed. */
+final class Fingerprint {
+
+    private static final int DIGITS = 16;
+
+    private final MessageDigest digest;
+
+    Fingerprint() {
+        try {
+            digest = MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("This Java has no SHA-256, which every Java must have", e);
+        }
+    }
+
+    Fingerprint add(String text) {
+        digest.update(text.getBytes(StandardCharsets.UTF_8));
+        digest.update((byte) 0);
+        return this;
+    }
+
+    Fingerprint add(InputStream bytes) throws IOException {
+        digest.update(bytes.readAllBytes());
+        return this;
+    }
+
+    /** Adds a file, or all that counts of a folder. */
+    Fingerprint add(Path place) throws IOException {
+        for (Path file : TeamFolder.filesOf(place)) {
+            add(place.relativize(file).toString().replace('\\', '/'));
+            digest.update(Files.readAllBytes(file));
+        }
+        return this;
+    }
+
+    String text() {
+        return HexFormat.of().formatHex(digest.digest()).substring(0, DIGITS);
+    }
+}

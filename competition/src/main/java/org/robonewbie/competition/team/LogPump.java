@@ -1,0 +1,63 @@
+package org.robonewbie.competition.team;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+
+/** Writes what a program prints into a file, up to a size; what is more is read and thrown away. */
+final class LogPump {
+
+    private static final int MOST_BYTES = 1_000_000;
+    private static final long PATIENCE_MILLISECONDS = TimeUnit.SECONDS.toMillis(3);
+    private static final String LACK_OF_MEMORY = "java.lang.OutOfMemoryError";
+
+    private final Thread thread;
+    private volatile boolean lackOfMemory;
+
+    private LogPump(InputStream from, Path file) {
+        thread = new Thread(() -> pump(from, file), "log-pump");
+        thread.setDaemon(true);
+    }
+
+    static LogPump start(InputStream from, Path file) {
+        LogPump pump = new LogPump(from, file);
+        pump.thread.start();
+        return pump;
+    }
+
+    /** Waits until all is written, or some seconds. */
+    void await() {
+        try {
+            thread.join(PATIENCE_MILLISECONDS);
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Tells whether Java has ended the program since its memory was full. */
+    boolean tellsLackOfMemory() {
+        return lackOfMemory;
+    }
+
+    private void pump(InputStream from, Path file) {
+        byte[] buffer = new byte[8192];
+        long written = 0;
+        try (OutputStream to = Files.newOutputStream(file)) {
+            for (int count = from.read(buffer); count >= 0; count = from.read(buffer)) {
+                String text = new String(buffer, 0, count, StandardCharsets.ISO_8859_1);
+                lackOfMemory |= text.contains("Terminating due to " + LACK_OF_MEMORY);
+                if (written < MOST_BYTES) {
+                    to.write(buffer, 0, count);
+                    to.flush();
+                    written += count;
+                }
+            }
+        } catch (IOException ended) {
+            // The program or the disk is at its end; the trial goes on without the log.
+        }
+    }
+}

@@ -1,0 +1,99 @@
+package org.robonewbie.competition.team;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.tools.JavaCompiler;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+
+/**
+ * A folder with Java sources: a Maven project, or just files. It is compiled with RoboNewbie and the jars in its folder {@code
+ * lib}; nothing of the team runs for that.
+ *
+ * @param folder the folder
+ */
+record SourceFolder(Path folder) {
+
+    /** What the compiler made, and what it said if it could not. */
+    record Compiled(List<Path> classPath, Optional<String> complaint) {}
+
+    boolean hasSources() throws IOException {
+        return !sources().isEmpty();
+    }
+
+    /** Compiles the sources into another folder. */
+    Compiled compile(Path classes) throws IOException {
+        JavaCompiler compiler = Optional.ofNullable(ToolProvider.getSystemJavaCompiler())
+                .orElseThrow(() -> new WrongEntryException("Teams with Java files need a JDK, and this Java has no compiler: "
+                        + System.getProperty("java.home")));
+        TeamFolder.delete(classes);
+        Files.createDirectories(classes);
+        StringWriter messages = new StringWriter();
+        try (StandardJavaFileManager disk = compiler.getStandardFileManager(null, null, null)) {
+            boolean correct = compiler.getTask(
+                            messages, disk, null, options(classes), null, disk.getJavaFileObjectsFromPaths(sources()))
+                    .call();
+            return new Compiled(
+                    classPath(classes), correct ? Optional.empty() : Optional.of(messages.toString()));
+        }
+    }
+
+    private List<String> options(Path classes) throws IOException {
+        String libraries = String.join(
+                File.pathSeparator, libraries().stream().map(Path::toString).toList());
+        return List.of(
+                "-g",
+                "-parameters",
+                "-proc:none",
+                "-encoding",
+                "UTF-8",
+                "-d",
+                classes.toString(),
+                "-classpath",
+                System.getProperty("java.class.path") + File.pathSeparator + libraries);
+    }
+
+    private List<Path> classPath(Path classes) throws IOException {
+        List<Path> all = new ArrayList<>();
+        all.add(classes);
+        all.add(folder.resolve("src/main/resources"));
+        all.add(root());
+        all.addAll(libraries());
+        return all.stream().filter(Files::exists).toList();
+    }
+
+    private List<Path> sources() throws IOException {
+        return TeamFolder.filesOf(root()).stream()
+                .filter(file -> file.toString().endsWith(".java"))
+                .filter(file -> !Objects.requireNonNull(file.getFileName()).toString().equals("module-info.java"))
+                .toList();
+    }
+
+    private Path root() {
+        return Stream.of("src/main/java", "src")
+                .map(folder::resolve)
+                .filter(Files::isDirectory)
+                .findFirst()
+                .orElse(folder);
+    }
+
+    private List<Path> libraries() throws IOException {
+        List<Path> jars = new ArrayList<>();
+        for (Path place : List.of(folder, folder.resolve("lib"))) {
+            if (Files.isDirectory(place)) {
+                try (Stream<Path> files = Files.list(place)) {
+                    files.filter(file -> file.toString().endsWith(".jar")).sorted().forEach(jars::add);
+                }
+            }
+        }
+        return jars;
+    }
+}

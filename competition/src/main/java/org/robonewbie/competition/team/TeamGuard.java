@@ -1,0 +1,83 @@
+package org.robonewbie.competition.team;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.lang.reflect.InvocationTargetException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * The first class in the process of a team: it starts the team's program, and ends it with all that belongs to it as soon as
+ * whoever holds the competition is gone, which it notices by the end of its input.
+ */
+public final class TeamGuard {
+
+    /** Says that a class shall be started. */
+    static final String CLASS = "class";
+
+    /** Says that a command shall be started. */
+    static final String COMMAND = "command";
+
+    private TeamGuard() {}
+
+    /**
+     * Starts a program.
+     *
+     * @param arguments {@code class} and the name of a class, or {@code command} and a command; then arguments
+     * @throws IOException if the command does not exist
+     * @throws InterruptedException never in practice
+     * @throws ReflectiveOperationException if the class cannot be started
+     */
+    public static void main(String[] arguments) throws IOException, InterruptedException, ReflectiveOperationException {
+        watch(System.in);
+        System.setIn(new ByteArrayInputStream(new byte[0]));
+        List<String> program = List.of(arguments).subList(1, arguments.length);
+        if (arguments[0].equals(COMMAND)) {
+            runCommand(program);
+        } else {
+            runClass(program.get(0), program.subList(1, program.size()));
+        }
+    }
+
+    private static void runCommand(List<String> command) throws IOException, InterruptedException {
+        Process process = new ProcessBuilder(command)
+                .redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        process.getOutputStream().close();
+        Runtime.getRuntime().halt(process.waitFor());
+    }
+
+    private static void runClass(String name, List<String> arguments) throws ReflectiveOperationException {
+        try {
+            Class.forName(name)
+                    .getMethod("main", String[].class)
+                    .invoke(null, (Object) arguments.toArray(String[]::new));
+        } catch (InvocationTargetException thrown) {
+            Throwable cause = Objects.requireNonNull(thrown.getCause());
+            System.err.println(name + " ended with " + cause);
+            Arrays.stream(cause.getStackTrace()).limit(10).forEach(line -> System.err.println("    at " + line));
+            System.exit(1);
+        }
+    }
+
+    private static void watch(InputStream input) {
+        Thread thread = new Thread(
+                () -> {
+                    try {
+                        while (input.read() >= 0) {
+                            continue;
+                        }
+                    } catch (IOException closed) {
+                        // That is the end, too.
+                    }
+                    ProcessHandle.current().descendants().forEach(ProcessHandle::destroyForcibly);
+                    Runtime.getRuntime().halt(1);
+                },
+                "team-guard");
+        thread.setDaemon(true);
+        thread.start();
+    }
+}

@@ -1,0 +1,67 @@
+package org.robonewbie.competition.team;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.robonewbie.competition.contest.Role;
+
+/** A program that is ready to be started. */
+public sealed interface TeamProgram {
+
+    /**
+     * Tells what is told apart: as long as it stays the same, earlier results of the team hold.
+     *
+     * @return a checksum of the program
+     */
+    String fingerprint();
+
+    /**
+     * A program in Java.
+     *
+     * @param classPath where its classes and files are
+     * @param mainClasses the class to start for each role
+     * @param folder the team's folder, of which each trial gets a copy to work in
+     * @param together whether one process brings all players
+     * @param fingerprint checksum of the program
+     */
+    record OfJava(
+            List<Path> classPath,
+            Map<Role, String> mainClasses,
+            Optional<Path> folder,
+            boolean together,
+            String fingerprint)
+            implements TeamProgram {
+
+        /** Makes list and map unmodifiable. */
+        public OfJava {
+            classPath = List.copyOf(classPath);
+            mainClasses = Map.copyOf(mainClasses);
+        }
+    }
+
+    /**
+     * A program in any language.
+     *
+     * @param words program and arguments, with places such as {@code {port}} to be filled in
+     * @param folder the team's folder, of which each trial gets a copy to work in
+     * @param together whether one process brings all players
+     * @param fingerprint checksum of the program
+     */
+    record OfCommand(List<String> words, Optional<Path> folder, boolean together, String fingerprint)
+            implements TeamProgram {
+
+        /** Makes the list unmodifiable. */
+        public OfCommand {
+            words = List.copyOf(words);
+        }
+    }
+
+    /**
+     * A program with mistakes.
+     *
+     * @param complaint what the compiler says
+     * @param fingerprint checksum of the program
+     */
+    record Broken(String complaint, String fingerprint) implements TeamProgram {}
+}

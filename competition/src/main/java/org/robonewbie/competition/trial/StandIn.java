@@ -1,0 +1,24 @@
+package org.robonewbie.competition.trial;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.simulator.server.Simulator;
+
+/** An agent without a robot that always agrees, so that the world does not wait for those who never come. */
+final class StandIn {
+
+    private StandIn() {}
+
+    static void connect(Simulator simulator) {
+        AgentLink link = simulator.connect();
+        MessageBuffer message = new MessageBuffer();
+        message.append("(syn)");
+        try {
+            link.send(message);
+        } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
+    }
+}

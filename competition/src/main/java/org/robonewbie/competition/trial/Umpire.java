@@ -1,0 +1,172 @@
+package org.robonewbie.competition.trial;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.robonewbie.competition.contest.Entrant;
+import org.robonewbie.competition.contest.Judge;
+import org.robonewbie.competition.contest.Moment;
+import org.robonewbie.competition.contest.StartPlace;
+import org.robonewbie.competition.contest.Trial;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.WorldSnapshot;
+
+/**
+ * Leads a trial on the simulation's thread: waits for the robots, lets them begin from their places, asks the judge in each
+ * cycle, and stops the world when the trial is decided, always in the same cycle.
+ */
+final class Umpire implements SimulationObserver {
+
+    private static final long CYCLES_TO_TAKE_PLACES = 25;
+    private static final long CYCLES_TO_JOIN = 150;
+    private static final double PLACE_METRES = 0.4;
+
+    private final Trial trial;
+    private final Judge judge;
+    private final SimulationControl control;
+    private final CountDownLatch decided = new CountDownLatch(1);
+    private final TreeSet<String> greedy = new TreeSet<>();
+    private final Map<String, Integer> robots = new TreeMap<>();
+    private long lastCycle;
+    private long complete;
+    private long beginning;
+    private double seconds;
+
+    Umpire(Trial trial, Judge judge, SimulationControl control) {
+        this.trial = trial;
+        this.judge = judge;
+        this.control = control;
+    }
+
+    @Override
+    public void cycleEnded(WorldSnapshot world) {
+        if (world.cycle() == lastCycle || isDecided()) {
+            return;
+        }
+        lastCycle = world.cycle();
+        if (beginning == 0) {
+            lineUp(world);
+        } else {
+            watch(world);
+        }
+    }
+
+    boolean isDecided() {
+        return decided.getCount() == 0;
+    }
+
+    /** Waits for the decision; tells whether it has come. */
+    boolean await(long milliseconds) throws InterruptedException {
+        return decided.await(milliseconds, TimeUnit.MILLISECONDS);
+    }
+
+    /** Simulated seconds from the beginning to the decision. */
+    double seconds() {
+        return seconds;
+    }
+
+    /** Tells whether a team had a robot on the pitch when the trial was decided. */
+    boolean isPresent(String team) {
+        return robots.getOrDefault(team, 0) > 0;
+    }
+
+    /** Tells whether a team had more robots than it may have. */
+    boolean isGreedy(String team) {
+        return greedy.contains(team);
+    }
+
+    /** Tells whether the trial has begun. */
+    boolean hasBegun() {
+        return beginning > 0;
+    }
+
+    private void lineUp(WorldSnapshot world) {
+        Moment moment = new Moment(trial, 0, world);
+        long joined =
+                world.robots().stream().filter(robot -> robot.number() > 0).count();
+        if (joined >= trial.robots() && complete == 0) {
+            complete = world.cycle();
+        }
+        boolean ready = complete > 0 && world.cycle() >= complete + CYCLES_TO_TAKE_PLACES;
+        if (ready || world.cycle() >= CYCLES_TO_JOIN) {
+            beginning = world.cycle();
+            count(moment);
+            if (joined == 0) {
+                decide(0);
+                return;
+            }
+            trial.entrants().forEach(entrant -> correctPlaces(entrant, moment));
+            kickOff(moment);
+        }
+    }
+
+    private void kickOff(Moment moment) {
+        control.kickOff(trial.kickOff());
+        if (trial.ball().isPresent()) {
+            TeamSide side =
+                    moment.side(trial.entrants().get(0).team()).orElse(TeamSide.LEFT);
+            Vector3 ball = trial.ball().get();
+            control.setPlayMode(PlayMode.PLAY_ON);
+            control.placeBall(
+                    side == TeamSide.LEFT ? ball : new Vector3(-ball.x(), -ball.y(), ball.z()), Vector3.ZERO);
+        }
+    }
+
+    /** Puts robots to their places that have chosen others. */
+    private void correctPlaces(Entrant entrant, Moment moment) {
+        for (RobotSnapshot robot : robotsOf(entrant, moment.world())) {
+            TeamSide side = robot.side().orElseThrow();
+            StartPlace place = entrant.places().stream()
+                    .filter(candidate -> candidate.number() == robot.number())
+                    .findFirst()
+                    .orElse(entrant.places().get(0));
+            Vector3 wanted = place.position(side);
+            boolean isThere = Math.hypot(
+                            robot.linkPoses()[0] - wanted.x(), robot.linkPoses()[1] - wanted.y())
+                    < PLACE_METRES;
+            if (!isThere) {
+                control.placeRobot(side, robot.number(), wanted, place.heading(side));
+            }
+        }
+    }
+
+    private void watch(WorldSnapshot world) {
+        double now = (world.cycle() - beginning) * WorldSnapshot.CYCLE_SECONDS;
+        Moment moment = new Moment(trial, now, world);
+        count(moment);
+        if (judge.watch(moment, control) || now >= trial.seconds() - 1e-9 || !greedy.isEmpty()) {
+            decide(now);
+        }
+    }
+
+    private void count(Moment moment) {
+        for (Entrant entrant : trial.entrants()) {
+            int count = robotsOf(entrant, moment.world()).size();
+            robots.put(entrant.team(), count);
+            if (count > entrant.places().size()) {
+                greedy.add(entrant.team());
+            }
+        }
+    }
+
+    private List<RobotSnapshot> robotsOf(Entrant entrant, WorldSnapshot world) {
+        return world.robots().stream()
+                .filter(robot -> robot.side().isPresent())
+                .filter(robot -> trial.isSolo() || robot.team().equals(entrant.team()))
+                .toList();
+    }
+
+    private void decide(double now) {
+        seconds = now;
+        control.pause();
+        decided.countDown();
+    }
+}
