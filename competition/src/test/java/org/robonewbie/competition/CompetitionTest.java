@@ -1,0 +1,105 @@
+package org.robonewbie.competition;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.competition.contest.Table;
+
+/** Whole contests with real programs. */
+class CompetitionTest {
+
+    @TempDir
+    Path folder = Path.of("");
+
+    @Test
+    void contestThatWasKilledGoesOnWhereItWasAndGivesTheSameTable() throws IOException, InterruptedException {
+        Path broken = folder.resolve("broken");
+        Process first = contest(broken);
+        awaitTrue(() -> finished(broken).size() >= 3);
+        List<ProcessHandle> programs = first.descendants().toList();
+        first.destroyForcibly().waitFor();
+        Map<String, FileTime> before = finished(broken);
+
+        ByteArrayOutputStream progress = new ByteArrayOutputStream();
+        Table resumed = TenTeams.hold(broken, new PrintStream(progress, true, StandardCharsets.UTF_8));
+        Path whole = folder.resolve("whole");
+        TenTeams.hold(whole, System.out);
+
+        awaitTrue(() -> programs.stream().noneMatch(ProcessHandle::isAlive));
+        assertThat(before).hasSizeBetween(3, 9);
+        assertThat(finished(broken)).hasSize(10).containsAllEntriesOf(before);
+        assertThat(progress.toString(StandardCharsets.UTF_8))
+                .startsWith(before.size() + " of 10 trials are over already; their results are kept.");
+        for (String file : List.of("table.html", "table.csv", "table.json", "certificates/Better1.html")) {
+            assertThat(broken.resolve(file)).hasSameBinaryContentAs(whole.resolve(file));
+        }
+        checkBadPrograms(resumed);
+        assertThat(whole.resolve("recordings/scoring-Better1.rec")).isNotEmptyFile();
+        assertThat(whole.resolve("work")).isDirectoryNotContaining("glob:**scoring*");
+    }
+
+    /** The four bad ones stand last and share their place; all others have played. */
+    private static void checkBadPrograms(Table table) {
+        assertThat(table.rows()).hasSize(10);
+        assertThat(table.rows().subList(0, 6))
+                .extracting(row -> row.cells().get(2))
+                .containsOnly("played to the end");
+        assertThat(table.rows().subList(6, 10))
+                .extracting(row -> row.rank() + " " + row.team() + ": " + row.cells().get(2))
+                .containsExactly(
+                        "7 Crasher: its program brought no robot onto the pitch",
+                        "7 Hanger: its program ended before the trial was over",
+                        "7 Eater: its program needed more memory than is allowed",
+                        "7 Leaver: its program ended before the trial was over");
+    }
+
+    private static Process contest(Path results) throws IOException {
+        return new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-XX:+UseSerialGC",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        TenTeams.class.getName(),
+                        results.toString())
+                .inheritIO()
+                .start();
+    }
+
+    private static Map<String, FileTime> finished(Path results) {
+        Map<String, FileTime> times = new TreeMap<>();
+        if (!Files.isDirectory(results.resolve("trials"))) {
+            return times;
+        }
+        try (Stream<Path> files = Files.list(results.resolve("trials"))) {
+            for (Path file : files.filter(name -> name.toString().endsWith(".json")).toList()) {
+                times.put(file.getFileName().toString(), Files.getLastModifiedTime(file));
+            }
+        } catch (IOException changing) {
+            return times;
+        }
+        return times;
+    }
+
+    private static void awaitTrue(BooleanSupplier condition) {
+        long end = System.nanoTime() + TimeUnit.MINUTES.toNanos(5);
+        while (!condition.getAsBoolean()) {
+            assertThat(System.nanoTime()).as("time is over").isLessThan(end);
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(50));
+        }
+    }
+}

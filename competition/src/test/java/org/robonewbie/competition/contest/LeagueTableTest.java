@@ -1,0 +1,83 @@
+package org.robonewbie.competition.contest;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class LeagueTableTest {
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "A-B 1:0, A-C 1:0, B-C 1:0 | 1 A 6, 2 B 3, 3 C 0",
+        "A-B 0:0, A-C 0:0, B-C 0:0 | 1 A 1, 1 B 1, 1 C 1",
+        "A-B 1:0, A-C 0:3, B-C 1:0 | 1 C 3, 2 B 3, 3 A 3",
+        "A-B 2:2, A-C 1:1, B-C 1:1 | 1 A 2, 1 B 2, 3 C 2",
+        "A-B 0:5, A-C 0:5, B-C 2:2 | 1 B 4, 1 C 4, 3 A 0",
+        "A-B 1:0 | 1 A 3, 2 C 0, 3 B 0"
+    })
+    void pointsThenDifferenceThenGoalsDecide(String games, String expected) {
+        List<Fixture> fixtures =
+                Arrays.stream(games.split(", ")).map(LeagueTableTest::fixture).toList();
+
+        List<String> places = LeagueTable.of(List.of("A", "B", "C"), fixtures).stream()
+                .map(place -> place.rank() + " " + place.who().team() + " " + points(place))
+                .toList();
+
+        assertThat(places).isEqualTo(List.of(expected.split(", ")));
+    }
+
+    @Test
+    void eachTeamMeetsEachOtherOneOnce() {
+        List<Fixture.Pair> pairs = Fixture.pairs(List.of("A", "B", "C", "D"));
+
+        assertThat(pairs)
+                .extracting(pair -> pair.home() + pair.away())
+                .containsExactly("AB", "AC", "AD", "BC", "BD", "CD");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "PLAYED, 2, PLAYED, 1, 2, 1",
+        "STOPPED, 2, PLAYED, 1, 0, 3",
+        "STOPPED, 0, PLAYED, 5, 0, 5",
+        "PLAYED, 0, SILENT, 1, 3, 0"
+    })
+    void whoseProgramFailsLosesTheMatch(Ending one, int ones, Ending other, int others, int home, int away) {
+        TrialResult result = result(one, ones, other, others);
+
+        assertThat(MatchContest.fixture(new Fixture.Pair("A", "B", 1), result))
+                .contains(new Fixture("A", "B", home, away));
+    }
+
+    @Test
+    void whereBothFailNobodyGetsAnything() {
+        TrialResult result = result(Ending.STOPPED, 1, Ending.SILENT, 0);
+
+        assertThat(MatchContest.fixture(new Fixture.Pair("A", "B", 1), result)).isEmpty();
+    }
+
+    private static TrialResult result(Ending one, double ones, Ending other, double others) {
+        return new TrialResult(
+                "matches-A-B",
+                1,
+                300,
+                List.of(
+                        TeamResult.of("A", one, Map.of(MatchJudge.GOALS, ones)),
+                        TeamResult.of("B", other, Map.of(MatchJudge.GOALS, others))));
+    }
+
+    private static String points(Place<LeagueTable.Line> place) {
+        List<String> cells = place.who().cells();
+        return cells.get(cells.size() - 1);
+    }
+
+    private static Fixture fixture(String text) {
+        String[] parts = text.split("[- :]");
+        return new Fixture(parts[0], parts[1], Integer.parseInt(parts[2]), Integer.parseInt(parts[3]));
+    }
+}

@@ -1,0 +1,93 @@
+package org.robonewbie.competition.result;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.competition.contest.Ending;
+import org.robonewbie.competition.contest.Table;
+import org.robonewbie.competition.contest.TeamResult;
+import org.robonewbie.competition.contest.TrialResult;
+import org.robonewbie.competition.team.TeamList;
+import org.robonewbie.competition.team.WrongEntryException;
+
+class TableFilesTest {
+
+    private static final Table TABLE = new Table(
+            "Scoring",
+            "Who scores first is first.",
+            List.of("Goal after"),
+            List.of(
+                    new Table.Row(1, "Red", List.of("41.20 s"), List.of("scoring-Red")),
+                    new Table.Row(2, "Blue", List.of("–"), List.of())));
+
+    @TempDir
+    Path folder = Path.of("");
+
+    @Test
+    void tableIsWrittenInThreeFormsAndOneCertificateForEachTeam() throws IOException {
+        write("Red=x", "Red.title=Ants, \"red\" <b>", "Red.members=Ada & Alan", "Blue=y");
+
+        assertThat(text("table.csv"))
+                .isEqualTo("Rank,Team,Title,Goal after\r\n1,Red,\"Ants, \"\"red\"\" <b>\",41.20 s\r\n2,Blue,Blue,–\r\n");
+        assertThat(text("table.json")).contains("\"Goal after\": \"41.20 s\"", "\"recordings/scoring-Red.rec\"");
+        assertThat(text("table.html"))
+                .contains("Ants, &quot;red&quot; &lt;b&gt;", "Ada &amp; Alan", "41.20 s", "certificates/Blue.html")
+                .doesNotContain("http", "<b>");
+        assertThat(text("certificates/Red.html")).contains("has taken the 1st place of 2", "@page", "41.20 s");
+        assertThat(text("certificates/Blue.html")).contains("has taken the 2nd place of 2");
+    }
+
+    @Test
+    void finishedTrialIsReadAgainOnlyUnderTheSameCircumstances() throws IOException {
+        TrialResult result = new TrialResult(
+                "scoring-Red", 1, 41.2, List.of(TeamResult.of("Red", Ending.PLAYED, Map.of("goalSeconds", 41.2))));
+        try (ResultFolder results = ResultFolder.open(folder)) {
+            results.save(result, "abc");
+        }
+
+        try (ResultFolder results = ResultFolder.open(folder)) {
+            assertThat(results.load("scoring-Red", "other")).isFalse();
+            assertThat(results.load("scoring-Red", "abc")).isTrue();
+            assertThat(results.find("scoring-Red")).contains(result);
+        }
+    }
+
+    @Test
+    void damagedFileIsAsGoodAsNone() throws IOException {
+        try (ResultFolder results = ResultFolder.open(folder)) {
+            Files.writeString(folder.resolve("trials/scoring-Red.json"), "{\"circumstances\":\"abc\"}");
+            Files.writeString(folder.resolve("trials/scoring-Blue.json"), "");
+
+            assertThat(results.load("scoring-Red", "abc")).isFalse();
+            assertThat(results.load("scoring-Blue", "abc")).isFalse();
+        }
+    }
+
+    @Test
+    void folderServesOneContestAtATime() throws IOException {
+        try (ResultFolder results = ResultFolder.open(folder)) {
+            assertThat(results.file("table.csv")).doesNotExist();
+            assertThatThrownBy(() -> ResultFolder.open(folder))
+                    .isInstanceOf(WrongEntryException.class)
+                    .hasMessage("Another competition is using the folder " + folder
+                            + ". Wait for its end, or choose another folder with --results.");
+        }
+    }
+
+    private void write(String... teams) throws IOException {
+        try (ResultFolder results = ResultFolder.open(folder)) {
+            new TableFiles(results, TeamList.parse(List.of(teams))).write(TABLE, 1);
+        }
+    }
+
+    private String text(String file) throws IOException {
+        return Files.readString(folder.resolve(file));
+    }
+}

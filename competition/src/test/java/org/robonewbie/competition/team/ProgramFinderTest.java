@@ -1,0 +1,121 @@
+package org.robonewbie.competition.team;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.competition.contest.Role;
+import org.robonewbie.competition.contest.StartPlace;
+
+class ProgramFinderTest {
+
+    private static final String AGENT = """
+            import org.robonewbie.agent.Agent;
+            public class %1$s extends Agent {
+                public static void main(String[] args) { new %1$s().run(args); }
+            }
+            """;
+
+    @TempDir
+    Path folder = Path.of("");
+
+    @Test
+    void folderOfJavaFilesIsCompiledAndItsOnlyMainFound() throws IOException {
+        write("red/Striker.java", AGENT.formatted("Striker"));
+        write("red/Tools.java", "class Tools {}");
+
+        TeamProgram program = find("Red=red");
+
+        assertThat(program).isInstanceOf(TeamProgram.OfJava.class);
+        assertThat(((TeamProgram.OfJava) program).mainClasses()).containsEntry(Role.MAIN, "Striker");
+    }
+
+    @Test
+    void mavenProjectIsCompiledWithoutMaven() throws IOException {
+        write("red/pom.xml", "<project/>");
+        write("red/src/main/java/my/team/Striker.java", "package my.team;\n" + AGENT.formatted("Striker"));
+        write("red/src/test/java/StrikerTest.java", "this does not compile");
+
+        TeamProgram program = find("Red=red");
+
+        assertThat(((TeamProgram.OfJava) program).mainClasses()).containsEntry(Role.MAIN, "my.team.Striker");
+    }
+
+    @Test
+    void rolesMayHaveClassesOfTheirOwn() throws IOException {
+        write("red/Striker.java", AGENT.formatted("Striker"));
+        write("red/Keeper.java", AGENT.formatted("Keeper"));
+
+        TeamProgram program = find("Red=red", "Red.main=Striker", "Red.goalkeeper=Keeper");
+
+        assertThat(((TeamProgram.OfJava) program).mainClasses())
+                .containsEntry(Role.ATTACKER, "Striker")
+                .containsEntry(Role.GOALKEEPER, "Keeper");
+        assertThatThrownBy(() -> find("Red=red"))
+                .hasMessage("Team Red has several classes that can be started: Keeper, Striker. Say which one: Red.main ="
+                        + " Keeper");
+        assertThatThrownBy(() -> find("Red=red", "Red.main=Star"))
+                .hasMessage("Team Red has no class Star with a main method. It has: Keeper, Striker.");
+    }
+
+    @Test
+    void mistakesOfTheTeamAreKeptForItsLog() throws IOException {
+        write("red/Striker.java", "class Striker { int x = ; }");
+
+        TeamProgram program = find("Red=red");
+
+        assertThat(program).isInstanceOf(TeamProgram.Broken.class);
+        assertThat(((TeamProgram.Broken) program).complaint()).contains("Striker.java");
+    }
+
+    @Test
+    void changedProgramIsNoticed() throws IOException {
+        write("red/Striker.java", AGENT.formatted("Striker"));
+        String before = find("Red=red").fingerprint();
+
+        assertThat(find("Red=red").fingerprint()).isEqualTo(before);
+        write("red/Striker.java", AGENT.formatted("Striker") + "// better now");
+        assertThat(find("Red=red").fingerprint()).isNotEqualTo(before);
+    }
+
+    @Test
+    void commandGetsItsPlacesFilledIn() throws IOException {
+        write("green.py", "");
+        Start start = new Start(3500, "Green", Role.MAIN, List.of(new StartPlace(4, -1, 0.5, 90)));
+
+        TeamProgram.OfCommand open = (TeamProgram.OfCommand) find("Green=python3 green.py {port} {team} {pose}");
+        TeamProgram.OfCommand plain = (TeamProgram.OfCommand) find("Green=python3 green.py");
+
+        assertThat(start.fill(open.words(), false))
+                .containsExactly("python3", folder.resolve("green.py").toString(), "3500", "Green", "-1,0.5,90");
+        assertThat(start.fill(plain.words(), false))
+                .endsWith("--host", "127.0.0.1", "--port", "3500", "--team", "Green", "--number", "4", "--pose", "-1,0.5,90");
+    }
+
+    @Test
+    void whatIsNothingIsToldSo() throws IOException {
+        Files.createDirectories(folder.resolve("empty"));
+
+        assertThatThrownBy(() -> find("Red=rde"))
+                .hasMessageStartingWith(
+                        "Team Red: there is no folder, jar, Java file, example or command \"rde\" (in the folder ");
+        assertThatThrownBy(() -> find("Red=empty")).hasMessageEndingWith("has no Java files.");
+    }
+
+    private TeamProgram find(String... lines) throws IOException {
+        return new ProgramFinder(folder, folder.resolve("classes"), Map.of())
+                .find(TeamList.parse(List.of(lines)).get(0));
+    }
+
+    private void write(String name, String text) throws IOException {
+        Path file = folder.resolve(name);
+        Files.createDirectories(file.getParent());
+        Files.writeString(file, text);
+    }
+}
