@@ -55,6 +55,13 @@ class ArchitectureTest {
                     "org.robonewbie.simulator..",
                     "com.google.gson.."
                 }),
+                Arguments.of("competition", new String[] {
+                    "org.robonewbie.nao..",
+                    "org.robonewbie.protocol.frame..",
+                    "org.robonewbie.simulator..",
+                    "com.google.gson..",
+                    "javax.tools.."
+                }),
                 Arguments.of("examples", new String[] {
                     "org.robonewbie.nao..", "org.robonewbie.agent..", "org.robonewbie.protocol.perceptor.."
                 }));

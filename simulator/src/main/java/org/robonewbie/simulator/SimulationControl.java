@@ -74,13 +74,14 @@ public interface SimulationControl {
     void placeRobot(TeamSide side, int number, Vector3 position, double headingDegrees);
 
     /**
-     * Pushes a robot at the centre of its torso during one cycle, as a hand would.
+     * Pushes a robot at the centre of its torso during one cycle, as a hand would. Nothing happens in a world of another
+     * program, which only its owner can push.
      *
      * @param side the robot's team
      * @param number its number, 1 to 11
      * @param newtons the force in the world frame; cut to 1000 N
      */
-    void pushRobot(TeamSide side, int number, Vector3 newtons);
+    default void pushRobot(TeamSide side, int number, Vector3 newtons) {}
 
     /**
      * Lets a team kick off.

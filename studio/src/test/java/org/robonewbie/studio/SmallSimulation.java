@@ -271,15 +271,6 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
     }
 
     @Override
-    public void pushRobot(TeamSide side, int number, Vector3 newtons) {
-        for (Member member : members) {
-            if (member.side() == side && member.number() == number) {
-                orders.add(() -> member.robot().push(newtons));
-            }
-        }
-    }
-
-    @Override
     public void kickOff(TeamSide side) {
         playMode = side == TeamSide.LEFT ? PlayMode.KICK_OFF_LEFT : PlayMode.KICK_OFF_RIGHT;
     }
