@@ -39,8 +39,8 @@ import picocli.CommandLine.Parameters;
             "matches     each team against each other one",
             "walk, kick, stand, gymnastics   small contests for one robot",
             "",
-            "Each program runs in a process of its own. What it does wrong costs its team the trial and nothing else. The same"
-                    + " seed and programs give the same table. Broken off? The same command goes on where it was."
+            "Each program runs in a process of its own. What it does wrong costs its team the trial and nothing else."
+                + " The same seed and programs give the same table. Broken off? The same command goes on where it was."
         },
         sortOptions = false,
         footer = {
@@ -53,8 +53,9 @@ import picocli.CommandLine.Parameters;
             "  robonewbie competition walk --watch Agent_BetterSoccer Agent_SimpleWalkToBall",
             "  robonewbie competition scoring \"Green=python3 green.py --port {port} --team {team}\"",
             "",
-            "A team is NAME=PROGRAM; a program is a folder with Java files, a jar, a .java file, an example, or a command."
-                    + " In a file of teams stands one on each line. docs/competition.md tells all, with the rules to hand out."
+            "A team is NAME=PROGRAM; a program is a folder with Java files, a jar, a .java file, an example, or a"
+                + " command. In a file of teams stands one on each line. docs/competition.md tells all, with the rules"
+                + " to hand out."
         })
 final class CompetitionCommand implements Callable<Integer> {
 
@@ -83,7 +84,10 @@ final class CompetitionCommand implements Callable<Integer> {
     @Option(names = "--vary", description = "Start places that depend on the seed, the same for all teams.")
     private boolean varied;
 
-    @Option(names = "--seconds", paramLabel = "T", description = "Simulated seconds: scoring 180, penalties 30, matches 300.")
+    @Option(
+            names = "--seconds",
+            paramLabel = "T",
+            description = "Simulated seconds: scoring 180, penalties 30, matches 300.")
     private Optional<Double> seconds = Optional.empty();
 
     @Option(names = "--rounds", paramLabel = "N", description = "penalties: rounds before sudden death (3).")
@@ -168,7 +172,10 @@ final class CompetitionCommand implements Callable<Integer> {
     }
 
     private Contest contest(List<TeamEntry> teams) {
-        if (players < 1 || players > 11 || rounds < 1 || seconds.filter(time -> time <= 0).isPresent()) {
+        if (players < 1
+                || players > 11
+                || rounds < 1
+                || seconds.filter(time -> time <= 0).isPresent()) {
             throw new CalledWronglyException(
                     "--players is 1 to 11, --rounds at least 1, and --seconds above 0. Correct the one that is not.");
         }
@@ -183,8 +190,9 @@ final class CompetitionCommand implements Callable<Integer> {
             case "kick" -> Contests.kick(conditions);
             case "stand" -> Contests.stand(conditions);
             case "gymnastics" -> Contests.gymnastics(conditions);
-            default -> throw new CalledWronglyException("There is no contest \"" + kind
-                    + "\". There are: scoring, penalties, matches, walk, kick, stand, gymnastics.");
+            default ->
+                throw new CalledWronglyException("There is no contest \"" + kind
+                        + "\". There are: scoring, penalties, matches, walk, kick, stand, gymnastics.");
         };
     }
 
@@ -215,7 +223,10 @@ final class CompetitionCommand implements Callable<Integer> {
             StringBuilder text = new StringBuilder();
             for (int i = 0; i < line.size(); i++) {
                 int column = i;
-                int width = lines.stream().mapToInt(other -> other.get(column).length()).max().orElse(0);
+                int width = lines.stream()
+                        .mapToInt(other -> other.get(column).length())
+                        .max()
+                        .orElse(0);
                 text.append(String.format("%-" + Math.max(1, width) + "s  ", line.get(i)));
             }
             System.out.println(text.toString().stripTrailing());

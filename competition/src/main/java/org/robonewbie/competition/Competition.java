@@ -164,7 +164,9 @@ public final class Competition {
                 .map(figure -> figure.getKey() + " " + Math.round(figure.getValue() * 100) / 100.0)
                 .collect(Collectors.joining(", "));
         return result.team() + " "
-                + (result.isPlayed() && !figures.isEmpty() ? figures : result.ending().sentence());
+                + (result.isPlayed() && !figures.isEmpty()
+                        ? figures
+                        : result.ending().sentence());
     }
 
     /** All that a result depends on: the trial itself, the programs, the limits. */
@@ -182,8 +184,8 @@ public final class Competition {
             text.append(program == null ? "" : program.fingerprint());
         }
         try {
-            byte[] digest = MessageDigest.getInstance("SHA-256")
-                    .digest(text.toString().getBytes(StandardCharsets.UTF_8));
+            byte[] digest =
+                    MessageDigest.getInstance("SHA-256").digest(text.toString().getBytes(StandardCharsets.UTF_8));
             return HexFormat.of().formatHex(digest).substring(0, 16);
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("This Java has no SHA-256, which every Java must have", e);

@@ -60,7 +60,8 @@ class CompetitionTest {
                 .extracting(row -> row.cells().get(2))
                 .containsOnly("played to the end");
         assertThat(table.rows().subList(6, 10))
-                .extracting(row -> row.rank() + " " + row.team() + ": " + row.cells().get(2))
+                .extracting(row ->
+                        row.rank() + " " + row.team() + ": " + row.cells().get(2))
                 .containsExactly(
                         "7 Crasher: its program brought no robot onto the pitch",
                         "7 Hanger: its program ended before the trial was over",
@@ -86,7 +87,8 @@ class CompetitionTest {
             return times;
         }
         try (Stream<Path> files = Files.list(results.resolve("trials"))) {
-            for (Path file : files.filter(name -> name.toString().endsWith(".json")).toList()) {
+            for (Path file :
+                    files.filter(name -> name.toString().endsWith(".json")).toList()) {
                 times.put(file.getFileName().toString(), Files.getLastModifiedTime(file));
             }
         } catch (IOException changing) {

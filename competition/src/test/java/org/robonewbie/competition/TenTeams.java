@@ -37,8 +37,8 @@ final class TenTeams {
         List<TeamEntry> teams = TeamList.parse(lines());
         Map<String, Long> seeds = new TreeMap<>();
         teams.forEach(team -> team.seed().ifPresent(seed -> seeds.put(team.name(), seed)));
-        CompetitionSettings settings = new CompetitionSettings(
-                1, results, Path.of(""), Map.of(), 2, LIMITS, Spectators.NOBODY);
+        CompetitionSettings settings =
+                new CompetitionSettings(1, results, Path.of(""), Map.of(), 2, LIMITS, Spectators.NOBODY);
         return new Competition(Contests.scoring(new Conditions(1, false, seeds), SECONDS), teams, settings, out).hold();
     }
 

@@ -25,8 +25,8 @@ public final class Contests {
                 "scoring",
                 "Scoring",
                 "One trial of " + Math.round(seconds)
-                        + " s for each team. Who scores first is first; those who do not score are ranked by how near the"
-                        + " ball came to the goal.",
+                        + " s for each team. Who scores first is first; those who do not score are ranked by how near"
+                        + " the ball came to the goal.",
                 new StartPlace(2, -0.5, 0.4, -40),
                 seconds,
                 trial -> new GoalJudge(trial, trial.entrants().get(0).team()),
@@ -58,8 +58,8 @@ public final class Contests {
         return new SoloContest(
                 "walk",
                 "Fastest walk",
-                "3 m straight ahead towards the ball. The first to cross the line upright wins; those who do not cross it are"
-                        + " ranked by their way.",
+                "3 m straight ahead towards the ball. The first to cross the line upright wins; those who do not cross"
+                        + " it are ranked by their way.",
                 new StartPlace(2, -4, 0, 0),
                 MINI_SECONDS,
                 trial -> new WalkJudge(trial, RACE_METRES),
@@ -79,8 +79,8 @@ public final class Contests {
         return new SoloContest(
                 "kick",
                 "Longest kick",
-                "The ball lies on the centre spot, the robot starts 0.8 m behind it and has 60 s. What counts is how far the"
-                        + " ball gets from the place where it left the robot.",
+                "The ball lies on the centre spot, the robot starts 0.8 m behind it and has 60 s. What counts is how"
+                        + " far the ball gets from the place where it left the robot.",
                 new StartPlace(2, -0.8, 0, 0),
                 MINI_SECONDS,
                 KickJudge::new,
@@ -98,7 +98,8 @@ public final class Contests {
         return new SoloContest(
                 "stand",
                 "Longest standing",
-                "The robot is pushed every 3 s for 0.1 s, from changing directions, each time 5 N harder. Who lies last wins.",
+                "The robot is pushed every 3 s for 0.1 s, from changing directions, each time 5 N harder. Who lies"
+                        + " last wins.",
                 new StartPlace(2, -2, 0, 0),
                 SCORING_SECONDS,
                 trial -> new PushJudge(trial, conditions.seed()),
@@ -118,8 +119,8 @@ public final class Contests {
         return new SoloContest(
                 "gymnastics",
                 "Gymnastics",
-                "60 s for six elements in any order: both arms up, a squat, a stand on one leg, a bow, a full turn, lying down"
-                        + " and getting up. The most elements win, then the earliest last one.",
+                "60 s for six elements in any order: both arms up, a squat, a stand on one leg, a bow, a full turn,"
+                        + " lying down and getting up. The most elements win, then the earliest last one.",
                 new StartPlace(2, -2, 0, 0),
                 MINI_SECONDS,
                 GymnasticsJudge::new,

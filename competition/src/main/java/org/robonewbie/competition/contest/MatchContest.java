@@ -24,7 +24,17 @@ public record MatchContest(int players, double seconds, Conditions conditions) i
 
     /** Where robots begin, in the order of their numbers; nobody stands in the centre circle. */
     private static final double[][] LINE_UP = {
-        {-5, 0}, {-1.6, 0}, {-1.8, 2}, {-1.8, -2}, {-3, 0}, {-3, -1.5}, {-3, 1.5}, {-4, -2}, {-4, 0}, {-4, 2}, {-2.3, 0.8}
+        {-5, 0},
+        {-1.6, 0},
+        {-1.8, 2},
+        {-1.8, -2},
+        {-3, 0},
+        {-3, -1.5},
+        {-3, 1.5},
+        {-4, -2},
+        {-4, 0},
+        {-4, 2},
+        {-2.3, 0.8}
     };
 
     @Override
@@ -40,7 +50,8 @@ public record MatchContest(int players, double seconds, Conditions conditions) i
     @Override
     public String rule() {
         return "Each team plays each other one for " + Math.round(seconds)
-                + " s. Three points for a victory, one for a draw; then the difference of goals, then the goals decide.";
+                + " s. Three points for a victory, one for a draw; then the difference of goals, then the goals"
+                + " decide.";
     }
 
     @Override
@@ -80,10 +91,12 @@ public record MatchContest(int players, double seconds, Conditions conditions) i
         int homeGoals = goals(home);
         int awayGoals = goals(away);
         if (!home.isPlayed()) {
-            return Optional.of(new Fixture(pair.home(), pair.away(), 0, Math.max(FORFEIT_GOALS, awayGoals - homeGoals)));
+            return Optional.of(
+                    new Fixture(pair.home(), pair.away(), 0, Math.max(FORFEIT_GOALS, awayGoals - homeGoals)));
         }
         if (!away.isPlayed()) {
-            return Optional.of(new Fixture(pair.home(), pair.away(), Math.max(FORFEIT_GOALS, homeGoals - awayGoals), 0));
+            return Optional.of(
+                    new Fixture(pair.home(), pair.away(), Math.max(FORFEIT_GOALS, homeGoals - awayGoals), 0));
         }
         return Optional.of(new Fixture(pair.home(), pair.away(), homeGoals, awayGoals));
     }

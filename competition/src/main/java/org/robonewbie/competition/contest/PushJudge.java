@@ -48,8 +48,7 @@ final class PushJudge implements Judge {
             push = new Vector3(Math.cos(angle), Math.sin(angle), 0).times(pushes * STEP_NEWTONS);
         }
         if (pushes > 0 && cycle % CYCLES_BETWEEN_PUSHES < CYCLES_OF_A_PUSH) {
-            referee.pushRobot(
-                    moment.side(team).orElseThrow(), robots.get(0).number(), push);
+            referee.pushRobot(moment.side(team).orElseThrow(), robots.get(0).number(), push);
         }
         return false;
     }

@@ -45,8 +45,8 @@ public final class ResultFolder implements Results, AutoCloseable {
         for (String part : new String[] {"trials", "recordings", "logs", "work", "certificates"}) {
             Files.createDirectories(folder.resolve(part));
         }
-        FileChannel channel = FileChannel.open(
-                folder.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        FileChannel channel =
+                FileChannel.open(folder.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
         FileLock lock;
         try {
             lock = channel.tryLock();
@@ -102,8 +102,7 @@ public final class ResultFolder implements Results, AutoCloseable {
     public boolean load(String trialId, String circumstances) throws IOException {
         Path file = trialFile(trialId);
         if (!finished.containsKey(trialId) && Files.isRegularFile(file)) {
-            TrialJson.read(Files.readString(file), circumstances)
-                    .ifPresent(result -> finished.put(trialId, result));
+            TrialJson.read(Files.readString(file), circumstances).ifPresent(result -> finished.put(trialId, result));
         }
         return finished.containsKey(trialId);
     }

@@ -51,7 +51,10 @@ public final class TableFiles {
         lines.add(line(Stream.concat(Stream.of("Rank", "Team", "Title"), table.columns().stream())));
         for (Table.Row row : table.rows()) {
             lines.add(line(Stream.concat(
-                    Stream.of(String.valueOf(row.rank()), row.team(), team(row.team()).title()),
+                    Stream.of(
+                            String.valueOf(row.rank()),
+                            row.team(),
+                            team(row.team()).title()),
                     row.cells().stream())));
         }
         return lines.stream().map(line -> line + "\r\n").collect(Collectors.joining());

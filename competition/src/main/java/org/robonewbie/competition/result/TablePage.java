@@ -9,16 +9,16 @@ import org.robonewbie.competition.team.TeamEntry;
 final class TablePage {
 
     private static final String STYLE = """
-            :root { color-scheme: light dark; }
-            body { font: 1.1rem/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
-            h1 { font-size: 1.8rem; margin-bottom: 0.2rem; }
-            table { border-collapse: collapse; width: 100%; margin-top: 1.5rem; }
-            th, td { text-align: left; padding: 0.5rem 0.8rem; border-bottom: 1px solid #8886; }
-            td:first-child { font-weight: bold; font-size: 1.3rem; width: 3rem; }
-            .first { background: #fc06; }
-            .members, .note { color: #777; font-size: 0.9rem; }
-            @media print { .note { display: none; } body { margin: 0; } }
-            """;
+        :root { color-scheme: light dark; }
+        body { font: 1.1rem/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
+        h1 { font-size: 1.8rem; margin-bottom: 0.2rem; }
+        table { border-collapse: collapse; width: 100%; margin-top: 1.5rem; }
+        th, td { text-align: left; padding: 0.5rem 0.8rem; border-bottom: 1px solid #8886; }
+        td:first-child { font-weight: bold; font-size: 1.3rem; width: 3rem; }
+        .first { background: #fc06; }
+        .members, .note { color: #777; font-size: 0.9rem; }
+        @media print { .note { display: none; } body { margin: 0; } }
+        """;
 
     private final List<TeamEntry> teams;
 
@@ -32,16 +32,17 @@ final class TablePage {
                 .collect(Collectors.joining());
         String rows = table.rows().stream().map(this::row).collect(Collectors.joining());
         return Html.page(table.title(), STYLE, """
-                <h1>%s</h1>
-                <p>%s</p>
-                <table>
-                <thead><tr><th></th><th>Team</th>%s<th></th></tr></thead>
-                <tbody>
-                %s</tbody>
-                </table>
-                <p class="note">Seed %d. Watch a trial again: robonewbie studio recordings/NAME.rec, in the folder of this
-                page.</p>
-                """.formatted(Html.text(table.title()), Html.text(table.rule()), heads, rows, seed));
+            <h1>%s</h1>
+            <p>%s</p>
+            <table>
+            <thead><tr><th></th><th>Team</th>%s<th></th></tr></thead>
+            <tbody>
+            %s</tbody>
+            </table>
+            <p class="note">Seed %d. Watch a trial again: robonewbie studio recordings/NAME.rec, in the folder of this
+            page.</p>
+            """.formatted(
+                        Html.text(table.title()), Html.text(table.rule()), heads, rows, seed));
     }
 
     private String row(Table.Row row) {
@@ -52,12 +53,11 @@ final class TablePage {
         String cells = row.cells().stream()
                 .map(cell -> "<td>" + Html.text(cell) + "</td>")
                 .collect(Collectors.joining());
-        String members = team.members().isEmpty()
-                ? ""
-                : "<div class=\"members\">" + Html.text(team.members()) + "</div>";
+        String members =
+                team.members().isEmpty() ? "" : "<div class=\"members\">" + Html.text(team.members()) + "</div>";
         return """
-                <tr%s><td>%d</td><td>%s%s</td>%s<td><a href="certificates/%s.html">certificate</a></td></tr>
-                """.formatted(
+            <tr%s><td>%d</td><td>%s%s</td>%s<td><a href="certificates/%s.html">certificate</a></td></tr>
+            """.formatted(
                         row.rank() == 1 ? " class=\"first\"" : "",
                         row.rank(),
                         Html.text(team.title()),

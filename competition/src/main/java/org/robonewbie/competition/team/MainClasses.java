@@ -25,7 +25,11 @@ final class MainClasses {
     static Map<Role, String> choose(TeamEntry team, List<String> candidates) {
         Map<Role, String> chosen = new EnumMap<>(Role.class);
         for (Role role : Role.values()) {
-            chosen.put(role, team.mainClass(role).map(name -> existing(team, name, candidates)).orElseGet(() -> single(team, candidates)));
+            chosen.put(
+                    role,
+                    team.mainClass(role)
+                            .map(name -> existing(team, name, candidates))
+                            .orElseGet(() -> single(team, candidates)));
         }
         return chosen;
     }
@@ -37,8 +41,7 @@ final class MainClasses {
             urls.add(place.toUri().toURL());
         }
         List<String> names = new ArrayList<>();
-        try (URLClassLoader loader =
-                new URLClassLoader(urls.toArray(URL[]::new), MainClasses.class.getClassLoader())) {
+        try (URLClassLoader loader = new URLClassLoader(urls.toArray(URL[]::new), MainClasses.class.getClassLoader())) {
             for (Path file : TeamFolder.filesOf(classes)) {
                 className(classes, file).filter(name -> hasMain(loader, name)).ifPresent(names::add);
             }
@@ -50,7 +53,8 @@ final class MainClasses {
         String path = classes.relativize(file).toString().replace('\\', '/');
         boolean isClass = path.endsWith(".class") && !path.contains("$") && !path.endsWith("-info.class");
         return isClass
-                ? Optional.of(path.substring(0, path.length() - ".class".length()).replace('/', '.'))
+                ? Optional.of(
+                        path.substring(0, path.length() - ".class".length()).replace('/', '.'))
                 : Optional.empty();
     }
 
@@ -79,7 +83,8 @@ final class MainClasses {
         }
         throw new WrongEntryException(
                 candidates.isEmpty()
-                        ? "Team " + team.name() + " (" + team.program() + ") has no class with a main method. Add to its agent:"
+                        ? "Team " + team.name() + " (" + team.program()
+                                + ") has no class with a main method. Add to its agent:"
                                 + " public static void main(String[] args) { new MyAgent().run(args); }"
                         : "Team " + team.name() + " has several classes that can be started: " + list(candidates)
                                 + ". Say which one: " + team.name() + ".main = " + candidates.get(0));

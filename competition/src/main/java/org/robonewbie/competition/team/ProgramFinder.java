@@ -61,8 +61,9 @@ public final class ProgramFinder {
             return ofClass(team, example.get());
         }
         if (place.isEmpty() && !team.program().contains(" ")) {
-            throw new WrongEntryException("Team " + team.name() + ": there is no folder, jar, Java file, example or command \""
-                    + team.program() + "\" (in the folder " + folder.toAbsolutePath() + ").");
+            throw new WrongEntryException(
+                    "Team " + team.name() + ": there is no folder, jar, Java file, example or command \""
+                            + team.program() + "\" (in the folder " + folder.toAbsolutePath() + ").");
         }
         return ofCommand(team);
     }
@@ -82,7 +83,8 @@ public final class ProgramFinder {
         Map<String, String> settings = new HashMap<>(team.settings());
         settings.putIfAbsent(Role.MAIN.key(), main);
         TeamEntry named = new TeamEntry(team.name(), team.program(), settings);
-        return compiled(named, new SourceFolder(own), own, new Fingerprint().add(own).add(main));
+        return compiled(
+                named, new SourceFolder(own), own, new Fingerprint().add(own).add(main));
     }
 
     private TeamProgram compiled(TeamEntry team, SourceFolder sources, Path place, Fingerprint fingerprint)
@@ -95,11 +97,7 @@ public final class ProgramFinder {
         }
         List<String> candidates = MainClasses.in(classes, result.classPath());
         return new TeamProgram.OfJava(
-                result.classPath(),
-                MainClasses.choose(team, candidates),
-                Optional.of(place),
-                team.isTogether(),
-                text);
+                result.classPath(), MainClasses.choose(team, candidates), Optional.of(place), team.isTogether(), text);
     }
 
     private TeamProgram ofJar(TeamEntry team, Path jar) throws IOException {
@@ -137,7 +135,8 @@ public final class ProgramFinder {
         List<String> words = Arrays.stream(team.program().split("\\s+"))
                 .map(word -> existing(word).map(Path::toString).orElse(word))
                 .toList();
-        Optional<Path> own = Optional.ofNullable(team.settings().get(TeamList.FOLDER)).map(this::existingFolder);
+        Optional<Path> own =
+                Optional.ofNullable(team.settings().get(TeamList.FOLDER)).map(this::existingFolder);
         Fingerprint fingerprint = new Fingerprint().add(team.program()).add(settingsOf(team));
         if (own.isPresent()) {
             fingerprint.add(own.get());
@@ -168,7 +167,8 @@ public final class ProgramFinder {
 
     private Optional<Path> existing(String name) {
         try {
-            return Optional.of(folder.resolve(name).toAbsolutePath().normalize()).filter(Files::exists);
+            return Optional.of(folder.resolve(name).toAbsolutePath().normalize())
+                    .filter(Files::exists);
         } catch (InvalidPathException noPath) {
             return Optional.empty();
         }

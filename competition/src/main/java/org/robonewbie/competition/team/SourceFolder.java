@@ -32,8 +32,9 @@ record SourceFolder(Path folder) {
     /** Compiles the sources into another folder. */
     Compiled compile(Path classes) throws IOException {
         JavaCompiler compiler = Optional.ofNullable(ToolProvider.getSystemJavaCompiler())
-                .orElseThrow(() -> new WrongEntryException("Teams with Java files need a JDK, and this Java has no compiler: "
-                        + System.getProperty("java.home")));
+                .orElseThrow(() ->
+                        new WrongEntryException("Teams with Java files need a JDK, and this Java has no compiler: "
+                                + System.getProperty("java.home")));
         TeamFolder.delete(classes);
         Files.createDirectories(classes);
         StringWriter messages = new StringWriter();
@@ -41,8 +42,7 @@ record SourceFolder(Path folder) {
             boolean correct = compiler.getTask(
                             messages, disk, null, options(classes), null, disk.getJavaFileObjectsFromPaths(sources()))
                     .call();
-            return new Compiled(
-                    classPath(classes), correct ? Optional.empty() : Optional.of(messages.toString()));
+            return new Compiled(classPath(classes), correct ? Optional.empty() : Optional.of(messages.toString()));
         }
     }
 
@@ -73,7 +73,8 @@ record SourceFolder(Path folder) {
     private List<Path> sources() throws IOException {
         return TeamFolder.filesOf(root()).stream()
                 .filter(file -> file.toString().endsWith(".java"))
-                .filter(file -> !Objects.requireNonNull(file.getFileName()).toString().equals("module-info.java"))
+                .filter(file ->
+                        !Objects.requireNonNull(file.getFileName()).toString().equals("module-info.java"))
                 .toList();
     }
 
@@ -90,7 +91,9 @@ record SourceFolder(Path folder) {
         for (Path place : List.of(folder, folder.resolve("lib"))) {
             if (Files.isDirectory(place)) {
                 try (Stream<Path> files = Files.list(place)) {
-                    files.filter(file -> file.toString().endsWith(".jar")).sorted().forEach(jars::add);
+                    files.filter(file -> file.toString().endsWith(".jar"))
+                            .sorted()
+                            .forEach(jars::add);
                 }
             }
         }

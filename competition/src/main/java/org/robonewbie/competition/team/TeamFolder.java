@@ -17,7 +17,8 @@ import java.util.stream.Stream;
 /** What counts of a team's folder: all files but those that tools have made and those that are hidden. */
 final class TeamFolder {
 
-    private static final Set<String> MADE_BY_TOOLS = Set.of("target", "build", "out", "bin", "node_modules", "__pycache__");
+    private static final Set<String> MADE_BY_TOOLS =
+            Set.of("target", "build", "out", "bin", "node_modules", "__pycache__");
     private static final long MOST_BYTES = 100_000_000;
 
     private TeamFolder() {}
@@ -46,7 +47,8 @@ final class TeamFolder {
                 return FileVisitResult.CONTINUE;
             }
         });
-        files.sort(Comparator.comparing(file -> place.relativize(file).toString().replace('\\', '/')));
+        files.sort(
+                Comparator.comparing(file -> place.relativize(file).toString().replace('\\', '/')));
         return files;
     }
 

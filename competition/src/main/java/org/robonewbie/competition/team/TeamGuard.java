@@ -52,9 +52,8 @@ public final class TeamGuard {
 
     private static void runClass(String name, List<String> arguments) throws ReflectiveOperationException {
         try {
-            Class.forName(name)
-                    .getMethod("main", String[].class)
-                    .invoke(null, (Object) arguments.toArray(String[]::new));
+            Class.forName(name).getMethod("main", String[].class).invoke(null, (Object)
+                    arguments.toArray(String[]::new));
         } catch (InvocationTargetException thrown) {
             Throwable cause = Objects.requireNonNull(thrown.getCause());
             System.err.println(name + " ended with " + cause);

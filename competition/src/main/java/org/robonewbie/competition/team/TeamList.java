@@ -96,17 +96,17 @@ public final class TeamList {
 
     private void addTeam(String name, String program) {
         if (!NAME.matcher(name).matches()) {
-            throw new WrongEntryException("\"" + name + "\" cannot be the name of a team. Take up to 20 letters, digits and"
-                    + " underscores; NAME.title is for a longer one.");
+            throw new WrongEntryException(
+                    "\"" + name + "\" cannot be the name of a team. Take up to 20 letters, digits and"
+                            + " underscores; NAME.title is for a longer one.");
         }
         if (program.isEmpty()) {
-            throw new WrongEntryException("Team " + name + " has no program. Write for example: " + name
-                    + " = Agent_SimpleSoccer");
+            throw new WrongEntryException(
+                    "Team " + name + " has no program. Write for example: " + name + " = Agent_SimpleSoccer");
         }
         for (String other : programs.keySet()) {
             if (other.equalsIgnoreCase(name)) {
-                throw new WrongEntryException(
-                        "Two teams are called " + name + ". Give one of them another name.");
+                throw new WrongEntryException("Two teams are called " + name + ". Give one of them another name.");
             }
         }
         programs.put(name, program);
@@ -114,8 +114,9 @@ public final class TeamList {
 
     private void addSetting(String name, String setting, String value) {
         if (!SETTINGS.contains(setting)) {
-            throw new WrongEntryException("\"" + name + "." + setting + "\" is unknown. After the name of a team may stand: "
-                    + String.join(", ", SETTINGS.stream().sorted().toList()) + ".");
+            throw new WrongEntryException(
+                    "\"" + name + "." + setting + "\" is unknown. After the name of a team may stand: "
+                            + String.join(", ", SETTINGS.stream().sorted().toList()) + ".");
         }
         if (setting.equals(SEED) && !value.matches("-?\\d{1,18}")) {
             throw new WrongEntryException(
@@ -154,8 +155,8 @@ public final class TeamList {
                     + programs.size() + ". Hold two groups, each with a folder of results of its own.");
         }
         List<TeamEntry> teams = new ArrayList<>();
-        programs.forEach((name, program) ->
-                teams.add(new TeamEntry(name, program, settings.getOrDefault(name, Map.of()))));
+        programs.forEach(
+                (name, program) -> teams.add(new TeamEntry(name, program, settings.getOrDefault(name, Map.of()))));
         return List.copyOf(teams);
     }
 }

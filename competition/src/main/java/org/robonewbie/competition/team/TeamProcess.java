@@ -59,7 +59,9 @@ public final class TeamProcess implements AutoCloseable {
         ProcessBuilder builder = new ProcessBuilder(command(program, start, limits, workFolder))
                 .directory(workFolder.toFile())
                 .redirectErrorStream(true);
-        builder.environment().keySet().removeIf(name -> name.startsWith("ROBONEWBIE_") || name.endsWith("JAVA_OPTIONS"));
+        builder.environment()
+                .keySet()
+                .removeIf(name -> name.startsWith("ROBONEWBIE_") || name.endsWith("JAVA_OPTIONS"));
         builder.environment().remove("JAVA_TOOL_OPTIONS");
         Process process = builder.start();
         return new TeamProcess(process, LogPump.start(process.getInputStream(), log), limits, workFolder);
@@ -82,7 +84,8 @@ public final class TeamProcess implements AutoCloseable {
             handle.info().totalCpuDuration().ifPresent(used -> processorTime.put(handle, used));
             bytes += handle.isAlive() ? residentBytes(handle.pid()) : 0;
         }
-        double seconds = processorTime.values().stream().mapToDouble(Duration::toMillis).sum() / 1000;
+        double seconds =
+                processorTime.values().stream().mapToDouble(Duration::toMillis).sum() / 1000;
         if (bytes > limits.residentBytes()) {
             brokenLimit = Optional.of(Ending.TOO_MUCH_MEMORY);
         } else if (seconds > limits.processorSeconds()) {

@@ -47,8 +47,7 @@ public final class TrialRunner {
      * @param limits what programs may use
      * @param spectators who watches the trials live
      */
-    public TrialRunner(
-            Contest contest, Map<String, TeamProgram> programs, Limits limits, Spectators spectators) {
+    public TrialRunner(Contest contest, Map<String, TeamProgram> programs, Limits limits, Spectators spectators) {
         this.contest = contest;
         this.programs = Map.copyOf(programs);
         this.limits = limits;
@@ -100,8 +99,7 @@ public final class TrialRunner {
                 .build();
     }
 
-    private void startAll(
-            Trial trial, TrialFiles files, Simulator simulator, Map<String, List<TeamProcess>> processes)
+    private void startAll(Trial trial, TrialFiles files, Simulator simulator, Map<String, List<TeamProcess>> processes)
             throws IOException {
         for (Entrant entrant : trial.entrants()) {
             List<TeamProcess> own = new ArrayList<>();
@@ -114,7 +112,11 @@ public final class TrialRunner {
             for (Start start : starts(program, entrant, simulator.agentPort())) {
                 String name = trial.id() + "-" + entrant.team() + (own.isEmpty() ? "" : "-" + (own.size() + 1));
                 own.add(TeamProcess.start(
-                        program, start, limits, files.work().resolve(name), files.logs().resolve(name + ".txt")));
+                        program,
+                        start,
+                        limits,
+                        files.work().resolve(name),
+                        files.logs().resolve(name + ".txt")));
             }
         }
         StandIn.connect(simulator); // keeps the clock running when all others are gone
@@ -123,8 +125,9 @@ public final class TrialRunner {
     private static List<Start> starts(TeamProgram program, Entrant entrant, int port) {
         boolean together = (program instanceof TeamProgram.OfJava java && java.together())
                 || (program instanceof TeamProgram.OfCommand command && command.together());
-        Stream<List<StartPlace>> groups =
-                together ? Stream.of(entrant.places()) : entrant.places().stream().map(List::of);
+        Stream<List<StartPlace>> groups = together
+                ? Stream.of(entrant.places())
+                : entrant.places().stream().map(List::of);
         return groups.map(places -> new Start(port, entrant.team(), entrant.role(), places))
                 .toList();
     }
@@ -166,8 +169,7 @@ public final class TrialRunner {
         }
     }
 
-    private TrialResult result(
-            Trial trial, Judge judge, Umpire umpire, Map<String, List<TeamProcess>> processes) {
+    private TrialResult result(Trial trial, Judge judge, Umpire umpire, Map<String, List<TeamProcess>> processes) {
         List<TeamResult> teams = new ArrayList<>();
         for (Entrant entrant : trial.entrants()) {
             String team = entrant.team();

@@ -111,12 +111,10 @@ final class Umpire implements SimulationObserver {
     private void kickOff(Moment moment) {
         control.kickOff(trial.kickOff());
         if (trial.ball().isPresent()) {
-            TeamSide side =
-                    moment.side(trial.entrants().get(0).team()).orElse(TeamSide.LEFT);
+            TeamSide side = moment.side(trial.entrants().get(0).team()).orElse(TeamSide.LEFT);
             Vector3 ball = trial.ball().get();
             control.setPlayMode(PlayMode.PLAY_ON);
-            control.placeBall(
-                    side == TeamSide.LEFT ? ball : new Vector3(-ball.x(), -ball.y(), ball.z()), Vector3.ZERO);
+            control.placeBall(side == TeamSide.LEFT ? ball : new Vector3(-ball.x(), -ball.y(), ball.z()), Vector3.ZERO);
         }
     }
 
@@ -129,9 +127,8 @@ final class Umpire implements SimulationObserver {
                     .findFirst()
                     .orElse(entrant.places().get(0));
             Vector3 wanted = place.position(side);
-            boolean isThere = Math.hypot(
-                            robot.linkPoses()[0] - wanted.x(), robot.linkPoses()[1] - wanted.y())
-                    < PLACE_METRES;
+            boolean isThere =
+                    Math.hypot(robot.linkPoses()[0] - wanted.x(), robot.linkPoses()[1] - wanted.y()) < PLACE_METRES;
             if (!isThere) {
                 control.placeRobot(side, robot.number(), wanted, place.heading(side));
             }

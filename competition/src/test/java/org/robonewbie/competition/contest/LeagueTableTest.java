@@ -12,14 +12,16 @@ import org.junit.jupiter.params.provider.CsvSource;
 class LeagueTableTest {
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {
-        "A-B 1:0, A-C 1:0, B-C 1:0 | 1 A 6, 2 B 3, 3 C 0",
-        "A-B 0:0, A-C 0:0, B-C 0:0 | 1 A 1, 1 B 1, 1 C 1",
-        "A-B 1:0, A-C 0:3, B-C 1:0 | 1 C 3, 2 B 3, 3 A 3",
-        "A-B 2:2, A-C 1:1, B-C 1:1 | 1 A 2, 1 B 2, 3 C 2",
-        "A-B 0:5, A-C 0:5, B-C 2:2 | 1 B 4, 1 C 4, 3 A 0",
-        "A-B 1:0 | 1 A 3, 2 C 0, 3 B 0"
-    })
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "A-B 1:0, A-C 1:0, B-C 1:0 | 1 A 6, 2 B 3, 3 C 0",
+                "A-B 0:0, A-C 0:0, B-C 0:0 | 1 A 1, 1 B 1, 1 C 1",
+                "A-B 1:0, A-C 0:3, B-C 1:0 | 1 C 3, 2 B 3, 3 A 3",
+                "A-B 2:2, A-C 1:1, B-C 1:1 | 1 A 2, 1 B 2, 3 C 2",
+                "A-B 0:5, A-C 0:5, B-C 2:2 | 1 B 4, 1 C 4, 3 A 0",
+                "A-B 1:0 | 1 A 3, 2 C 0, 3 B 0"
+            })
     void pointsThenDifferenceThenGoalsDecide(String games, String expected) {
         List<Fixture> fixtures =
                 Arrays.stream(games.split(", ")).map(LeagueTableTest::fixture).toList();

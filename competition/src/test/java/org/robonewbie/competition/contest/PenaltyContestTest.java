@@ -17,15 +17,18 @@ class PenaltyContestTest {
 
     /** Goals of both teams, round by round; how many rounds there are to be then. */
     @ParameterizedTest
-    @CsvSource(delimiter = '|', nullValues = "none", value = {
-        "none | 3",
-        "1:0 | 3",
-        "1:0 1:0 1:0 | 3",
-        "1:0 0:1 0:0 | 4",
-        "1:1 1:1 1:1 0:0 | 5",
-        "1:1 1:1 1:1 1:0 | 4",
-        "0:0 0:0 0:0 0:0 0:0 | 5"
-    })
+    @CsvSource(
+            delimiter = '|',
+            nullValues = "none",
+            value = {
+                "none | 3",
+                "1:0 | 3",
+                "1:0 1:0 1:0 | 3",
+                "1:0 0:1 0:0 | 4",
+                "1:1 1:1 1:1 0:0 | 5",
+                "1:1 1:1 1:1 1:0 | 4",
+                "0:0 0:0 0:0 0:0 0:0 | 5"
+            })
     void equalTeamsGoOnOneRoundAfterTheOther(String rounds, int needed) {
         List<ShootOut.Round> played = rounds == null
                 ? List.of()
@@ -41,7 +44,8 @@ class PenaltyContestTest {
         List<Trial> trials = Contests.penalties(Conditions.of(1), 2, 30).trials(TEAMS, id -> Optional.empty());
 
         assertThat(trials)
-                .extracting(trial -> trial.entrants().get(0).team() + trial.entrants().get(1).team())
+                .extracting(trial ->
+                        trial.entrants().get(0).team() + trial.entrants().get(1).team())
                 .containsExactly("AB", "BA", "AB", "BA");
         assertThat(trials.get(0).seed()).isEqualTo(trials.get(1).seed());
         assertThat(place(trials.get(0))).isEqualTo(place(trials.get(1))).isNotEqualTo(place(trials.get(2)));
@@ -54,17 +58,20 @@ class PenaltyContestTest {
         play(results, "penalties-A-B-1a", "A", "B", 1);
         play(results, "penalties-A-B-1b", "B", "A", 1);
 
-        assertThat(contest.trials(TEAMS, id -> Optional.ofNullable(results.get(id)))).hasSize(4);
+        assertThat(contest.trials(TEAMS, id -> Optional.ofNullable(results.get(id))))
+                .hasSize(4);
         play(results, "penalties-A-B-2a", "A", "B", 0);
         play(results, "penalties-A-B-2b", "B", "A", 1);
 
-        assertThat(contest.trials(TEAMS, id -> Optional.ofNullable(results.get(id)))).hasSize(4);
+        assertThat(contest.trials(TEAMS, id -> Optional.ofNullable(results.get(id))))
+                .hasSize(4);
         Table table = contest.table(TEAMS, id -> Optional.ofNullable(results.get(id)));
         assertThat(table.rows()).extracting(Table.Row::team).containsExactly("B", "A");
         assertThat(table.rows().get(0).cells()).containsExactly("1", "1", "0", "0", "2:1", "3");
     }
 
-    private static void play(Map<String, TrialResult> results, String id, String attacker, String keeper, double goals) {
+    private static void play(
+            Map<String, TrialResult> results, String id, String attacker, String keeper, double goals) {
         results.put(
                 id,
                 new TrialResult(

@@ -27,6 +27,8 @@ class PlaceTest {
         List<Place<Integer>> places = Place.ranking(values, Comparator.naturalOrder());
 
         assertThat(places).extracting(Place::rank).isEqualTo(ranks);
-        assertThat(places).extracting(Place::who).isEqualTo(values.stream().sorted().toList());
+        assertThat(places)
+                .extracting(Place::who)
+                .isEqualTo(values.stream().sorted().toList());
     }
 }

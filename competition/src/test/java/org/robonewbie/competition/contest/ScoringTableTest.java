@@ -22,16 +22,23 @@ class ScoringTableTest {
                 Arguments.of("the faster goal is better", Map.of("A", goal(80), "B", goal(41.2)), "1 B, 2 A"),
                 Arguments.of("any goal beats any distance", Map.of("A", ball(0.01), "B", goal(180)), "1 B, 2 A"),
                 Arguments.of("without goal the nearer ball is better", Map.of("A", ball(2), "B", ball(1)), "1 B, 2 A"),
-                Arguments.of("equal goals share a place", Map.of("A", goal(50), "B", goal(50), "C", goal(60)), "1 A, 1 B, 3 C"),
+                Arguments.of(
+                        "equal goals share a place",
+                        Map.of("A", goal(50), "B", goal(50), "C", goal(60)),
+                        "1 A, 1 B, 3 C"),
                 Arguments.of(
                         "equal distances share a place",
                         Map.of("A", ball(1.5), "B", ball(1.5), "C", goal(9), "D", ball(3)),
                         "1 C, 2 A, 2 B, 4 D"),
                 Arguments.of(
-                        "what is equal in the table is equal", Map.of("A", ball(1.50004), "B", ball(1.49996)), "1 A, 1 B"),
+                        "what is equal in the table is equal",
+                        Map.of("A", ball(1.50004), "B", ball(1.49996)),
+                        "1 A, 1 B"),
                 Arguments.of("who has lost the trial is last", Map.of("A", lost(0.5), "B", ball(6)), "1 B, 2 A"),
                 Arguments.of(
-                        "all who have lost it are equal", Map.of("A", lost(0.5), "B", lost(3), "C", ball(6)), "1 C, 2 A, 2 B"));
+                        "all who have lost it are equal",
+                        Map.of("A", lost(0.5), "B", lost(3), "C", ball(6)),
+                        "1 C, 2 A, 2 B"));
     }
 
     @ParameterizedTest(name = "{0}")
@@ -96,17 +103,12 @@ class ScoringTableTest {
         results.forEach((team, result) -> trials.put(
                 "scoring-" + team,
                 new TrialResult(
-                        "scoring-" + team,
-                        1,
-                        180,
-                        List.of(new TeamResult(team, result.ending(), result.figures())))));
-        return SCORING.table(
-                results.keySet().stream().sorted().toList(), id -> Optional.ofNullable(trials.get(id)));
+                        "scoring-" + team, 1, 180, List.of(new TeamResult(team, result.ending(), result.figures())))));
+        return SCORING.table(results.keySet().stream().sorted().toList(), id -> Optional.ofNullable(trials.get(id)));
     }
 
     private static TeamResult goal(double seconds) {
-        return TeamResult.of(
-                "", Ending.PLAYED, Map.of(GoalJudge.GOAL_SECONDS, seconds, GoalJudge.BALL_METRES, 0.0));
+        return TeamResult.of("", Ending.PLAYED, Map.of(GoalJudge.GOAL_SECONDS, seconds, GoalJudge.BALL_METRES, 0.0));
     }
 
     private static TeamResult ball(double metres) {

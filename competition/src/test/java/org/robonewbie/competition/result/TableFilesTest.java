@@ -35,7 +35,8 @@ class TableFilesTest {
         write("Red=x", "Red.title=Ants, \"red\" <b>", "Red.members=Ada & Alan", "Blue=y");
 
         assertThat(text("table.csv"))
-                .isEqualTo("Rank,Team,Title,Goal after\r\n1,Red,\"Ants, \"\"red\"\" <b>\",41.20 s\r\n2,Blue,Blue,–\r\n");
+                .isEqualTo(
+                        "Rank,Team,Title,Goal after\r\n1,Red,\"Ants, \"\"red\"\" <b>\",41.20 s\r\n2,Blue,Blue,–\r\n");
         assertThat(text("table.json")).contains("\"Goal after\": \"41.20 s\"", "\"recordings/scoring-Red.rec\"");
         assertThat(text("table.html"))
                 .contains("Ants, &quot;red&quot; &lt;b&gt;", "Ada &amp; Alan", "41.20 s", "certificates/Blue.html")

@@ -16,11 +16,11 @@ import org.robonewbie.competition.contest.StartPlace;
 class ProgramFinderTest {
 
     private static final String AGENT = """
-            import org.robonewbie.agent.Agent;
-            public class %1$s extends Agent {
-                public static void main(String[] args) { new %1$s().run(args); }
-            }
-            """;
+        import org.robonewbie.agent.Agent;
+        public class %1$s extends Agent {
+            public static void main(String[] args) { new %1$s().run(args); }
+        }
+        """;
 
     @TempDir
     Path folder = Path.of("");
@@ -58,8 +58,9 @@ class ProgramFinderTest {
                 .containsEntry(Role.ATTACKER, "Striker")
                 .containsEntry(Role.GOALKEEPER, "Keeper");
         assertThatThrownBy(() -> find("Red=red"))
-                .hasMessage("Team Red has several classes that can be started: Keeper, Striker. Say which one: Red.main ="
-                        + " Keeper");
+                .hasMessage(
+                        "Team Red has several classes that can be started: Keeper, Striker. Say which one: Red.main ="
+                                + " Keeper");
         assertThatThrownBy(() -> find("Red=red", "Red.main=Star"))
                 .hasMessage("Team Red has no class Star with a main method. It has: Keeper, Striker.");
     }
@@ -95,7 +96,17 @@ class ProgramFinderTest {
         assertThat(start.fill(open.words(), false))
                 .containsExactly("python3", folder.resolve("green.py").toString(), "3500", "Green", "-1,0.5,90");
         assertThat(start.fill(plain.words(), false))
-                .endsWith("--host", "127.0.0.1", "--port", "3500", "--team", "Green", "--number", "4", "--pose", "-1,0.5,90");
+                .endsWith(
+                        "--host",
+                        "127.0.0.1",
+                        "--port",
+                        "3500",
+                        "--team",
+                        "Green",
+                        "--number",
+                        "4",
+                        "--pose",
+                        "-1,0.5,90");
     }
 
     @Test

@@ -34,26 +34,31 @@ class TeamListTest {
 
     @Test
     void eleventhTeamIsRefused() {
-        List<String> ten = IntStream.rangeClosed(1, 10).mapToObj(i -> "T" + i + "=x").toList();
-        List<String> eleven = IntStream.rangeClosed(1, 11).mapToObj(i -> "T" + i + "=x").toList();
+        List<String> ten =
+                IntStream.rangeClosed(1, 10).mapToObj(i -> "T" + i + "=x").toList();
+        List<String> eleven =
+                IntStream.rangeClosed(1, 11).mapToObj(i -> "T" + i + "=x").toList();
 
         assertThat(TeamList.parse(ten)).hasSize(10);
         assertThatThrownBy(() -> TeamList.parse(eleven))
                 .isInstanceOf(WrongEntryException.class)
-                .hasMessage("A competition has at most 10 teams, and these are 11. Hold two groups, each with a folder of"
-                        + " results of its own.");
+                .hasMessage(
+                        "A competition has at most 10 teams, and these are 11. Hold two groups, each with a folder of"
+                                + " results of its own.");
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = ';', value = {
-        "a-b=x; \"a-b\" cannot be the name of a team",
-        "A=; Team A has no program",
-        "A=x,a=y; Two teams are called a",
-        "A=x,A.color=red; \"A.color\" is unknown. After the name of a team may stand: attacker, folder,",
-        "A=x,A.seed=many; A.seed = many is no whole number",
-        "A=x,A.together=perhaps; A.together = perhaps is not clear. Write yes or no.",
-        "B.seed=3; Something is said of team B, but no line says what its program is."
-    })
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "a-b=x; \"a-b\" cannot be the name of a team",
+                "A=; Team A has no program",
+                "A=x,a=y; Two teams are called a",
+                "A=x,A.color=red; \"A.color\" is unknown. After the name of a team may stand: attacker, folder,",
+                "A=x,A.seed=many; A.seed = many is no whole number",
+                "A=x,A.together=perhaps; A.together = perhaps is not clear. Write yes or no.",
+                "B.seed=3; Something is said of team B, but no line says what its program is."
+            })
     void mistakeIsToldWithWhatToWrite(String lines, String message) {
         assertThatThrownBy(() -> TeamList.parse(List.of(lines.split(","))))
                 .isInstanceOf(WrongEntryException.class)
