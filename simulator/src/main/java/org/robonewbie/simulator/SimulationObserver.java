@@ -20,4 +20,22 @@ public interface SimulationObserver {
      * @param event a goal, a foul or another play mode
      */
     default void happened(MatchEvent event) {}
+
+    /**
+     * Tells whether the messages of a robot's agent are of interest; asked in each cycle on the simulation's thread.
+     *
+     * @param robot number of the robot's connection, as in {@link RobotSnapshot#id}
+     * @return whether to call {@link #messagesExchanged} for it; no unless overridden
+     */
+    default boolean wantsMessagesOf(int robot) {
+        return false;
+    }
+
+    /**
+     * Receives the messages of a cycle before {@link #cycleEnded} tells its state, on the simulation's thread: take them and
+     * return at once. While paused they come again.
+     *
+     * @param messages what was said
+     */
+    default void messagesExchanged(AgentMessages messages) {}
 }

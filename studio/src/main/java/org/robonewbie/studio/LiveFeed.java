@@ -2,7 +2,9 @@ package org.robonewbie.studio;
 
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -11,6 +13,8 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.simulator.AgentMessages;
+import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
@@ -28,13 +32,17 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable
     private static final long SEND_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(37);
 
     private static final int MOST_THOUGHTS = 20_000;
+    private static final int MOST_MESSAGES = 500;
     private static final long LATEST_LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
 
     private final SimulationControl simulation;
     private final List<Spectator> spectators = new CopyOnWriteArrayList<>();
     private final BlockingQueue<TelemetryMessage> thoughts = new ArrayBlockingQueue<>(MOST_THOUGHTS);
+    private final BlockingQueue<AgentMessages> messages = new ArrayBlockingQueue<>(MOST_MESSAGES);
+    private final Memory memory = new Memory();
     private final Thread sender = new Thread(this::send, "studio-live-feed");
     private volatile @Nullable WorldSnapshot latest;
+    private volatile Map<Integer, String> watchedRobots = Map.of();
     private volatile boolean open = true;
     private long lastWakeNanos = System.nanoTime() - SEND_INTERVAL_NANOS;
 
@@ -81,6 +89,17 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable
         }
     }
 
+    @Override
+    public boolean wantsMessagesOf(int robot) {
+        return watchedRobots.containsKey(robot);
+    }
+
+    /** Takes what the agent of a watched robot has said and heard; what is too much for the pages is left out. */
+    @Override
+    public void messagesExchanged(AgentMessages exchanged) {
+        messages.offer(exchanged);
+    }
+
     /** Takes what a robot tells; what is too much for the pages is left out. */
     @Override
     public void accept(TelemetryMessage message) {
@@ -97,9 +116,32 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable
     private void handOnThoughts() {
         List<TelemetryMessage> news = new ArrayList<>();
         thoughts.drainTo(news);
+        spectators.forEach(spectator -> spectator.remember(memory));
         for (TelemetryMessage message : news) {
+            memory.keep(message);
             spectators.forEach(spectator -> spectator.hear(message));
         }
+        handOnMessages();
+    }
+
+    private void handOnMessages() {
+        List<AgentMessages> news = new ArrayList<>();
+        messages.drainTo(news);
+        for (AgentMessages exchanged : news) {
+            String robot = watchedRobots.getOrDefault(exchanged.robot(), "");
+            spectators.forEach(spectator -> spectator.hear(robot, exchanged));
+        }
+    }
+
+    private void lookWhoIsWatched(WorldSnapshot snapshot) {
+        Map<Integer, String> watched = new HashMap<>();
+        for (RobotSnapshot robot : snapshot.robots()) {
+            String key = Memory.key(robot.team(), robot.number());
+            if (spectators.stream().anyMatch(spectator -> spectator.watches(key))) {
+                watched.put(robot.id(), key);
+            }
+        }
+        watchedRobots = watched;
     }
 
     private void send() {
@@ -108,6 +150,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable
             WorldSnapshot snapshot = latest;
             if (snapshot != null && !spectators.isEmpty()) {
                 write(snapshot);
+                lookWhoIsWatched(snapshot);
                 for (Spectator spectator : spectators) {
                     spectator.offer(sceneRevision, sceneJson, frame);
                 }

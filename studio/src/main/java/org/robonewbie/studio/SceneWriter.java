@@ -135,6 +135,8 @@ final class SceneWriter {
         json.add("axis", vector(hinge.axis()));
         json.addProperty("minDegrees", hinge.minDegrees());
         json.addProperty("maxDegrees", hinge.maxDegrees());
+        json.addProperty("effector", hinge.effectorName());
+        json.addProperty("maxSpeed", Math.toDegrees(hinge.maxRadiansPerSecond()));
         return json;
     }
 

@@ -14,6 +14,7 @@ import org.eclipse.jetty.websocket.api.StatusCode;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
+import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.SimulationControl;
 
 /**
@@ -26,12 +27,16 @@ import org.robonewbie.simulator.SimulationControl;
 public final class Spectator extends Session.Listener.AbstractAutoDemanding {
 
     private static final int MOST_LINES = 2000;
+    private static final int MOST_MESSAGES = 200;
     private static final long REPEAT_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final LiveFeed feed;
     private final SimulationControl simulation;
     private final Deque<String> heard = new ArrayDeque<>();
+    private final Deque<AgentMessages> talk = new ArrayDeque<>();
     private volatile String watched = "";
+    private volatile boolean begins;
+    private long toldCycle = -1;
     private volatile boolean ready;
     private int sentScene = -1;
     private @Nullable ByteBuffer sentFrame;
@@ -56,7 +61,8 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
             if (command instanceof StudioCommand.Seen) {
                 ready = true;
             } else if (command instanceof StudioCommand.Watch watch) {
-                watched = watch.team() + "\t" + watch.number();
+                watched = Memory.key(watch.team(), watch.number());
+                begins = true;
             } else {
                 command.applyTo(simulation);
             }
@@ -72,12 +78,38 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         getSession().sendText(json.toString(), Callback.NOOP);
     }
 
+    boolean watches(String robot) {
+        return watched.equals(robot);
+    }
+
+    /** Keeps what was told before the page began to watch. Called by the feed's thread only. */
+    void remember(Memory memory) {
+        if (begins) {
+            begins = false;
+            heard.clear();
+            talk.clear();
+            toldCycle = -1;
+            memory.of(watched).forEach(this::hear);
+        }
+    }
+
     /** Keeps what the watched robot tells until the page is ready for it. Called by the feed's thread only. */
     void hear(TelemetryMessage message) {
-        if (watched.equals(message.team() + "\t" + message.number())) {
+        if (watches(Memory.key(message.team(), message.number()))) {
             heard.add(TelemetryLine.write(message));
             if (heard.size() > MOST_LINES) {
                 heard.remove();
+            }
+        }
+    }
+
+    /** Keeps what the watched robot's agent says and hears. Called by the feed's thread only. */
+    void hear(String robot, AgentMessages messages) {
+        if (watches(robot) && messages.cycle() != toldCycle) {
+            toldCycle = messages.cycle();
+            talk.add(messages);
+            if (talk.size() > MOST_MESSAGES) {
+                talk.remove();
             }
         }
     }
@@ -86,9 +118,20 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         JsonArray lines = new JsonArray();
         heard.forEach(lines::add);
         heard.clear();
+        JsonArray exchanged = new JsonArray();
+        for (AgentMessages messages : talk) {
+            JsonArray one = new JsonArray();
+            one.add(messages.cycle());
+            one.add(messages.perceptors());
+            one.add(messages.effectors());
+            exchanged.add(one);
+        }
+        talk.clear();
         JsonObject json = new JsonObject();
         json.addProperty("kind", "telemetry");
+        json.addProperty("robot", watched);
         json.add("lines", lines);
+        json.add("messages", exchanged);
         return json.toString();
     }
 
@@ -110,7 +153,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
             sentScene = sceneRevision;
             texts.add(sceneJson);
         }
-        if (!heard.isEmpty()) {
+        if (!heard.isEmpty() || !talk.isEmpty()) {
             texts.add(thoughts());
         }
         send(session, texts, frame);

@@ -119,11 +119,16 @@ class ReplayPageTest {
     }
 
     @Test
-    void backInTheFieldTheRunningSimulationIsShown() {
+    void fieldShowsTheSameMomentUntilOneGoesBackToNow() {
         visit();
+        browser.await("studio.cursor.recorded");
 
         browser.evaluate("location.hash = '#field'");
+        browser.await("document.querySelector('.moment-reading').textContent.startsWith('Recording game at')");
+        browser.await("!studio.view.stage.hidden && studio.cursor.shown(studio.state).tense === 'recorded'");
+        browser.click("#go-live");
 
+        browser.await("document.querySelector('.moment-reading').textContent === 'now'");
         browser.await("document.querySelector('.team.left').textContent === 'Blue Newbies'");
         browser.await("getComputedStyle(document.querySelector('#transport')).display !== 'none'");
     }

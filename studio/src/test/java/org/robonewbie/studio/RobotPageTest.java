@@ -15,7 +15,9 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.telemetry.BelievedPose;
 import org.robonewbie.protocol.telemetry.BelievedThing;
+import org.robonewbie.protocol.telemetry.Drawing;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
@@ -48,7 +50,7 @@ class RobotPageTest {
         studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
         browser.visit(studio.address() + "&quality=lowest&theme=light#robot");
         browser.await("document.querySelector('#robot-choice')?.options.length === 2");
-        browser.await("studio.robot.watched !== '' && document.querySelectorAll('.joint-row').length === 22");
+        browser.await("studio.robot.watch.watched !== '' && document.querySelectorAll('.joint-row').length === 22");
     }
 
     @AfterEach
@@ -70,33 +72,38 @@ class RobotPageTest {
                 + " - studio.state.frame.robots[0].degrees[studio.state.scene.models.TYPE_0.hinges.findIndex(hinge =>"
                 + " hinge.joint === 'LEFT_KNEE_PITCH')]) < 3)");
         browser.await("document.querySelector('.robot-facts').textContent.includes('stands')");
-        browser.await("document.querySelectorAll('.plot').length === 4");
+        browser.await("document.querySelectorAll('.plot canvas').length === 3");
+        assertThat(browser.evaluate("document.querySelector('#robot-room').textContent.includes('-0°')")
+                        .getAsBoolean())
+                .isFalse();
         assertThat(browser.complaints()).isEmpty();
     }
 
     @Test
     void robotTellsWhatItThinks() {
-        tell(1, 1.5, new TelemetryItem.LogEntry("WARNING", "the ball is <b>far</b>"));
-        tell(1, 1.5, new TelemetryItem.MotionProgress("walk-forward", 3));
-        tell(1, 1.6, new TelemetryItem.PlotValue("courage", 7));
+        tell(1, now(), new TelemetryItem.LogEntry("WARNING", "the ball is <b>far</b>"));
+        tell(1, now(), new TelemetryItem.MotionProgress("walk-forward", 3));
+        tell(1, now(), new TelemetryItem.PlotValue("courage", 7));
         tell(
                 1,
-                1.6,
+                now(),
                 new TelemetryItem.Belief(
-                        List.of(new BelievedThing("ball", new Vector3(1, 0.2, -0.4), 0, true)), Optional.empty()));
+                        List.of(new BelievedThing("ball", new Vector3(1, 0.2, -0.4), 0, true)),
+                        Optional.of(new BelievedPose(-0.5, 0.4, 20))));
 
         browser.await("document.querySelector('.log .warning')?.textContent.includes('<b>far</b>')");
         browser.await("document.querySelector('.robot-motion').textContent"
                 + " === 'Motion walk-forward, on the way to keyframe 3'");
         browser.await("document.querySelectorAll('.map .belief.ball').length === 1");
+        browser.await("document.querySelectorAll('.map .belief-self').length === 1");
         browser.await("document.querySelectorAll('.map .truth').length === 6");
-        browser.await("[...document.querySelector('#add-curve').options].some(option => option.value === 'courage')");
+        browser.await("document.querySelector('[data-value=\"agent/courage\"]')");
     }
 
     @Test
     void onlyTheChosenRobotIsHeard() {
         browser.press("n");
-        browser.await("studio.robot.watched.endsWith('2')");
+        browser.await("studio.robot.watch.watched.endsWith('2')");
         browser.await("document.querySelectorAll('.joint-row').length === 24");
 
         SmallSimulation.awaitTrue(() -> {
@@ -106,32 +113,126 @@ class RobotPageTest {
                     .getAsBoolean();
         });
 
-        assertThat(browser.evaluate("studio.robot.thoughts.size").getAsInt()).isLessThanOrEqualTo(2);
         assertThat(browser.evaluate("document.querySelector('.log').textContent")
                         .getAsString())
                 .doesNotContain("one");
     }
 
     @Test
-    void curvesAreChosenAndRoomIsWorthAPicture() throws IOException {
-        browser.evaluate("(() => { const list = document.querySelector('#add-curve'); list.value = 'neck yaw';"
+    void drawingsOfOlderCyclesVanish() {
+        tell(1, now(), new TelemetryItem.Picture(List.of(new Drawing.Circle(Vector3.ZERO, 1, "red"))));
+        browser.await("document.querySelectorAll('.map .drawing').length === 1");
+
+        browser.await("document.querySelectorAll('.map .drawing').length === 0");
+    }
+
+    @Test
+    void logIsFilteredByLevel() {
+        tell(1, now(), new TelemetryItem.LogEntry("DEBUG", "detail"));
+        tell(1, now(), new TelemetryItem.LogEntry("ERROR", "mistake"));
+        browser.await("document.querySelectorAll('.log li').length === 2");
+
+        browser.evaluate("(() => { const list = document.querySelector('#log-level'); list.value = 'WARNING';"
                 + " list.dispatchEvent(new Event('change')); })()");
-        browser.await("document.querySelectorAll('.plot').length === 5");
-        for (int i = 0; i < 12; i++) {
-            tell(1, i, new TelemetryItem.LogEntry(i % 5 == 4 ? "WARNING" : "INFO", "step " + i + " towards the ball"));
+
+        browser.await("document.querySelector('.log').textContent.includes('mistake')"
+                + " && !document.querySelector('.log').textContent.includes('detail')");
+    }
+
+    @Test
+    void valuesOfTheTreeAreDrawnTogetherHeldAndSavedAsTable() {
+        browser.click("#add-plot");
+        for (String value : List.of("torso/x", "joint angle/neck yaw")) {
+            browser.await("document.querySelector('[data-value=\"" + value + "\"]')");
+            browser.evaluate("document.querySelector('[data-value=\"" + value + "\"]').click()");
         }
-        tell(1, 3, new TelemetryItem.MotionProgress("walk-forward", 3));
-        tell(
-                1,
-                3,
-                new TelemetryItem.Belief(
-                        List.of(new BelievedThing("ball", new Vector3(0.9, -0.4, -0.4), 0.1, true)), Optional.empty()));
-        browser.await(
-                "document.querySelectorAll('.log li').length === 12 && studio.robot.traces[0].points.length > 15");
-        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-        Files.write(Files.createDirectories(pictures).resolve("studio-robot.png"), browser.screenshot());
+        browser.await("studio.robot.plots.rows[3]?.plot?.series.length === 3");
+        browser.await("studio.robot.plots.rows[3].plot.data[2].length > 10");
+
+        browser.click("#hold-curves");
+        browser.await("document.querySelector('#hold-curves').ariaPressed === 'true'");
+        double end = browser.evaluate("studio.robot.plots.rows[3].plot.scales.x.max").getAsDouble();
+        double now = now();
+        browser.await("studio.robot.plots.moment.seconds > " + (now + 0.5));
+
+        assertThat(browser.evaluate("studio.robot.plots.rows[3].plot.scales.x.max").getAsDouble())
+                .isEqualTo(end);
+        browser.evaluate("(() => { URL.createObjectURL = blob => { window.saved = blob; return '#'; }; })()");
+        browser.click("#curves-csv");
+        browser.evaluate("saved.text().then(text => { window.table = text; })");
+        browser.await("window.table?.includes('seconds,') && window.table.includes('joint angle/neck yaw')");
+        browser.evaluate("localStorage.clear()");
+    }
+
+    @Test
+    void allRoomsFollowOneMomentWhileTheSimulationGoesOn() {
+        tell(1, now(), new TelemetryItem.LogEntry("INFO", "here I was"));
+        double then = now();
+        browser.await("studio.cursor.history.last * 0.02 > " + (then + 1));
+
+        browser.evaluate("[...document.querySelectorAll('.log-time')].find(each =>"
+                + " each.parentElement.textContent.includes('here I was')).click()");
+
+        browser.await("document.querySelector('#time-line').dataset.tense === 'past'");
+        browser.await("Math.abs(studio.robot.plots.moment.seconds - " + then + ") < 0.06");
+        browser.evaluate("location.hash = 'field'");
+        browser.await("Math.abs(parseFloat(document.querySelector('#transport .seconds').textContent) - " + then
+                + ") < 0.06");
+        assertThat(browser.evaluate("studio.state.frame.cycle * 0.02").getAsDouble())
+                .isGreaterThan(then + 0.9);
+        browser.press("End");
+        browser.await("document.querySelector('#time-line').dataset.tense === 'live'");
+        browser.await("parseFloat(document.querySelector('#transport .seconds').textContent) > " + (then + 1));
+    }
+
+    @Test
+    void roomIsWorthAPicture() throws IOException {
+        try (PlayingRobot robot = PlayingRobot.start();
+                StudioServer other =
+                        StudioServer.start(robot.simulator().control(), 0, AccessToken.random())) {
+            browser.visit(other.address() + "&quality=lowest&theme=light#robot");
+            browser.await("document.querySelectorAll('.plot canvas').length === 3");
+            browser.await("document.querySelectorAll('.camera .post').length + document.querySelectorAll('.field-line').length > 3");
+            browser.await("[...document.querySelectorAll('.senses dd')].some(each => each.textContent.includes('step'))");
+            browser.await("document.querySelectorAll('.command.limit').length === 1");
+            browser.await("document.querySelectorAll('.press').length === 2");
+            for (String value : List.of("commanded speed/neck pitch", "joint speed/neck pitch")) {
+                browser.await("document.querySelector('[data-value=\"" + value + "\"]')");
+                browser.evaluate("document.querySelector('[data-value=\"" + value + "\"]').click()");
+            }
+            browser.await("studio.robot.plots.moment.seconds > 4");
+            List<BelievedThing> things = List.of(new BelievedThing("ball", new Vector3(1.9, -0.2, -0.4), 0.1, true));
+            double now = browser.evaluate("studio.robot.plots.moment.seconds").getAsDouble();
+            TelemetryItem belief = new TelemetryItem.Belief(things, Optional.of(new BelievedPose(-1.6, 0.3, 10)));
+            for (int i = 0; i < 6; i++) {
+                TelemetryItem line = new TelemetryItem.LogEntry(i == 4 ? "WARNING" : "INFO", "I have nodded " + i + " times");
+                other.telemetry().accept(new TelemetryMessage("Stars", 1, i, line));
+            }
+            TelemetryItem motion = new TelemetryItem.MotionProgress("nod", 3);
+            other.telemetry().accept(new TelemetryMessage("Stars", 1, 1, motion));
+            other.telemetry().accept(new TelemetryMessage("Stars", 1, now, belief));
+            browser.await("document.querySelectorAll('.map .belief-self').length === 1");
+            picture("studio-robot.png");
+
+            browser.press("m");
+            browser.await("document.querySelector('#perceptor-message').textContent.includes('(GYR (n torso)')");
+            browser.evaluate("document.querySelector('#message-search').value = 'lae1'");
+            browser.await("!document.querySelector('#perceptor-message').textContent.includes('GYR')"
+                    + " && document.querySelector('#effector-message').textContent.includes('(lae1 9.5)')");
+            picture("studio-robot-messages.png");
+        }
 
         assertThat(browser.evaluate("document.documentElement.scrollWidth").getAsInt())
                 .isEqualTo(1366);
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    private static double now() {
+        return browser.evaluate("studio.state.frame.cycle * 0.02").getAsDouble();
+    }
+
+    private static void picture(String name) throws IOException {
+        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
+        Files.write(Files.createDirectories(pictures).resolve(name), browser.screenshot());
     }
 }

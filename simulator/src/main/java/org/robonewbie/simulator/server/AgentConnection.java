@@ -16,6 +16,9 @@ final class AgentConnection {
     /** Commands of one agent that are kept for one cycle; a robot has 24 hinges. */
     private static final int MAXIMUM_COMMANDS = 2000;
 
+    /** Bytes of an agent's messages of one cycle that are kept for observers. */
+    private static final int MAXIMUM_KEPT_BYTES = 65_536;
+
     private final ServerLink link;
     private final boolean synchronous;
     private final boolean strict;
@@ -25,6 +28,8 @@ final class AgentConnection {
     private final MessageBuffer outgoing = new MessageBuffer();
     private final List<EffectorCommand> commands = new ArrayList<>();
     private List<EffectorCommand> executed = List.of();
+    private MessageBuffer received = new MessageBuffer();
+    private MessageBuffer executedMessage = new MessageBuffer();
     private boolean synchronised;
     private boolean everSynchronised;
     private boolean answered = true;
@@ -57,6 +62,9 @@ final class AgentConnection {
         while (link.poll(incoming)) {
             heardOf = true;
             answered = true;
+            if (received.length() < MAXIMUM_KEPT_BYTES) {
+                received.append(incoming);
+            }
             reader.read(incoming, this::take, this::complain);
         }
     }
@@ -65,7 +73,16 @@ final class AgentConnection {
     List<EffectorCommand> takeCommands() {
         executed = commands.isEmpty() ? Collections.emptyList() : List.copyOf(commands);
         commands.clear();
+        MessageBuffer last = executedMessage;
+        executedMessage = received;
+        received = last;
+        received.clear();
         return executed;
+    }
+
+    /** Gives the agent's messages that were carried out in this cycle, one after the other, as they came. */
+    MessageBuffer executedMessage() {
+        return executedMessage;
     }
 
     /** Lists the commands that were taken out in this cycle. */

@@ -13,6 +13,7 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
@@ -230,7 +231,18 @@ final class Simulation implements SimulationControl, Runnable {
         if (!observers.isEmpty()) {
             WorldSnapshot snapshot = Snapshots.of(cycle, paused, pacemaker);
             for (SimulationObserver observer : observers) {
+                tellMessages(observer);
                 observer.cycleEnded(snapshot);
+            }
+        }
+    }
+
+    private void tellMessages(SimulationObserver observer) {
+        for (ConnectedAgent agent : cycle.agents()) {
+            if (agent.robot().isPresent() && observer.wantsMessagesOf(agent.id())) {
+                String perceptors = agent.connection().newestMessage().toString();
+                String effectors = agent.connection().executedMessage().toString();
+                observer.messagesExchanged(new AgentMessages(agent.id(), cycle.cycle(), perceptors, effectors));
             }
         }
     }

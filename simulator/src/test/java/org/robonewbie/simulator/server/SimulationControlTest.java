@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.util.Locale;
+import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -15,8 +18,10 @@ import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
 
 @Timeout(60)
@@ -66,6 +71,37 @@ class SimulationControlTest {
 
         assertThat(after.cycle()).isEqualTo(before + 3);
         assertThat(later.cycle()).isEqualTo(before + 3);
+    }
+
+    @Test
+    void messagesOfAnAgentAreToldToThoseWhoWantThem() throws InterruptedException {
+        BlockingQueue<AgentMessages> heard = new LinkedBlockingQueue<>();
+        AtomicInteger wanted = new AtomicInteger(-1);
+
+        control.addObserver(new SimulationObserver() {
+            @Override
+            public void cycleEnded(WorldSnapshot snapshot) {
+                wanted.set(snapshot.robots().isEmpty() ? -1 : snapshot.robots().get(0).id());
+            }
+
+            @Override
+            public boolean wantsMessagesOf(int robot) {
+                return robot == wanted.get();
+            }
+
+            @Override
+            public void messagesExchanged(AgentMessages messages) {
+                heard.add(messages);
+            }
+        });
+        AgentMessages told = Objects.requireNonNull(heard.poll(20, TimeUnit.SECONDS));
+        while (!told.effectors().contains("(syn)") || told.perceptors().isEmpty()) {
+            told = Objects.requireNonNull(heard.poll(20, TimeUnit.SECONDS));
+        }
+
+        assertThat(told.robot()).isEqualTo(wanted.get());
+        assertThat(told.perceptors())
+                .startsWith("(time (now " + String.format(Locale.ROOT, "%.2f", told.cycle() * 0.02) + "))");
     }
 
     @Test

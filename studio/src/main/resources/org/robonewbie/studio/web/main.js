@@ -12,6 +12,7 @@ import { roomsPanel } from './panels/rooms.js';
 import { scoreBoardPanel } from './panels/score-board.js';
 import { cameraPanel, trainerPanel } from './panels/side.js';
 import { themeSwitch } from './panels/theme.js';
+import { timeLineDeeds, timeLinePanel } from './panels/time-line.js';
 import { timeActions, transportPanel } from './panels/transport.js';
 import { QualityChooser, QUALITIES, qualityIndex, qualityRange } from './state/quality.js';
 import { Smoothing } from './state/smoothing.js';
@@ -24,6 +25,7 @@ import {
   withRefusal,
   withScene,
 } from './state/studio-state.js';
+import { TimeCursor } from './state/time-cursor.js';
 
 const options = new URLSearchParams(location.search);
 const token = options.get('token') ?? '';
@@ -33,8 +35,9 @@ let stale = true;
 let owesAnswer = false;
 let lastTurn = 0;
 let hasDrawn = false;
-/** What of a recording is shown instead of the running simulation. @type {{scene: import('./live/state-frame.js').Scene, frame: import('./live/state-frame.js').Frame} | undefined} */
-let replayed;
+/** The scene that the picture is made for. @type {object | undefined} */
+let pictured;
+const cursor = new TimeCursor();
 
 const note = notes();
 window.addEventListener('error', (event) => note(`This page has met an error: ${event.message}. Load it again.`));
@@ -59,6 +62,7 @@ const connection = new Connection(`ws://${location.host}/live?token=${encodeURIC
   opened() {
     state = withConnection(state);
     rooms.robot?.forget();
+    cursor.restart();
     smoothing.clear();
     stale = true;
   },
@@ -74,12 +78,8 @@ const connection = new Connection(`ws://${location.host}/live?token=${encodeURIC
   told(news) {
     if (news.kind === 'scene') {
       state = withScene(state, news);
-      if (room() !== 'replay') {
-        view.setScene(news);
-        desk.setScene(news);
-      }
     } else if (news.kind === 'telemetry') {
-      rooms.robot?.hear(news.lines);
+      rooms.robot?.hear(news);
     } else {
       note(news.text);
     }
@@ -88,7 +88,8 @@ const connection = new Connection(`ws://${location.host}/live?token=${encodeURIC
   frameArrived(bytes) {
     owesAnswer = true;
     const frame = state.scene && readFrame(bytes, state.scene);
-    if (frame) {
+    if (frame && state.scene) {
+      cursor.history.push(frame.cycle, state.scene, bytes);
       state = withFrame(state, frame, performance.now());
       smoothing.push(frame, performance.now());
     }
@@ -120,12 +121,13 @@ const draws = [
   trainerPanel(send),
   banner(),
 ];
-const rooms = new RoomDesk({ token, note, quality: () => chooser.quality, robotOfRun, send });
+const drawTimeLine = timeLinePanel(cursor, touch);
+const rooms = new RoomDesk({ token, note, quality: () => chooser.quality, robotOfRun, send, goTo: (seconds) => (cursor.goTo(seconds * 50), touch()) });
 const room = roomsPanel(enter);
 setShadows(shadows);
 new Hand(view, desk, {
-  now: () => (replayed ? { ...state, ...replayed } : state),
-  send: (command) => room() === 'field' && send(command),
+  now: () => ({ ...state, ...cursor.shown(state) }),
+  send: (command) => room() === 'field' && cursor.shown(state).tense === 'live' && send(command),
   changed: touch,
 });
 const fieldDeeds = deeds(
@@ -138,7 +140,11 @@ const fieldDeeds = deeds(
   time,
   send,
 );
-listenToKeys(() => rooms.keys(room(), { deeds: fieldDeeds, mouse: FIELD_MOUSE }));
+const timeDeeds = timeLineDeeds(cursor, touch);
+listenToKeys(() => {
+  const { deeds, mouse } = rooms.keys(room(), { deeds: fieldDeeds, mouse: FIELD_MOUSE });
+  return { deeds: room() === 'replay' ? deeds : [...deeds, ...timeDeeds], mouse };
+});
 themeSwitch(options.get('theme'), (theme) => {
   view.setTheme(theme);
   rooms.motion?.setTheme(theme);
@@ -150,21 +156,26 @@ new ResizeObserver(() => {
 }).observe(view.stage);
 
 /** @param {import('./panels/rooms.js').RoomName} entered */
-function enter(entered) {
-  replayed = undefined;
-  if (entered === 'field' && state.scene) {
-    view.setScene(state.scene);
-    desk.setScene(state.scene);
+async function enter(entered) {
+  const { recorded } = cursor;
+  if (recorded?.running && entered !== 'replay') {
+    cursor.goTo(recorded.frame.cycle);
   }
   touch();
-  rooms.enter(entered);
+  drawPanels(performance.now());
+  await rooms.enter(entered);
+  if (entered === 'replay' && cursor.cycle !== undefined) {
+    rooms.replay?.showRunning(cursor.cycle);
+  }
 }
 
-/** The robot that the field's camera follows, whose posture can become a keyframe. */
+/** The robot that the field's camera follows, whose posture at the shown moment can become a keyframe. */
 function robotOfRun() {
-  const player = state.scene?.robots[desk.chosen];
-  const robot = state.frame?.robots[desk.chosen];
-  return player && robot && state.connection === 'live' ? { name: `${player.team} ${player.number}`.trim() || 'the robot', degrees: robot.degrees } : undefined;
+  const { tense, scene, frame } = cursor.shown(state);
+  const player = scene?.robots[desk.chosen];
+  const robot = frame?.robots[desk.chosen];
+  const isThere = tense === 'recorded' || state.connection === 'live';
+  return player && robot && isThere ? { name: `${player.team} ${player.number}`.trim() || 'the robot', degrees: robot.degrees } : undefined;
 }
 
 /** Lets the browser show the page before the graphics are set up, which takes a while without a graphics card. */
@@ -200,7 +211,7 @@ function turn(now) {
   }
   const seconds = Math.min(0.2, (now - lastTurn) / 1000);
   const here = room();
-  const isLive = here === 'field' && chooser.quality.smooth && smoothing.isMoving(now);
+  const isLive = here === 'field' && cursor.shown(state).tense === 'live' && chooser.quality.smooth && smoothing.isMoving(now);
   const isReplayed = here === 'replay' && rooms.replay?.turn(seconds);
   hasDrawn = (here === 'field' || here === 'replay') && (stale || isLive || isReplayed === true);
   if (hasDrawn) {
@@ -208,7 +219,7 @@ function turn(now) {
   } else if (here === 'motion') {
     rooms.motion?.turn(seconds);
   } else if (here === 'robot') {
-    rooms.robot?.turn(state, now);
+    rooms.robot?.turn(cursor.shown(state), cursor, now);
   }
   lastTurn = now;
   if (owesAnswer) {
@@ -223,13 +234,19 @@ function turn(now) {
  */
 function drawPicture(now, seconds) {
   stale = false;
-  if (room() === 'replay') {
-    showReplay();
-  } else {
-    const picture = chooser.quality.smooth ? smoothing.picture(now) : state.frame;
-    if (picture && state.scene) {
-      view.update(picture);
-    }
+  const recorded = room() === 'replay' ? rooms.replay?.picture : undefined;
+  if (recorded) {
+    cursor.goToRecorded(recorded);
+  }
+  const { tense, scene, frame } = cursor.shown(state);
+  if (scene && scene !== pictured) {
+    pictured = scene;
+    view.setScene(scene);
+    desk.setScene(scene);
+  }
+  const picture = tense === 'live' && chooser.quality.smooth ? smoothing.picture(now) : frame;
+  if (picture && picture.robots.length === scene?.robots.length) {
+    view.update(picture);
   }
   stale = desk.update(view.crowd.poses, seconds);
   view.light.shine(desk.shown.target, view.camera.position);
@@ -239,21 +256,10 @@ function drawPicture(now, seconds) {
 
 /** @param {number} now milliseconds */
 function drawPanels(now) {
-  const shown = replayed ? { ...state, ...replayed, goal: undefined } : state;
+  const { tense, scene, frame } = cursor.shown(state);
+  const shown = tense === 'live' ? state : { ...state, scene, frame: frame && { ...frame, paused: state.frame?.paused ?? false, speed: state.frame?.speed ?? 1 }, goal: undefined };
   draws.forEach((draw) => draw(shown, now));
-}
-
-/** Takes the picture from the recording instead of the running simulation. */
-function showReplay() {
-  const picture = rooms.replay?.picture;
-  if (picture) {
-    if (picture.scene !== replayed?.scene) {
-      view.setScene(picture.scene);
-      desk.setScene(picture.scene);
-    }
-    replayed = picture;
-    view.update(picture.frame);
-  }
+  drawTimeLine(tense, room() === 'replay');
 }
 
 setInterval(() => {
@@ -274,6 +280,7 @@ Object.assign(window, {
     view,
     desk,
     chooser,
+    cursor,
     get motion() {
       return rooms.motion;
     },

@@ -14,6 +14,12 @@ const MOTION_MOUSE = [
   ['Shift, click', 'choose several keyframes'],
 ];
 
+const ROBOT_MOUSE = [
+  ['Click a curve', 'all rooms show this moment'],
+  ['Drag over a curve', 'zoom in; H lets it go on'],
+  ['Click a log time', 'all rooms show this moment'],
+];
+
 const REPLAY_MOUSE = [
   ['Drag the time line', 'go to any moment'],
   ['Drag the ground', 'turn the view'],
@@ -27,6 +33,7 @@ export class RoomDesk {
    * @param {(text: string) => void} surroundings.note
    * @param {() => import('../state/quality.js').Quality} surroundings.quality
    * @param {(command: object) => void} surroundings.send
+   * @param {(seconds: number) => void} surroundings.goTo shows a moment of the running simulation
    * @param {() => {name: string, degrees: ArrayLike<number>} | undefined} surroundings.robotOfRun
    */
   constructor(surroundings) {
@@ -63,7 +70,7 @@ export class RoomDesk {
       return { deeds: this.motion?.deeds ?? [], mouse: MOTION_MOUSE };
     }
     if (room === 'robot') {
-      return { deeds: this.robot?.deeds ?? [], mouse: [['Point at a curve', 'values at this moment']] };
+      return { deeds: this.robot?.deeds ?? [], mouse: ROBOT_MOUSE };
     }
     return room === 'replay' ? { deeds: this.replay?.deeds ?? [], mouse: REPLAY_MOUSE } : field;
   }

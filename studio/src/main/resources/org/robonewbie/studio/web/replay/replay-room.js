@@ -86,7 +86,20 @@ class ReplayRoom {
     return changed;
   }
 
-  /** @returns {{scene: Scene, frame: Frame} | undefined} what the picture shows */
+  /** @returns {boolean} whether the recording of the running simulation is open */
+  get isRunning() {
+    return this.list.some(({ name, running }) => running && name === this.file?.name);
+  }
+
+  /** Shows a cycle of the running simulation, if its recording is open. @param {number} cycle */
+  showRunning(cycle) {
+    const index = this.isRunning ? (this.file?.reader.moments.findIndex((moment) => moment.cycle >= cycle) ?? -1) : -1;
+    if (index >= 0) {
+      this.#set({ ...atMoment(this.state, index), playing: false });
+    }
+  }
+
+  /** @returns {import('../state/time-cursor.js').RecordedMoment | undefined} what the picture shows */
   get picture() {
     const moment = this.file?.reader.moments[Math.round(this.state.index)];
     if (!moment || !this.file) {
@@ -98,7 +111,7 @@ class ReplayRoom {
       this.roster = roster;
       this.scene = sceneOf(moment, this.file.reader.header, this.models, this.revision);
     }
-    return { scene: this.scene, frame: frameOf(moment, this.scene) };
+    return { scene: this.scene, frame: frameOf(moment, this.scene), name: this.file.name, reader: this.file.reader, running: this.isRunning };
   }
 
   /** What keys do here. */

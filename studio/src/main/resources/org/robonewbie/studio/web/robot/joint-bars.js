@@ -1,21 +1,26 @@
-/** All joints of a robot: where in its range each one is, its angle, and how fast it turns. */
+/** All joints of a robot: where in its range each one is, its angle, how fast it turns and how fast it was told to. */
 import { element, setText } from '../panels/elements.js';
-import { JOINT_GROUPS, shortJointName } from '../state/motion/names.js';
+import { JOINT_GROUPS, jointName, shortJointName } from '../state/motion/names.js';
+import { fixed } from '../state/numbers.js';
 
-/** @typedef {import('../state/kinematics.js').RobotModel} RobotModel */
+/** @typedef {import('../state/robot/robot-watch.js').RobotMoment} RobotMoment */
+
+const END_DEGREES = 0.5;
 
 /**
  * @param {HTMLElement} place
- * @returns {(model: RobotModel, degrees: ArrayLike<number>, speeds: ArrayLike<number>) => void}
+ * @returns {(moment: RobotMoment) => void}
  */
 export function jointBars(place) {
-  /** @type {Array<{knob: HTMLElement, angle: HTMLElement, speed: HTMLElement}>} */
+  /** @type {ReturnType<typeof row>[]} */
   let rows = [];
-  /** @type {RobotModel | undefined} */
-  let shown;
-  return (model, degrees, speeds) => {
-    if (model !== shown) {
-      shown = model;
+  /** @type {string} */
+  let shown = '';
+  const head = element('div', { class: 'joint-head' }, ...['', '', 'angle', 'speed', 'command'].map((text) => element('span', { class: 'faint' }, text)));
+  return ({ model, frame, robot, traces, seconds }) => {
+    const names = model.hinges.map(({ joint }) => joint).join();
+    if (names !== shown) {
+      shown = names;
       const made = model.hinges.map((hinge) => row(hinge));
       rows = made;
       const isOther = (/** @type {string} */ joint) => !JOINT_GROUPS.some(({ test }) => test.test(joint));
@@ -23,15 +28,35 @@ export function jointBars(place) {
       const groups = [...JOINT_GROUPS, ...(model.hinges.some(({ joint }) => isOther(joint)) ? [toes] : [])].map(({ title, test }) =>
         element('section', { class: 'joint-group', 'aria-label': title }, element('h2', {}, title), ...made.filter((_, i) => test.test(model.hinges[i].joint)).map(({ line }) => line)),
       );
-      place.replaceChildren(...groups);
+      place.replaceChildren(head, ...groups);
     }
-    model.hinges.forEach(({ minDegrees, maxDegrees }, i) => {
-      const part = (degrees[i] - minDegrees) / (maxDegrees - minDegrees);
-      rows[i].knob.style.left = `${(100 * Math.max(0, Math.min(1, part))).toFixed(1)}%`;
-      setText(rows[i].angle, `${degrees[i].toFixed(1)}°`);
-      setText(rows[i].speed, Math.abs(speeds[i]) < 0.5 ? '' : `${speeds[i].toFixed(0)} °/s`);
+    const { degrees } = frame.robots[robot];
+    model.hinges.forEach((hinge, i) => {
+      const name = jointName(hinge.joint);
+      const speed = traces.valueAt(`joint speed/${name}`, seconds);
+      const command = traces.valueAt(`commanded speed/${name}`, seconds);
+      drawRow(rows[i], hinge, degrees[i], speed, command);
     });
   };
+}
+
+/**
+ * @param {ReturnType<typeof row>} row
+ * @param {import('../state/kinematics.js').Hinge} hinge
+ * @param {number} degrees
+ * @param {number | undefined} speed measured, degrees per second
+ * @param {number | undefined} command degrees per second
+ */
+function drawRow(row, { minDegrees, maxDegrees, maxSpeed }, degrees, speed, command) {
+  const part = (degrees - minDegrees) / (maxDegrees - minDegrees);
+  row.knob.style.left = `${(100 * Math.max(0, Math.min(1, part))).toFixed(1)}%`;
+  row.knob.classList.toggle('limit', degrees < minDegrees + END_DEGREES || degrees > maxDegrees - END_DEGREES);
+  setText(row.angle, `${fixed(degrees, 1)}°`);
+  setText(row.speed, speed === undefined ? '' : fixed(speed, 0));
+  const isTooFast = command !== undefined && Math.abs(command) > maxSpeed * 0.999;
+  row.command.classList.toggle('limit', isTooFast);
+  row.command.title = isTooFast ? `This motor turns at most ${maxSpeed.toFixed(0)}° per second` : '';
+  setText(row.command, command === undefined ? '' : `${isTooFast ? '! ' : ''}${fixed(command, 0)}`);
 }
 
 /** @param {import('../state/kinematics.js').Hinge} hinge */
@@ -39,7 +64,8 @@ function row({ joint, minDegrees, maxDegrees }) {
   const knob = element('i', { class: 'knob' });
   const angle = element('span', { class: 'angle' });
   const speed = element('span', { class: 'faint' });
+  const command = element('span', { class: 'command' });
   const bar = element('div', { class: 'range', title: `${minDegrees}° to ${maxDegrees}°` }, knob);
-  const line = element('div', { class: 'joint-row' }, element('span', {}, shortJointName(joint)), bar, angle, speed);
-  return { line, knob, angle, speed };
+  const line = element('div', { class: 'joint-row' }, element('span', {}, shortJointName(joint)), bar, angle, speed, command);
+  return { line, knob, angle, speed, command };
 }

@@ -1,42 +1,37 @@
-/** The room in which one robot is seen from inside: joints, surroundings, thoughts and curves. */
-import { byId, element, setText } from '../panels/elements.js';
+/** The room in which one robot is seen from inside: joints, senses, surroundings, thoughts, messages and curves. */
+import { button, byId, element, setText } from '../panels/elements.js';
+import { fixed } from '../state/numbers.js';
 import { placeOf } from '../state/robot/robot-facts.js';
-import { NO_THOUGHTS, robotKey, withTelemetry } from '../state/robot/telemetry.js';
-import { grown } from '../state/robot/traces.js';
-import { jointName } from '../state/motion/names.js';
+import { RobotWatch } from '../state/robot/robot-watch.js';
+import { readOrders, readSenses } from '../state/robot/senses.js';
+import { cameraPicture } from './camera-picture.js';
 import { jointBars } from './joint-bars.js';
-import { plots } from './plots.js';
+import { logList } from './log-list.js';
+import { messageView } from './message-view.js';
+import { PlotDesk } from './plot-desk.js';
+import { sensesPanel } from './senses-panel.js';
 import { surroundingsMap } from './surroundings-map.js';
 
 /**
- * @typedef {import('../state/studio-state.js').StudioState} StudioState
- * @typedef {import('../state/robot/telemetry.js').Thoughts} Thoughts
+ * @typedef {import('../state/time-cursor.js').TimeCursor} TimeCursor
+ * @typedef {import('../state/time-cursor.js').Shown} Shown
+ * @typedef {import('../state/robot/robot-watch.js').RobotMoment} RobotMoment
+ * @typedef {{send: (command: object) => void, goTo: (seconds: number) => void}} Surroundings
  */
 
 const PICTURE_MILLISECONDS = 90;
-const CYCLE_SECONDS = 0.02;
-const SHOWN_LINES = 200;
+const NO_SENSES = readSenses('');
 
-/** @param {{send: (command: object) => void}} surroundings */
+/** @param {Surroundings} surroundings */
 export function openRobotRoom(surroundings) {
   return new RobotRoom(surroundings);
 }
 
 class RobotRoom {
-  /** @param {{send: (command: object) => void}} surroundings */
-  constructor({ send }) {
-    this.send = send;
-    this.chosen = 0;
-    /** @type {ReadonlyMap<string, Thoughts>} */
-    this.thoughts = new Map();
-    /** @type {import('../state/robot/traces.js').Trace[]} */
-    this.traces = [];
-    /** Names of the curves, as the person has chosen them. */
-    this.curves = ['torso height', 'ball distance', 'left knee pitch', 'right knee pitch'];
-    this.watched = '';
+  /** @param {Surroundings} surroundings */
+  constructor({ send, goTo }) {
+    this.watch = new RobotWatch(send);
     this.lastPicture = 0;
-    /** @type {{cycle: number, degrees: ArrayLike<number>, speeds: number[]}} */
-    this.before = { cycle: -1, degrees: [], speeds: [] };
     const place = byId('robot-room');
     const part = (/** @type {string} */ id, /** @type {string} */ label) => {
       const made = element('section', { id, 'aria-label': label });
@@ -50,142 +45,113 @@ class RobotRoom {
     this.choice.addEventListener('change', () => this.choose(Number(this.choice.value)));
     this.facts = element('p', { class: 'robot-facts', role: 'status' });
     this.motion = element('p', { class: 'robot-motion' });
-    const map = element('div', { class: 'map' });
-    this.log = element('ol', { class: 'log', 'aria-label': 'Log of the robot' });
+    const camera = element('figure', {}, element('figcaption', { class: 'faint' }, 'What the camera sees'));
+    const map = element('figure', { class: 'map' }, element('figcaption', { class: 'faint' }, 'From above: rings are true, filled is believed'));
+    const senses = element('div', { class: 'senses-row' });
     middle.append(
       element('div', { class: 'robot-head' }, this.choice, this.facts),
       this.motion,
-      map,
-      element('p', { class: 'faint legend' }, 'Rings are true, filled is what the robot believes.'),
-      element('h2', {}, 'Log'),
-      this.log,
+      element('div', { class: 'robot-views' }, camera, map),
+      senses,
+      this.#sheets(goTo),
     );
-    this.adding = element('select', { id: 'add-curve', 'aria-label': 'Show another curve' });
-    this.adding.addEventListener('change', () => this.#toggleCurve(this.adding.value));
-    const curves = element('div', { class: 'curves' });
-    right.append(element('div', { class: 'robot-head' }, element('h2', {}, 'Curves of the last 20 seconds'), this.adding), curves);
     this.drawJoints = jointBars(joints);
+    this.drawCamera = cameraPicture(camera);
     this.drawMap = surroundingsMap(map);
-    this.drawPlots = plots(curves);
+    this.drawSenses = sensesPanel(senses);
+    this.plots = new PlotDesk(right, goTo);
+  }
+
+  /** The log and the messages lie in the same place. @param {(seconds: number) => void} goTo */
+  #sheets(goTo) {
+    const log = element('div', { class: 'sheet', id: 'log-sheet' });
+    const messages = element('div', { class: 'sheet', id: 'message-sheet' });
+    const sheets = [log, messages];
+    const tabs = ['Log', 'Messages'].map((name, i) => button(name, i === 0 ? 'What the program of the robot says (G)' : 'What goes over the wire (M)', () => show(i)));
+    tabs[0].id = 'log-tab';
+    tabs[1].id = 'message-tab';
+    const show = (/** @type {number} */ shown) => {
+      sheets.forEach((sheet, i) => {
+        sheet.hidden = i !== shown;
+        tabs[i].setAttribute('aria-pressed', String(i === shown));
+      });
+    };
+    this.showSheet = show;
+    this.drawLog = logList(log, goTo);
+    this.drawMessages = messageView(messages);
+    show(0);
+    return element('div', { class: 'sheets' }, element('div', { class: 'tabs' }, ...tabs), ...sheets);
   }
 
   /** What keys do here. */
   get deeds() {
     return [
-      { keys: ['n', 'N'], shown: 'N', text: 'next robot', act: () => this.choose((this.chosen + 1) % Math.max(1, this.choice.options.length)) },
+      { keys: ['n', 'N'], shown: 'N', text: 'next robot', act: () => this.choose((this.watch.chosen + 1) % Math.max(1, this.choice.options.length)) },
+      { keys: ['g', 'G'], shown: 'G', text: 'log', act: () => this.showSheet?.(0) },
+      { keys: ['m', 'M'], shown: 'M', text: 'messages', act: () => this.showSheet?.(1) },
+      { keys: ['h', 'H'], shown: 'H', text: 'hold the curves, or let them go on', act: () => this.plots.hold() },
     ];
   }
 
   /** @param {number} robot index of the robot */
   choose(robot) {
-    this.chosen = robot;
-    this.traces = [];
-    this.before = { cycle: -1, degrees: [], speeds: [] };
+    this.watch.chosen = robot;
+    this.lastPicture = 0;
   }
 
   /** A new line to the simulator knows nothing of what was watched. */
   forget() {
-    this.watched = '';
+    this.watch.forget();
   }
 
-  /** @param {string[]} lines */
-  hear(lines) {
-    this.thoughts = withTelemetry(this.thoughts, lines);
+  /** @param {{robot: string, lines: string[], messages: Array<[number, string, string]>}} news */
+  hear(news) {
+    this.watch.hear(news);
   }
 
   /**
-   * @param {StudioState} state
+   * @param {Shown} shown
+   * @param {TimeCursor} cursor
    * @param {number} now milliseconds
    */
-  turn({ scene, frame }, now) {
-    if (!scene || !frame || now - this.lastPicture < PICTURE_MILLISECONDS) {
+  turn(shown, cursor, now) {
+    if (now - this.lastPicture < PICTURE_MILLISECONDS) {
       return;
     }
     this.lastPicture = now;
-    this.#listRobots(scene);
-    if (scene.robots.length === 0) {
+    this.#listRobots(shown.scene?.robots ?? []);
+    const moment = this.watch.moment(shown, cursor);
+    if (moment) {
+      this.#draw(moment, shown.tense === 'live');
+    } else {
       setText(this.facts, 'No robot is there yet. Run an agent.');
-      return;
     }
-    this.chosen = Math.min(this.chosen, scene.robots.length - 1);
-    const player = scene.robots[this.chosen];
-    const key = robotKey(player.team, player.number);
-    if (key !== this.watched) {
-      this.watched = key;
-      this.send({ do: 'watch', team: player.team, number: player.number });
-    }
-    const thoughts = this.thoughts.get(key) ?? NO_THOUGHTS;
-    const model = scene.models[player.type];
-    const { degrees } = frame.robots[this.chosen];
-    const place = placeOf(frame, this.chosen);
-    this.drawJoints(model, degrees, this.#speeds(frame.cycle, degrees));
-    this.drawMap(scene, frame, this.chosen, thoughts);
-    setText(this.facts, `x ${place.x.toFixed(2)} m, y ${place.y.toFixed(2)} m, looks to ${place.heading.toFixed(0)}°, ${place.stands ? 'stands' : 'lies'}`);
-    const { name, keyframe } = thoughts.motion;
-    setText(this.motion, name ? `Motion ${name}, on the way to keyframe ${keyframe}` : 'No motion is running');
-    this.#drawLog(thoughts);
-    this.#drawCurves(frame.cycle * CYCLE_SECONDS, [
-      { name: 'torso height', unit: 'm', value: place.height },
-      { name: 'ball distance', unit: 'm', value: place.ball },
-      ...model.hinges.map(({ joint }, i) => ({ name: jointName(joint), unit: '°', value: degrees[i] })),
-      ...Object.entries(thoughts.values).map(([each, value]) => ({ name: each, unit: '', value })),
-    ]);
   }
 
-  /** @param {import('../live/state-frame.js').Scene} scene */
-  #listRobots({ robots }) {
+  /** @param {RobotMoment} moment @param {boolean} isLive */
+  #draw(moment, isLive) {
+    const { frame, robot, thoughts, scene, model, seconds } = moment;
+    const place = placeOf(frame, robot);
+    setText(this.facts, `x ${fixed(place.x, 2)} m, y ${fixed(place.y, 2)} m, looks to ${fixed(place.heading, 0)}°, ${place.stands ? 'stands' : 'lies'}`);
+    const { name, keyframe } = thoughts.motion;
+    setText(this.motion, name ? `Motion ${name}, on the way to keyframe ${keyframe}` : 'No motion is running');
+    this.drawJoints(moment);
+    this.drawMap(moment);
+    this.drawCamera(thoughts.picture && readSenses(thoughts.picture.perceptors).seen, scene.robots[robot].team);
+    const { exchange } = thoughts;
+    this.drawSenses(exchange ? readSenses(exchange.perceptors) : NO_SENSES, exchange ? readOrders(exchange.effectors).said : [], model);
+    this.drawLog?.(thoughts.log, seconds);
+    this.drawMessages?.(exchange);
+    this.plots.draw(moment, isLive);
+  }
+
+  /** @param {readonly import('../live/state-frame.js').Player[]} robots */
+  #listRobots(robots) {
     const names = robots.map(({ team, number }) => `${team} ${number}`.trim() || 'new robot');
     if ([...this.choice.options].map(({ text }) => text).join('\n') !== names.join('\n')) {
       this.choice.replaceChildren(...names.map((name, i) => element('option', { value: String(i) }, name)));
     }
     this.choice.hidden = names.length === 0;
-    this.choice.value = String(this.chosen);
-  }
-
-  /** @param {number} cycle @param {ArrayLike<number>} degrees */
-  #speeds(cycle, degrees) {
-    const { before } = this;
-    const seconds = (cycle - before.cycle) * CYCLE_SECONDS;
-    if (seconds !== 0) {
-      const isNext = before.cycle >= 0 && seconds > 0 && seconds < 1;
-      const speeds = Array.from(degrees, (angle, i) => (isNext ? (angle - before.degrees[i]) / seconds : 0));
-      this.before = { cycle, degrees, speeds };
-    }
-    return this.before.speeds;
-  }
-
-  /** @param {Thoughts} thoughts */
-  #drawLog({ log }) {
-    const last = log.at(-1);
-    const key = `${log.length} ${last?.seconds} ${last?.text}`;
-    if (this.log.dataset.key === key) {
-      return;
-    }
-    this.log.dataset.key = key;
-    const atEnd = this.log.scrollTop + this.log.clientHeight >= this.log.scrollHeight - 8;
-    this.log.replaceChildren(
-      ...log.slice(-SHOWN_LINES).map(({ seconds, level, text }) => element('li', { class: level.toLowerCase() }, element('span', { class: 'faint' }, `${seconds.toFixed(2)} s`), ` ${level === 'INFO' ? '' : `${level} `}${text}`)),
-    );
-    if (atEnd) {
-      this.log.scrollTop = this.log.scrollHeight;
-    }
-  }
-
-  /** @param {number} seconds @param {Array<{name: string, unit: string, value: number}>} values */
-  #drawCurves(seconds, values) {
-    const names = values.map(({ name }) => name).join('\n');
-    if (this.adding.dataset.names !== names + this.curves.join()) {
-      this.adding.dataset.names = names + this.curves.join();
-      const options = values.map(({ name }) => element('option', { value: name }, `${this.curves.includes(name) ? '✓ ' : ''}${name}`));
-      this.adding.replaceChildren(element('option', { value: '' }, 'Choose curves…'), ...options);
-    }
-    this.traces = grown(this.traces, seconds, values);
-    this.drawPlots(this.traces.filter(({ name }) => this.curves.includes(name)));
-  }
-
-  /** @param {string} name */
-  #toggleCurve(name) {
-    this.curves = this.curves.includes(name) ? this.curves.filter((each) => each !== name) : [...this.curves, name].filter(Boolean);
-    this.adding.value = '';
+    this.choice.value = String(Math.min(this.watch.chosen, names.length - 1));
   }
 }

@@ -18,6 +18,8 @@
  * @property {number[]} axis
  * @property {number} minDegrees
  * @property {number} maxDegrees
+ * @property {string} effector as messages name it
+ * @property {number} maxSpeed of its motor, degrees per second
  *
  * @typedef {object} RobotModel
  * @property {Link[]} links the torso first

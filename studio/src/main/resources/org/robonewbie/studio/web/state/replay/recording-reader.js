@@ -16,6 +16,7 @@
  * @property {number} gameTime seconds
  * @property {Game} game
  * @property {Player[]} robots
+ * @property {ReadonlyMap<number, Float32Array>} speeds commanded, degrees per second by hinge, of each robot that was commanded
  * @property {Int32Array} numbers ball's pose, then for each robot the torso's pose and the hinges' angles, in the file's steps
  *
  * @typedef {object} RecordedEvent
@@ -29,10 +30,13 @@ const VERSION = 1;
 const HEADER = 1;
 const GAME = 2;
 const ROBOTS = 3;
+const COMMANDS = 4;
 const EVENT = 5;
 const CYCLE = 6;
 const POSE_NUMBERS = 7;
+const MOST_HINGES = 24;
 const CYCLE_SECONDS = 0.02;
+const DEGREES_PER_STEP = 180 / Math.PI / 10_000;
 const SIDES = /** @type {const} */ (['', 'left', 'right']);
 
 export class RecordingReader {
@@ -55,6 +59,8 @@ export class RecordingReader {
     this.ball = new Int32Array(POSE_NUMBERS);
     /** @type {Map<number, Int32Array>} */
     this.tracks = new Map();
+    /** @type {ReadonlyMap<number, Float32Array>} */
+    this.speeds = new Map();
   }
 
   /**
@@ -111,11 +117,24 @@ export class RecordingReader {
       this.game = { playMode, half, scoreLeft, scoreRight, left: content.text(), right: content.text() };
     } else if (kind === ROBOTS) {
       this.robots = Array.from({ length: content.unsigned() }, () => readRobot(content));
+    } else if (kind === COMMANDS) {
+      this.#commands(content);
     } else if (kind === EVENT) {
       this.#event(content.text());
     } else if (kind === CYCLE) {
       this.#cycle(content);
     }
+  }
+
+  /** @param {Source} content */
+  #commands(content) {
+    const id = content.unsigned();
+    const speeds = Float32Array.from(this.speeds.get(id) ?? new Float32Array(MOST_HINGES));
+    for (let count = content.unsigned(); count > 0; count--) {
+      const hinge = content.unsigned();
+      speeds[hinge] = content.signed() * DEGREES_PER_STEP;
+    }
+    this.speeds = new Map(this.speeds).set(id, speeds);
   }
 
   /** @param {string} text */
@@ -142,7 +161,7 @@ export class RecordingReader {
       numbers.set(track, at);
       at += sizes[i];
     });
-    const moment = { cycle, gameTime: this.ticks * CYCLE_SECONDS, game: this.game, robots: this.robots, numbers };
+    const moment = { cycle, gameTime: this.ticks * CYCLE_SECONDS, game: this.game, robots: this.robots, speeds: this.speeds, numbers };
     this.#noteFalls(moment);
     this.moments.push(moment);
   }

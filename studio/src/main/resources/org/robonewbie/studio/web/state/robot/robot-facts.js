@@ -53,16 +53,31 @@ export function seenFrom(torso, place) {
 /**
  * @param {Frame} frame
  * @param {number} robot
- * @returns {{x: number, y: number, height: number, heading: number, stands: boolean, ball: number}}
+ * @returns {{x: number, y: number, height: number, heading: number, tilt: number, stands: boolean, ball: number}}
  */
 export function placeOf(frame, robot) {
   const { torso } = frame.robots[robot];
+  const upright = rotated(torso, 0, [0, 0, 1])[2];
   return {
     x: torso[0],
     y: torso[1],
     height: torso[2],
     heading: headingDegrees(torso),
-    stands: rotated(torso, 0, [0, 0, 1])[2] >= LYING_COSINE,
+    tilt: (Math.acos(Math.max(-1, Math.min(1, upright))) * 180) / Math.PI,
+    stands: upright >= LYING_COSINE,
     ball: Math.hypot(frame.ball[0] - torso[0], frame.ball[1] - torso[1]),
   };
+}
+
+/**
+ * Where a robot believes to be, seen from where it is.
+ *
+ * @param {ArrayLike<number>} torso true pose
+ * @param {string} side of its team; robots of the right team count from their own side
+ * @param {number[]} self believed x, y in metres and direction in degrees, where the opponents' goal is at positive x
+ * @returns {{position: number[], heading: number}} metres forward and left; direction in the world in degrees
+ */
+export function believedPlace(torso, side, [x, y, degrees]) {
+  const sign = side === 'right' ? -1 : 1;
+  return { position: seenFrom(torso, [sign * x, sign * y]), heading: sign < 0 ? degrees + 180 : degrees };
 }

@@ -1,6 +1,6 @@
 /**
  * What robots tell about their thoughts: reads the lines that the server hands on, as the Java class TelemetryLine writes
- * them, and keeps the newest of each robot. Pure.
+ * them. Pure.
  *
  * @typedef {object} LogLine
  * @property {number} seconds
@@ -21,64 +21,41 @@
  * @property {number} radius
  * @property {string} text
  *
- * @typedef {object} Thoughts
- * @property {readonly LogLine[]} log the newest last
- * @property {{name: string, keyframe: number}} motion
- * @property {{things: BelievedThing[], self: number[] | undefined} | undefined} belief
- * @property {{seconds: number, drawings: Drawing[]}} picture
- * @property {Record<string, number>} values numbers to be plotted
+ * @typedef {{things: BelievedThing[], self: number[] | undefined}} Belief
+ * @typedef {{name: string, keyframe: number}} MotionProgress
+ *
+ * @typedef {{seconds: number, robot: string} & (
+ *   {kind: 'log', log: LogLine} | {kind: 'motion', motion: MotionProgress} | {kind: 'belief', belief: Belief}
+ *   | {kind: 'draw', drawings: Drawing[]} | {kind: 'plot', name: string, value: number} | {kind: 'other'})} Told
  */
-
-const MOST_LINES = 500;
-
-/** @type {Thoughts} */
-export const NO_THOUGHTS = { log: [], motion: { name: '', keyframe: 0 }, belief: undefined, picture: { seconds: 0, drawings: [] }, values: {} };
 
 /** @param {string} team @param {number} number @returns {string} */
 export function robotKey(team, number) {
   return `${team}\t${number}`;
 }
 
-/**
- * @param {ReadonlyMap<string, Thoughts>} all thoughts by robot
- * @param {readonly string[]} lines
- * @returns {Map<string, Thoughts>}
- */
-export function withTelemetry(all, lines) {
-  const next = new Map(all);
-  for (const line of lines) {
-    const [kind, seconds, team, number, ...fields] = line.split('\t').map(unescaped);
-    const key = robotKey(team, Number(number));
-    next.set(key, thought(next.get(key) ?? NO_THOUGHTS, kind, Number(seconds), fields));
-  }
-  return next;
-}
-
-/**
- * @param {Thoughts} thoughts
- * @param {string} kind
- * @param {number} seconds
- * @param {string[]} fields
- * @returns {Thoughts}
- */
-function thought(thoughts, kind, seconds, fields) {
+/** @param {string} line @returns {Told} */
+export function readTelemetry(line) {
+  const [kind, time, team, number, ...fields] = line.split('\t').map(unescaped);
+  const seconds = Number(time);
+  const told = { seconds, robot: robotKey(team, Number(number)) };
   switch (kind) {
     case 'log':
-      return { ...thoughts, log: [...thoughts.log, { seconds, level: fields[0], text: fields[1] ?? '' }].slice(-MOST_LINES) };
+      return { ...told, kind, log: { seconds, level: fields[0], text: fields[1] ?? '' } };
     case 'motion':
-      return { ...thoughts, motion: { name: fields[0], keyframe: Number(fields[1]) } };
+      return { ...told, kind, motion: { name: fields[0], keyframe: Number(fields[1]) } };
     case 'belief':
-      return { ...thoughts, belief: readBelief(fields) };
+      return { ...told, kind, belief: readBelief(fields) };
     case 'draw':
-      return { ...thoughts, picture: { seconds, drawings: readDrawings(fields) } };
+      return { ...told, kind, drawings: readDrawings(fields) };
     case 'plot':
-      return { ...thoughts, values: { ...thoughts.values, [fields[0]]: Number(fields[1]) } };
+      return { ...told, kind, name: fields[0], value: Number(fields[1]) };
     default:
-      return thoughts;
+      return { ...told, kind: 'other' };
   }
 }
 
-/** @param {string[]} fields */
+/** @param {string[]} fields @returns {Belief} */
 function readBelief(fields) {
   const knows = fields[0] !== '-';
   const self = knows ? fields.slice(0, 3).map(Number) : undefined;

@@ -1,54 +1,121 @@
-/**
- * The last seconds of values that change, to be plotted. Pure.
- *
- * @typedef {object} Trace
- * @property {string} name
- * @property {string} unit
- * @property {Array<[number, number]>} points seconds and value, the newest last
- */
+/** The values of one robot over time, to be plotted: a table with one row for each cycle and one column for each name. */
 
-const KEPT_SECONDS = 20;
+const CYCLE_SECONDS = 0.02;
 
-/**
- * Adds the newest values; names that are new begin a trace.
- *
- * @param {readonly Trace[]} traces
- * @param {number} seconds
- * @param {ReadonlyArray<{name: string, unit: string, value: number}>} values
- * @returns {Trace[]}
- */
-export function grown(traces, seconds, values) {
-  return values.map(({ name, unit, value }) => {
-    const before = traces.find((trace) => trace.name === name)?.points ?? [];
-    const last = before.at(-1);
-    if (last && last[0] === seconds) {
-      return { name, unit, points: before };
+/** The last five minutes. */
+const MOST_ROWS = 15_000;
+
+export class Traces {
+  constructor() {
+    /** @type {Map<string, number>} column of each name */
+    this.names = new Map();
+    /** @type {number[]} */
+    this.cycles = [];
+    /** @type {Array<Array<number | undefined>>} */
+    this.rows = [];
+    /** Grows with each change. */
+    this.revision = 0;
+  }
+
+  /**
+   * Adds values of a cycle to what is known of it. Cycles come in ascending order, a few may come late.
+   *
+   * @param {number} cycle
+   * @param {Iterable<readonly [string, number]>} values
+   */
+  add(cycle, values) {
+    const row = this.#row(cycle);
+    for (const [name, value] of values) {
+      let column = this.names.get(name);
+      if (column === undefined) {
+        column = this.names.size;
+        this.names.set(name, column);
+      }
+      row[column] = value;
     }
-    const isBack = last !== undefined && seconds < last[0];
-    const kept = isBack ? [] : before.filter(([time]) => time > seconds - KEPT_SECONDS);
-    return { name, unit, points: [...kept, /** @type {[number, number]} */ ([seconds, value])] };
-  });
+    this.revision++;
+  }
+
+  /** @param {number} cycle */
+  #row(cycle) {
+    let at = this.cycles.length;
+    while (at > 0 && this.cycles[at - 1] > cycle) {
+      at--;
+    }
+    if (at > 0 && this.cycles[at - 1] === cycle) {
+      return this.rows[at - 1];
+    }
+    /** @type {Array<number | undefined>} */
+    const row = [];
+    this.cycles.splice(at, 0, cycle);
+    this.rows.splice(at, 0, row);
+    if (this.rows.length > MOST_ROWS * 1.1) {
+      this.cycles.splice(0, this.rows.length - MOST_ROWS);
+      this.rows.splice(0, this.rows.length - MOST_ROWS);
+    }
+    return row;
+  }
+
+  /**
+   * @param {readonly string[]} names
+   * @param {number} from seconds
+   * @param {number} to seconds
+   * @returns {Array<Array<number | null>>} seconds, then the values of each name
+   */
+  columns(names, from, to) {
+    const first = Math.max(0, this.#countBefore(from / CYCLE_SECONDS) - 1);
+    const last = Math.min(this.rows.length, this.#countBefore(to / CYCLE_SECONDS) + 1);
+    const rows = this.rows.slice(first, last);
+    const seconds = this.cycles.slice(first, last).map((cycle) => cycle * CYCLE_SECONDS);
+    return [seconds, ...names.map((name) => {
+      const column = this.names.get(name) ?? -1;
+      return rows.map((row) => row[column] ?? null);
+    })];
+  }
+
+  /** @returns {{from: number, to: number}} seconds of the first and last row */
+  get extent() {
+    return { from: (this.cycles[0] ?? 0) * CYCLE_SECONDS, to: (this.cycles.at(-1) ?? 0) * CYCLE_SECONDS };
+  }
+
+  /**
+   * @param {string} name
+   * @param {number} seconds
+   * @returns {number | undefined} the last value that is not later
+   */
+  valueAt(name, seconds) {
+    const column = this.names.get(name) ?? -1;
+    const end = this.#countBefore(seconds / CYCLE_SECONDS + 0.5);
+    return this.rows.slice(Math.max(0, end - 10), end).findLast((row) => row[column] !== undefined)?.[column];
+  }
+
+  /** @param {number} cycle */
+  #countBefore(cycle) {
+    let [low, high] = [0, this.cycles.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.cycles[middle] < cycle) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
+  }
 }
 
 /**
- * @param {readonly Trace[]} traces
- * @returns {{from: number, to: number, least: number, most: number}} what a plot of them must show
+ * Writes values as a table for other programs.
+ *
+ * @param {Traces} traces
+ * @param {readonly string[]} names
+ * @param {number} from seconds
+ * @param {number} to seconds
+ * @returns {string}
  */
-export function extentOf(traces) {
-  const points = traces.flatMap((trace) => trace.points);
-  const to = Math.max(0, ...points.map(([time]) => time));
-  const values = points.map(([, value]) => value);
-  const least = Math.min(...values, Infinity);
-  const most = Math.max(...values, -Infinity);
-  const room = Math.max(1, (most - least) * 0.08);
-  return { from: Math.max(0, to - KEPT_SECONDS), to: Math.max(to, 1), least: least - room, most: most + room };
-}
-
-/**
- * @param {Trace} trace
- * @param {number} seconds
- * @returns {number | undefined} the value at a moment
- */
-export function valueAt(trace, seconds) {
-  return trace.points.findLast(([time]) => time <= seconds + 1e-6)?.[1];
+export function tableOf(traces, names, from, to) {
+  const columns = traces.columns(names, from, to);
+  const head = ['seconds', ...names].map((name) => name.replaceAll(/[,"\n]/g, ' '));
+  const rows = columns[0].map((seconds, i) => [(seconds ?? 0).toFixed(2), ...columns.slice(1).map((column) => column[i] ?? '')].join(','));
+  return [head.join(','), ...rows, ''].join('\n');
 }

@@ -1,0 +1,59 @@
+/** The line on which one goes back in the running simulation, the same in all rooms; and the way back to now. */
+import { button, byId, element, setText } from './elements.js';
+
+/** @typedef {import('../state/time-cursor.js').TimeCursor} TimeCursor */
+
+const CYCLE_SECONDS = 0.02;
+
+/**
+ * @param {TimeCursor} cursor
+ * @param {() => void} changed
+ * @returns {(tense: 'live' | 'past' | 'recorded', isHidden: boolean) => void} draws the line
+ */
+export function timeLinePanel(cursor, changed) {
+  const place = byId('time-line');
+  const line = element('input', { type: 'range', id: 'moment', 'aria-label': 'Moment that is shown', title: 'Go back in time; the simulation goes on' });
+  const reading = element('span', { class: 'moment-reading', role: 'status' });
+  const live = button('Live', 'Show what happens now (End)', () => act(() => cursor.goLive()));
+  live.id = 'go-live';
+  place.append(live, line, reading);
+  /** @param {() => void} deed */
+  const act = (deed) => {
+    deed();
+    changed();
+  };
+  line.addEventListener('input', () => act(() => cursor.goTo(Number(line.value))));
+  return (tense, isHidden) => {
+    const { first, last, kept } = cursor.history;
+    place.hidden = isHidden || (kept.length < 2 && tense !== 'recorded');
+    place.dataset.tense = tense;
+    line.hidden = tense === 'recorded';
+    line.min = String(first);
+    line.max = String(last);
+    line.value = String(cursor.cycle ?? last);
+    live.setAttribute('aria-pressed', String(tense === 'live'));
+    setText(reading, readingOf(cursor));
+  };
+}
+
+/** @param {TimeCursor} cursor */
+function readingOf({ cycle, recorded, history }) {
+  if (recorded) {
+    return `Recording ${recorded.name} at ${(recorded.frame.cycle * CYCLE_SECONDS).toFixed(2)} s`;
+  }
+  return cycle === undefined ? 'now' : `${(cycle * CYCLE_SECONDS).toFixed(2)} s, ${((history.last - cycle) * CYCLE_SECONDS).toFixed(1)} s ago`;
+}
+
+/**
+ * @param {TimeCursor} cursor
+ * @param {() => void} changed
+ * @returns {import('./keys.js').Deed[]} what keys do with time
+ */
+export function timeLineDeeds(cursor, changed) {
+  const go = (/** @type {() => void} */ deed) => () => (deed(), changed());
+  return [
+    { keys: ['<', ';'], shown: '<', text: 'a moment back, the simulation goes on', act: go(() => cursor.step(-5)) },
+    { keys: ['>', ':'], shown: '>', text: 'a moment on', act: go(() => cursor.step(5)) },
+    { keys: ['End'], shown: 'End', text: 'back to now', act: go(() => cursor.goLive()) },
+  ];
+}

@@ -1,0 +1,57 @@
+/** The log of a robot: its lines from a level on; the line of the moment is marked, and a click goes to the moment of a line. */
+import { element } from '../panels/elements.js';
+
+/** @typedef {import('../state/robot/telemetry.js').LogLine} LogLine */
+
+const LEVELS = ['DEBUG', 'INFO', 'WARNING', 'ERROR'];
+const MOST_LINES = 300;
+const HALF_CYCLE = 0.01;
+
+/**
+ * @param {HTMLElement} place
+ * @param {(seconds: number) => void} goTo
+ * @returns {(log: readonly LogLine[], seconds: number) => void}
+ */
+export function logList(place, goTo) {
+  const level = element('select', { id: 'log-level', 'aria-label': 'Lines from this level on' });
+  level.append(...LEVELS.map((each) => element('option', { value: each }, each === 'DEBUG' ? 'all lines' : `from ${each.toLowerCase()} on`)));
+  const list = element('ol', { class: 'log', 'aria-label': 'Log of the robot', tabindex: '0' });
+  place.append(level, list);
+  let drawn = '';
+  let marked = '';
+  return (log, seconds) => {
+    const wanted = log.filter((line) => LEVELS.indexOf(line.level) >= LEVELS.indexOf(level.value));
+    const last = wanted.findLastIndex((line) => line.seconds <= seconds + HALF_CYCLE);
+    const shown = wanted.slice(Math.max(0, last + 50 - MOST_LINES), last + 50);
+    const key = `${wanted.length} ${shown.length} ${shown[0]?.seconds} ${shown.at(-1)?.seconds} ${level.value}`;
+    if (key !== drawn) {
+      drawn = key;
+      list.replaceChildren(...shown.map((line) => row(line, goTo)));
+    }
+    const line = wanted[last];
+    const mark = `${key} ${shown.indexOf(line)}`;
+    if (mark !== marked) {
+      marked = mark;
+      markLine(list, shown.indexOf(line));
+    }
+  };
+}
+
+/** @param {HTMLElement} list @param {number} index */
+function markLine(list, index) {
+  [...list.children].forEach((child, i) => {
+    child.toggleAttribute('aria-current', i === index);
+    child.classList.toggle('later', i > index);
+  });
+  const line = /** @type {HTMLElement | undefined} */ (list.children[index]);
+  if (line) {
+    list.scrollTop = line.offsetTop + line.offsetHeight - list.clientHeight;
+  }
+}
+
+/** @param {LogLine} line @param {(seconds: number) => void} goTo */
+function row({ seconds, level, text }, goTo) {
+  const link = element('button', { type: 'button', class: 'quiet log-time', title: 'Show this moment' }, `${seconds.toFixed(2)} s`);
+  link.addEventListener('click', () => goTo(seconds));
+  return element('li', { class: level.toLowerCase() }, link, ` ${level === 'INFO' ? '' : `${level} `}${text}`);
+}

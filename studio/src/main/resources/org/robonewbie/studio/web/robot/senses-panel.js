@@ -1,0 +1,71 @@
+/** What a robot feels and hears: accelerometer, gyroscope, feet, calls, and what the referee tells. */
+import { label, shape } from '../panels/drawing.js';
+import { element, setText } from '../panels/elements.js';
+import { fixed } from '../state/numbers.js';
+
+/**
+ * @typedef {import('../state/robot/senses.js').Senses} Senses
+ * @typedef {import('../state/kinematics.js').RobotModel} RobotModel
+ */
+
+const FEET = { lf: 'left', rf: 'right' };
+const NEWTONS_PER_METRE = 2500;
+
+/**
+ * @param {HTMLElement} place
+ * @returns {(senses: Senses, said: string[], model: RobotModel) => void}
+ */
+export function sensesPanel(place) {
+  const values = Object.fromEntries(['Accelerometer', 'Gyroscope', 'Left foot', 'Right foot', 'Hears', 'Says', 'Game'].map((name) => [name, element('dd', {})]));
+  const list = element('dl', { class: 'senses' }, ...Object.entries(values).flatMap(([name, value]) => [element('dt', {}, name), value]));
+  const soles = shape('svg', { class: 'soles', viewBox: '-0.13 -0.1 0.26 0.2', role: 'img' });
+  soles.setAttribute('aria-label', 'Where the ground presses against the feet; the toes are above');
+  place.append(list, soles);
+  return (senses, said, model) => {
+    setText(values.Accelerometer, vector(senses.acceleration, 1, 'm/s²'));
+    setText(values.Gyroscope, vector(senses.gyro, 0, '°/s'));
+    setText(values['Left foot'], foot(senses.feet.lf));
+    setText(values['Right foot'], foot(senses.feet.rf));
+    if (senses.heard.length > 0) {
+      setText(values.Hears, senses.heard.map(({ from, text }) => `“${text}” from ${from}`).join(', '));
+    } else if (values.Hears.textContent === '') {
+      setText(values.Hears, '–');
+    }
+    if (said.length > 0) {
+      setText(values.Says, said.map((text) => `“${text}”`).join(', '));
+    } else if (values.Says.textContent === '') {
+      setText(values.Says, '–');
+    }
+    setText(values.Game, game(senses.game));
+    drawSoles(soles, senses, model);
+  };
+}
+
+/** @param {number[] | undefined} numbers @param {number} digits @param {string} unit */
+function vector(numbers, digits, unit) {
+  return numbers ? `${['forward', 'left', 'up'].map((name, i) => `${name} ${fixed(numbers[i], digits)}`).join(', ')} ${unit}` : '–';
+}
+
+/** @param {import('../state/robot/senses.js').FootForce | undefined} force */
+function foot(force) {
+  return force ? `${fixed(Math.hypot(...force.force), 0)} N, forward ${fixed(force.contact[0] * 1000, 0)}, left ${fixed(force.contact[1] * 1000, 0)} mm` : 'touches nothing';
+}
+
+/** @param {Record<string, string>} told */
+function game(told) {
+  const score = told.sl === undefined ? '' : `, ${told.sl} : ${told.sr}`;
+  return told.pm === undefined ? '–' : `${told.pm} at ${told.t} s${score}`;
+}
+
+/** @param {SVGElement} soles @param {Senses} senses @param {RobotModel} model */
+function drawSoles(soles, senses, model) {
+  const shapes = Object.entries(FEET).flatMap(([name, side], i) => {
+    const size = model.links.find((link) => link.name === `${side[0]}foot`)?.size ?? [0.08, 0.16, 0.03];
+    const middle = i === 0 ? -0.06 : 0.06;
+    const sole = shape('rect', { class: 'sole', x: middle - size[0] / 2, y: -size[1] / 2, width: size[0], height: size[1], rx: 0.02 });
+    const force = senses.feet[name];
+    const press = force && shape('circle', { class: 'press', cx: middle - force.contact[1], cy: -force.contact[0], r: Math.min(0.05, 0.004 + Math.hypot(...force.force) / NEWTONS_PER_METRE) });
+    return [sole, ...(press ? [press] : []), label(side[0].toUpperCase(), middle - 0.007, 0.076, 'sole-text')];
+  });
+  soles.replaceChildren(...shapes);
+}

@@ -1,0 +1,67 @@
+/** The frames of the last minutes of the running simulation, as they came. */
+import { readFrame } from '../live/state-frame.js';
+
+/**
+ * @typedef {import('../live/state-frame.js').Scene} Scene
+ * @typedef {import('../live/state-frame.js').Frame} Frame
+ * @typedef {{cycle: number, scene: Scene, bytes: ArrayBuffer}} Kept
+ */
+
+/** Ten minutes at 25 frames per second; 22 robots need 1.4 KB per frame. */
+const MOST_FRAMES = 15_000;
+
+export class LiveHistory {
+  constructor() {
+    /** @type {Kept[]} */
+    this.kept = [];
+  }
+
+  clear() {
+    this.kept = [];
+  }
+
+  /** @param {number} cycle @param {Scene} scene @param {ArrayBuffer} bytes */
+  push(cycle, scene, bytes) {
+    while ((this.kept.at(-1)?.cycle ?? -1) >= cycle) {
+      this.kept.pop();
+    }
+    this.kept.push({ cycle, scene, bytes });
+    if (this.kept.length > MOST_FRAMES * 1.1) {
+      this.kept.splice(0, this.kept.length - MOST_FRAMES);
+    }
+  }
+
+  get first() {
+    return this.kept[0]?.cycle ?? 0;
+  }
+
+  get last() {
+    return this.kept.at(-1)?.cycle ?? 0;
+  }
+
+  /** @param {number} cycle @returns {number} index of the last frame that is not later, or the first one */
+  indexOf(cycle) {
+    let [low, high] = [0, this.kept.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.kept[middle].cycle <= cycle) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return Math.max(0, low - 1);
+  }
+
+  /** @param {number} cycle @returns {{scene: Scene, frame: Frame} | undefined} what was then */
+  at(cycle) {
+    return this.read(this.indexOf(cycle));
+  }
+
+  /** @param {number} index @returns {{scene: Scene, frame: Frame} | undefined} */
+  read(index) {
+    const kept = this.kept[index];
+    const frame = kept && readFrame(kept.bytes, kept.scene);
+    return frame && { scene: kept.scene, frame };
+  }
+}

@@ -1,0 +1,74 @@
+/**
+ * The one moment that all rooms show: now, an earlier moment of the running simulation, or a moment of a recording. The
+ * simulation goes on meanwhile.
+ */
+import { LiveHistory } from './live-history.js';
+
+/**
+ * @typedef {import('./studio-state.js').StudioState} StudioState
+ * @typedef {import('../live/state-frame.js').Scene} Scene
+ * @typedef {import('../live/state-frame.js').Frame} Frame
+ * @typedef {import('./replay/recording-reader.js').RecordingReader} RecordingReader
+ *
+ * @typedef {object} RecordedMoment
+ * @property {string} name of the recording
+ * @property {Scene} scene
+ * @property {Frame} frame
+ * @property {RecordingReader} reader the whole recording
+ * @property {boolean} running whether it is the recording of the running simulation
+ *
+ * @typedef {object} Shown
+ * @property {'live' | 'past' | 'recorded'} tense
+ * @property {Scene | undefined} scene
+ * @property {Frame | undefined} frame
+ * @property {RecordedMoment} [recorded]
+ */
+
+export class TimeCursor {
+  constructor() {
+    this.history = new LiveHistory();
+    /** The chosen cycle of the running simulation; now, if undefined. @type {number | undefined} */
+    this.cycle = undefined;
+    /** @type {RecordedMoment | undefined} */
+    this.recorded = undefined;
+  }
+
+  /** Another simulation begins. */
+  restart() {
+    this.history.clear();
+    this.cycle = undefined;
+  }
+
+  /** Shows what happens now. */
+  goLive() {
+    this.cycle = undefined;
+    this.recorded = undefined;
+  }
+
+  /** @param {number} cycle of the running simulation */
+  goTo(cycle) {
+    this.recorded = undefined;
+    const { first, last } = this.history;
+    this.cycle = cycle >= last ? undefined : Math.max(first, Math.round(cycle));
+  }
+
+  /** @param {number} cycles */
+  step(cycles) {
+    this.goTo((this.cycle ?? this.history.last) + cycles);
+  }
+
+  /** @param {RecordedMoment} moment */
+  goToRecorded(moment) {
+    this.cycle = undefined;
+    this.recorded = moment;
+  }
+
+  /** @param {StudioState} state @returns {Shown} */
+  shown({ scene, frame }) {
+    if (this.recorded) {
+      return { tense: 'recorded', scene: this.recorded.scene, frame: this.recorded.frame, recorded: this.recorded };
+    }
+    const past = this.cycle === undefined ? undefined : this.history.at(this.cycle);
+    return past ? { tense: 'past', ...past } : { tense: 'live', scene, frame };
+  }
+}

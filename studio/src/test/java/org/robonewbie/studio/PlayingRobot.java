@@ -1,0 +1,62 @@
+package org.robonewbie.studio;
+
+import java.io.IOException;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+
+/** The real simulator in real time with a robot that nods, lifts an arm too fast and calls; its program is in this process. */
+final class PlayingRobot implements AutoCloseable {
+
+    private final Simulator simulator;
+    private final Thread program;
+
+    private PlayingRobot(Simulator simulator) {
+        this.simulator = simulator;
+        AgentLink link = simulator.connect();
+        program = new Thread(() -> play(link), "playing-robot");
+        program.setDaemon(true);
+    }
+
+    static PlayingRobot start() throws IOException {
+        SimulatorSettings settings = SimulatorSettings.beginner()
+                .agentPort(0)
+                .synchronous(true)
+                .speed(1)
+                .build();
+        PlayingRobot robot = new PlayingRobot(Simulator.start(settings, Console.silent()));
+        robot.program.start();
+        return robot;
+    }
+
+    Simulator simulator() {
+        return simulator;
+    }
+
+    private static void play(AgentLink link) {
+        try (link) {
+            say(link, "(scene rsg/agent/nao/nao.rsg)(syn)");
+            MessageBuffer percepts = new MessageBuffer();
+            for (int cycle = 0; link.receive(percepts); cycle++) {
+                String nod = "(he2 " + (cycle % 100 < 50 ? 0.5 : -0.5) + ")(lae1 9.5)(say step" + cycle + ")";
+                String start = cycle == 0 ? "(init (unum 1)(teamname Stars))" : cycle == 3 ? "(beam -2 0 0)" : nod;
+                say(link, start + "(syn)");
+            }
+        } catch (IOException simulatorHasEnded) {
+            // Nobody is left to play with.
+        }
+    }
+
+    private static void say(AgentLink link, String text) throws IOException {
+        MessageBuffer message = new MessageBuffer();
+        message.append(text);
+        link.send(message);
+    }
+
+    @Override
+    public void close() {
+        simulator.close();
+    }
+}
