@@ -21,7 +21,8 @@ final class Memory {
     }
 
     void keep(TelemetryMessage message) {
-        if (message.item() instanceof TelemetryItem.LogEntry || message.item() instanceof TelemetryItem.MotionProgress) {
+        if (message.item() instanceof TelemetryItem.LogEntry
+                || message.item() instanceof TelemetryItem.MotionProgress) {
             Deque<TelemetryMessage> kept =
                     robots.computeIfAbsent(key(message.team(), message.number()), robot -> new ArrayDeque<>());
             kept.add(message);

@@ -60,7 +60,7 @@ class ReplayPageTest {
 
     private void visit() {
         browser.visit(studio.address() + "&quality=lowest&theme=light#replay");
-        browser.await("studio.replay && " + STATE + ".count > 150 && studio.view.drawCalls > 0");
+        browser.await("studio.replay && " + STATE + ".count > 150 && studio.cursor.recorded && !studio.replay.stale");
     }
 
     private double number(String expression) {
@@ -121,7 +121,6 @@ class ReplayPageTest {
     @Test
     void fieldShowsTheSameMomentUntilOneGoesBackToNow() {
         visit();
-        browser.await("studio.cursor.recorded");
 
         browser.evaluate("location.hash = '#field'");
         browser.await("document.querySelector('.moment-reading').textContent.startsWith('Recording game at')");

@@ -151,11 +151,13 @@ class RobotPageTest {
 
         browser.click("#hold-curves");
         browser.await("document.querySelector('#hold-curves').ariaPressed === 'true'");
-        double end = browser.evaluate("studio.robot.plots.rows[3].plot.scales.x.max").getAsDouble();
+        double end =
+                browser.evaluate("studio.robot.plots.rows[3].plot.scales.x.max").getAsDouble();
         double now = now();
         browser.await("studio.robot.plots.moment.seconds > " + (now + 0.5));
 
-        assertThat(browser.evaluate("studio.robot.plots.rows[3].plot.scales.x.max").getAsDouble())
+        assertThat(browser.evaluate("studio.robot.plots.rows[3].plot.scales.x.max")
+                        .getAsDouble())
                 .isEqualTo(end);
         browser.evaluate("(() => { URL.createObjectURL = blob => { window.saved = blob; return '#'; }; })()");
         browser.click("#curves-csv");
@@ -188,12 +190,13 @@ class RobotPageTest {
     @Test
     void roomIsWorthAPicture() throws IOException {
         try (PlayingRobot robot = PlayingRobot.start();
-                StudioServer other =
-                        StudioServer.start(robot.simulator().control(), 0, AccessToken.random())) {
+                StudioServer other = StudioServer.start(robot.simulator().control(), 0, AccessToken.random())) {
             browser.visit(other.address() + "&quality=lowest&theme=light#robot");
             browser.await("document.querySelectorAll('.plot canvas').length === 3");
-            browser.await("document.querySelectorAll('.camera .post').length + document.querySelectorAll('.field-line').length > 3");
-            browser.await("[...document.querySelectorAll('.senses dd')].some(each => each.textContent.includes('step'))");
+            browser.await(
+                    "document.querySelectorAll('.camera .post').length + document.querySelectorAll('.field-line').length > 3");
+            browser.await(
+                    "[...document.querySelectorAll('.senses dd')].some(each => each.textContent.includes('step'))");
             browser.await("document.querySelectorAll('.command.limit').length === 1");
             browser.await("document.querySelectorAll('.press').length === 2");
             for (String value : List.of("commanded speed/neck pitch", "joint speed/neck pitch")) {
@@ -205,7 +208,8 @@ class RobotPageTest {
             double now = browser.evaluate("studio.robot.plots.moment.seconds").getAsDouble();
             TelemetryItem belief = new TelemetryItem.Belief(things, Optional.of(new BelievedPose(-1.6, 0.3, 10)));
             for (int i = 0; i < 6; i++) {
-                TelemetryItem line = new TelemetryItem.LogEntry(i == 4 ? "WARNING" : "INFO", "I have nodded " + i + " times");
+                TelemetryItem line =
+                        new TelemetryItem.LogEntry(i == 4 ? "WARNING" : "INFO", "I have nodded " + i + " times");
                 other.telemetry().accept(new TelemetryMessage("Stars", 1, i, line));
             }
             TelemetryItem motion = new TelemetryItem.MotionProgress("nod", 3);

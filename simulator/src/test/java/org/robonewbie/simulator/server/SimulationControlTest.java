@@ -81,7 +81,10 @@ class SimulationControlTest {
         control.addObserver(new SimulationObserver() {
             @Override
             public void cycleEnded(WorldSnapshot snapshot) {
-                wanted.set(snapshot.robots().isEmpty() ? -1 : snapshot.robots().get(0).id());
+                wanted.set(
+                        snapshot.robots().isEmpty()
+                                ? -1
+                                : snapshot.robots().get(0).id());
             }
 
             @Override
