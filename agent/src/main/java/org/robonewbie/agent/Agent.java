@@ -13,6 +13,7 @@ import org.robonewbie.agent.motion.MotionLibrary;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.perception.LocalFieldView;
 import org.robonewbie.agent.walk.Walk;
+import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
@@ -112,6 +113,17 @@ public abstract class Agent {
         if (exitCode != 0) {
             System.exit(exitCode);
         }
+    }
+
+    /**
+     * Tells the agent who it is, before it answers by {@link #respond}; in a game the framework does that.
+     *
+     * @param who its team and number, among others
+     * @param side the half of its team
+     */
+    public final void introduce(Options who, TeamSide side) {
+        options = who;
+        nao.senses().introduce(who.team(), who.number(), side);
     }
 
     /**

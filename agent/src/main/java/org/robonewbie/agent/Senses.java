@@ -71,6 +71,13 @@ final class Senses {
         team = name;
     }
 
+    /** Takes in who the robot is, which a simulator tells once at the beginning. */
+    void introduce(String ownTeam, int ownNumber, TeamSide ownSide) {
+        team = ownTeam;
+        number = ownNumber;
+        side = ownSide;
+    }
+
     /** The bytes of the last message, which the connection fills. */
     MessageBuffer buffer() {
         return buffer;

@@ -46,7 +46,6 @@ final class Session implements AutoCloseable {
         this.lifeSeconds = lifeSeconds;
         this.bornSeconds = body.getTime();
         this.out = out;
-        fieldView.setIdentity(body.getTeam(), body.getNumber(), body.getTeamSide());
     }
 
     /** Finds somebody who knows where the robot's program spent its time in a cycle that came late. */
@@ -119,6 +118,7 @@ final class Session implements AutoCloseable {
         cycles++;
         answered = false;
         body.accept(message);
+        fieldView.setIdentity(body.getTeam(), body.getNumber(), body.getTeamSide());
         fieldView.setTime(body.getTime());
         if (message.vision().isPresent()) {
             double yaw = body.getJointAngle(Joint.NECK_YAW);

@@ -1,0 +1,51 @@
+package org.robonewbie.exercises;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Objects;
+import java.util.function.Supplier;
+
+/**
+ * An exercise: what to do, the program to start from, and how a solution is judged.
+ *
+ * <pre>{@code
+ * Exercise kick = Exercises.find("kick").orElseThrow();
+ * Grade grade = new Grader().grade(kick, MyKick::new, 3);
+ * }</pre>
+ *
+ * @param number its place in the course, from 1
+ * @param name such as {@code arm-by-side}
+ * @param className name of the class in the start code, such as {@code ArmBySide}
+ * @param goal what the robot shall do, as a sentence
+ * @param seconds simulated time of a trial
+ * @param task makes the task of one trial
+ */
+public record Exercise(
+        int number, String name, String className, String goal, double seconds, Supplier<? extends Task> task) {
+
+    /**
+     * Tells the name with the number, as the worksheets are called.
+     *
+     * @return such as {@code 03-arm-by-side}
+     */
+    public String fullName() {
+        return String.format("%02d-%s", number, name);
+    }
+
+    /**
+     * Reads the program from which students start: it compiles, runs, and does not yet solve the task.
+     *
+     * @return the text of a Java file with a class of the name {@link #className}
+     */
+    public String startCode() {
+        String file = "start/" + className + ".java";
+        try (InputStream stream =
+                Objects.requireNonNull(Exercise.class.getResourceAsStream(file), "There is no start code " + file)) {
+            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException("The start code " + file + " cannot be read.", unreadable);
+        }
+    }
+}

@@ -1,0 +1,43 @@
+package org.robonewbie.exercises;
+
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.robonewbie.agent.Agent;
+
+/**
+ * Checks solutions in tests, with any test library.
+ *
+ * <pre>{@code
+ * @Test
+ * void myKickIsGoodEnough() {
+ *     ExerciseCheck.assertSolved("kick", MyKick::new);
+ * }
+ * }</pre>
+ */
+public final class ExerciseCheck {
+
+    private static final int SEEDS = 3;
+
+    private ExerciseCheck() {}
+
+    /**
+     * Demands that a program solves an exercise on the seeds 1 to 3.
+     *
+     * @param exercise name or number of the exercise
+     * @param student makes a robot with the program
+     * @throws AssertionError if it does not; its message is the grade with hints
+     * @throws IllegalArgumentException if there is no such exercise
+     */
+    public static void assertSolved(String exercise, Supplier<? extends Agent> student) {
+        Exercise found = Exercises.find(exercise).orElseThrow(() -> unknown(exercise));
+        Grade grade = new Grader().grade(found, student, SEEDS);
+        if (!grade.passed()) {
+            throw new AssertionError(System.lineSeparator() + grade);
+        }
+    }
+
+    private static IllegalArgumentException unknown(String name) {
+        return new IllegalArgumentException("There is no exercise \"" + name + "\". The exercises are: "
+                + Exercises.all().stream().map(Exercise::name).collect(Collectors.joining(", ")));
+    }
+}

@@ -1,0 +1,98 @@
+package org.robonewbie.exercises;
+
+import com.google.gson.Gson;
+import com.google.gson.GsonBuilder;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/**
+ * What an exercise has earned.
+ *
+ * @param exercise full name of the exercise
+ * @param trials one line for each seed, in their order
+ */
+public record Grade(String exercise, List<SeededScore> trials) {
+
+    private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
+
+    /**
+     * The score of one trial.
+     *
+     * @param seed start of all chance
+     * @param score what it earned
+     */
+    public record SeededScore(long seed, Score score) {}
+
+    /** Takes a copy of the trials. */
+    public Grade {
+        trials = List.copyOf(trials);
+    }
+
+    /**
+     * Tells whether the exercise is solved.
+     *
+     * @return whether all trials passed
+     */
+    public boolean passed() {
+        return !trials.isEmpty() && trials.stream().allMatch(trial -> trial.score().passed());
+    }
+
+    /**
+     * Tells how many points it earned.
+     *
+     * @return the mean of the trials, 0 to 10
+     */
+    public double points() {
+        return trials.stream().mapToInt(trial -> trial.score().points()).average().orElse(0);
+    }
+
+    /**
+     * Writes the grade for programs.
+     *
+     * @return JSON with {@code exercise}, {@code passed}, {@code points} and {@code trials}
+     */
+    public String json() {
+        return GSON.toJson(new Printed(exercise, passed(), points(), trials)) + "\n";
+    }
+
+    /**
+     * Reads what {@link #json} has written.
+     *
+     * @param json the text
+     * @return the grade
+     */
+    public static Grade ofJson(String json) {
+        Printed printed = GSON.fromJson(json, Printed.class);
+        return new Grade(printed.exercise, printed.trials);
+    }
+
+    /** Tells people how it went. */
+    @Override
+    public String toString() {
+        String lines = trials.stream().map(Grade::line).collect(Collectors.joining());
+        String result = String.format(
+                Locale.ROOT,
+                "%s %s: %.1f of %d points%n",
+                exercise,
+                passed() ? "PASSED" : "not yet passed",
+                points(),
+                Score.MOST_POINTS);
+        String hints = trials.stream()
+                .map(trial -> trial.score().hint())
+                .filter(hint -> !hint.isEmpty())
+                .distinct()
+                .map(hint -> String.format("Hint: %s%n", hint))
+                .collect(Collectors.joining());
+        return lines + result + hints;
+    }
+
+    private static String line(SeededScore trial) {
+        Score score = trial.score();
+        return String.format(
+                "  seed %-3d %-6s %2d points  %s%n",
+                trial.seed(), score.passed() ? "passed" : "failed", score.points(), score.finding());
+    }
+
+    private record Printed(String exercise, boolean passed, double points, List<SeededScore> trials) {}
+}

@@ -1,0 +1,50 @@
+package org.robonewbie.exercises;
+
+/**
+ * How one trial of an exercise ended.
+ *
+ * @param passed whether the task is solved
+ * @param points 0 to 10; 10 is reached only by who passes
+ * @param finding what was measured, as a sentence
+ * @param hint what to try next, empty if there is nothing to add
+ */
+public record Score(boolean passed, int points, String finding, String hint) {
+
+    /** The points of a perfect trial. */
+    public static final int MOST_POINTS = 10;
+
+    /**
+     * Says that the task is solved.
+     *
+     * @param finding what was measured
+     * @return a score with all points
+     */
+    public static Score passed(String finding) {
+        return new Score(true, MOST_POINTS, finding, "");
+    }
+
+    /**
+     * Says that the task is solved, and how well.
+     *
+     * @param points 1 to 10
+     * @param finding what was measured
+     * @param hint what could be better
+     * @return the score
+     */
+    public static Score passed(int points, String finding, String hint) {
+        return new Score(true, Math.max(1, Math.min(MOST_POINTS, points)), finding, hint);
+    }
+
+    /**
+     * Says that the task is not solved.
+     *
+     * @param points what is reached all the same, 0 to 9
+     * @param finding what was measured
+     * @param hint what to try next
+     * @return the score
+     */
+    public static Score failed(double points, String finding, String hint) {
+        int limited = (int) Math.max(0, Math.min(MOST_POINTS - 1, points));
+        return new Score(false, limited, finding, hint);
+    }
+}

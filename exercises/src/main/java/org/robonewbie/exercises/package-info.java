@@ -1,0 +1,6 @@
+/**
+ * Exercises for students and what grades them. Read {@link org.robonewbie.exercises.Exercise} first, then {@link
+ * org.robonewbie.exercises.Grader}.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.exercises;

@@ -1,0 +1,56 @@
+package org.robonewbie.exercises.task;
+
+import java.util.Locale;
+import java.util.function.Supplier;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.exercises.Place;
+import org.robonewbie.exercises.Player;
+import org.robonewbie.exercises.Score;
+import org.robonewbie.exercises.Stage;
+import org.robonewbie.exercises.Task;
+import org.robonewbie.nao.Joint;
+
+/**
+ * Raise the left arm to 60° and the right arm to 45°; the last half second counts.
+ */
+public final class RaiseArmsTask implements Task {
+
+    private static final double LEFT_DEGREES = 60;
+    private static final double RIGHT_DEGREES = 45;
+    private static final double TOLERANCE_DEGREES = 2;
+    private static final double JUDGED_FROM_SECONDS = 3.5;
+
+    private double leftError;
+    private double rightError;
+
+    /** Creates the task of one trial. */
+    public RaiseArmsTask() {}
+
+    @Override
+    public void begin(Stage stage, Supplier<? extends Agent> student) {
+        stage.add(student.get(), "Students", 1, new Place(-1, 0, 0));
+    }
+
+    @Override
+    public void watch(Stage stage) {
+        if (stage.seconds() > JUDGED_FROM_SECONDS) {
+            Player robot = stage.student();
+            leftError = Math.max(leftError, Math.abs(robot.jointDegrees(Joint.LEFT_SHOULDER_PITCH) - LEFT_DEGREES));
+            rightError = Math.max(rightError, Math.abs(robot.jointDegrees(Joint.RIGHT_SHOULDER_PITCH) - RIGHT_DEGREES));
+        }
+    }
+
+    @Override
+    public Score score() {
+        String finding = String.format(
+                Locale.ROOT, "left arm %.1f° off, right arm %.1f° off (2° are allowed)", leftError, rightError);
+        boolean left = leftError <= TOLERANCE_DEGREES;
+        boolean right = rightError <= TOLERANCE_DEGREES;
+        return left && right
+                ? Score.passed(finding)
+                : Score.failed(
+                        left || right ? 5 : 0,
+                        finding,
+                        "Give each shoulder its own speed, and 0 when its angle is reached. Slow is exact.");
+    }
+}

@@ -1,0 +1,58 @@
+package org.robonewbie.exercises.task;
+
+import java.util.Locale;
+import java.util.function.Supplier;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.exercises.Place;
+import org.robonewbie.exercises.Score;
+import org.robonewbie.exercises.Stage;
+import org.robonewbie.exercises.Task;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+
+/**
+ * Score a goal, alone on the pitch, as in the competition.
+ */
+public final class ScoreAGoalTask implements Task {
+
+    private static final Place STUDENT = new Place(-0.5, 0.4, -40);
+    private static final double GOAL_X = 6;
+
+    private double seconds;
+    private double nearest = Double.POSITIVE_INFINITY;
+    private boolean scored;
+
+    /** Creates the task of one trial. */
+    public ScoreAGoalTask() {}
+
+    @Override
+    public void begin(Stage stage, Supplier<? extends Agent> student) {
+        stage.add(student.get(), "Students", 1, STUDENT);
+        stage.placeBall(Vector3.ZERO);
+    }
+
+    @Override
+    public void watch(Stage stage) {
+        Vector3 ball = stage.ball().position();
+        nearest = Math.min(nearest, Math.hypot(GOAL_X - ball.x(), ball.y()));
+        scored |= stage.game().score(TeamSide.LEFT) > 0;
+        seconds = stage.seconds();
+    }
+
+    @Override
+    public boolean isDecided() {
+        return scored;
+    }
+
+    @Override
+    public Score score() {
+        if (!scored) {
+            return Score.failed(
+                    6 - nearest,
+                    String.format(Locale.ROOT, "no goal; the ball came within %.2f m of it", nearest),
+                    "Walk to where the ball is between you and the goal, then walk through the ball.");
+        }
+        return Score.passed(
+                (int) Math.round(11 - seconds / 30), String.format(Locale.ROOT, "goal after %.1f s", seconds), "");
+    }
+}

@@ -1,0 +1,78 @@
+package org.robonewbie.exercises.task;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Supplier;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.exercises.Place;
+import org.robonewbie.exercises.Player;
+import org.robonewbie.exercises.Score;
+import org.robonewbie.exercises.Stage;
+import org.robonewbie.exercises.Task;
+import org.robonewbie.nao.Joint;
+
+/**
+ * Follow a moving ball with the head, and swing the left arm once in two seconds, at the same time.
+ */
+public final class TwoBehavioursTask implements Task {
+
+    private static final Place STUDENT = new Place(-3, 0, 0);
+    private static final double FROM_SECONDS = 3;
+    private static final double AT_BALL_DEGREES = 15;
+    private static final double SWING_DEGREES = 30;
+    private static final double PERIOD_SECONDS = 2;
+
+    private final List<Double> upward = new ArrayList<>();
+    private double angleBefore;
+    private double lowest;
+    private double highest;
+    private int cycles;
+    private int atBall;
+
+    /** Creates the task of one trial. */
+    public TwoBehavioursTask() {}
+
+    @Override
+    public void begin(Stage stage, Supplier<? extends Agent> student) {
+        stage.add(student.get(), "Students", 1, STUDENT);
+        stage.placeBall(STUDENT.point(1.5, 0, 0));
+    }
+
+    @Override
+    public void watch(Stage stage) {
+        stage.placeBall(STUDENT.point(1.5, 45 * Math.sin(2 * Math.PI * stage.seconds() / 6), 0));
+        Player robot = stage.student();
+        double arm = robot.jointDegrees(Joint.LEFT_SHOULDER_PITCH);
+        if (stage.seconds() > FROM_SECONDS) {
+            cycles++;
+            double gaze = robot.jointDegrees(Joint.NECK_YAW);
+            atBall += Math.abs(robot.bearing(stage.ball().position()) - gaze) < AT_BALL_DEGREES ? 1 : 0;
+            lowest = Math.min(lowest, arm);
+            highest = Math.max(highest, arm);
+            if (angleBefore < 0 && arm >= 0) {
+                upward.add(stage.seconds());
+            }
+        }
+        angleBefore = arm;
+    }
+
+    @Override
+    public Score score() {
+        double share = 100.0 * atBall / Math.max(1, cycles);
+        boolean follows = share >= 80;
+        double period = upward.size() < 2
+                ? Double.NaN
+                : (upward.get(upward.size() - 1) - upward.get(0)) / (upward.size() - 1);
+        boolean swings = Math.abs(period - PERIOD_SECONDS) < 0.1 && lowest < -SWING_DEGREES && highest > SWING_DEGREES;
+        String finding = String.format(
+                Locale.ROOT, "head at the ball for %.0f %% of the time, arm %.0f° to %.0f°, once in %.2f s", share, lowest, highest, period);
+        return follows && swings
+                ? Score.passed(finding)
+                : Score.failed(
+                        (follows ? 5 : 0) + (swings ? 4 : 0),
+                        finding,
+                        "Two methods, each for joints of its own, called in each think(). The arm goes from below -30° to above"
+                                + " 30° and back in 2 s; the head looks where fieldView.ball().bearing() says.");
+    }
+}
