@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
 /** Finds the program that the user names: an example, an own class or an own Java file. */
@@ -34,6 +35,23 @@ final class AgentFinder {
         return examples.find(name).or(() -> findOwnClass(name)).orElseThrow(() -> unknown(name));
     }
 
+    /**
+     * Finds a class for who wants it anew again and again, if it is not one of RoboNewbie with static fields of its own.
+     *
+     * @return loads the class
+     * @throws CalledWronglyException if there is none; its message says what there is
+     */
+    Supplier<Class<?>> findClass(String name) {
+        if (name.endsWith(".java")) {
+            return JavaSource.of(Path.of(name)).load(classPath);
+        }
+        String className = examples.classNames().getOrDefault(name, name);
+        if (ownClass(className).isEmpty()) {
+            throw unknown(name);
+        }
+        return () -> ownClass(className).orElseThrow();
+    }
+
     /** Lists the examples, one per line. */
     String listOfExamples() {
         return examples.classNames().keySet().stream()
@@ -42,9 +60,13 @@ final class AgentFinder {
     }
 
     private Optional<AgentProgram> findOwnClass(String name) {
+        return ownClass(name)
+                .map(type -> AgentProgram.of(type).orElseThrow(() -> withoutMain(type.getSimpleName())));
+    }
+
+    private Optional<Class<?>> ownClass(String name) {
         try {
-            Class<?> type = Class.forName(name, false, loaderOf(classPath));
-            return Optional.of(AgentProgram.of(type).orElseThrow(() -> withoutMain(type.getSimpleName())));
+            return Optional.of(Class.forName(name, false, loaderOf(classPath)));
         } catch (ClassNotFoundException | NoClassDefFoundError none) {
             return Optional.empty();
         }

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -56,6 +57,17 @@ final class JavaSource {
      * @throws CompilationFailedException if it has mistakes; they have been shown
      */
     AgentProgram compile(List<Path> classPath) {
+        return AgentProgram.of(load(classPath).get()).orElseThrow(() -> AgentFinder.withoutMain(simpleName()));
+    }
+
+    /**
+     * Compiles the file for who wants the class anew again and again, each time with static fields of its own.
+     *
+     * @param classPath own folders and jars that it uses
+     * @return loads the class of the file
+     * @throws CompilationFailedException if it has mistakes; they have been shown
+     */
+    Supplier<Class<?>> load(List<Path> classPath) {
         JavaCompiler compiler = Optional.ofNullable(ToolProvider.getSystemJavaCompiler())
                 .orElseThrow(() -> new CalledWronglyException(
                         "A Java file can be run by a JDK only, and this Java has no compiler: "
@@ -74,7 +86,7 @@ final class JavaSource {
                 throw new CompilationFailedException(
                         "The Java file has mistakes. Correct the line of the first error above and start again.");
             }
-            return program(classes.loader(withOwnFolder(classPath)));
+            return () -> mainClass(classes.loader(withOwnFolder(classPath)));
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
         }
@@ -95,15 +107,17 @@ final class JavaSource {
                 ownAndRoboNewbie);
     }
 
-    private AgentProgram program(ClassLoader loader) {
-        String simpleName = file.getFileName().toString().replaceFirst("\\.java$", "");
+    private Class<?> mainClass(ClassLoader loader) {
         try {
-            Class<?> type = loader.loadClass(packageName.isEmpty() ? simpleName : packageName + "." + simpleName);
-            return AgentProgram.of(type).orElseThrow(() -> AgentFinder.withoutMain(simpleName));
+            return loader.loadClass(packageName.isEmpty() ? simpleName() : packageName + "." + simpleName());
         } catch (ClassNotFoundException none) {
-            throw new CalledWronglyException("The file " + file + " has no class " + simpleName
+            throw new CalledWronglyException("The file " + file + " has no class " + simpleName()
                     + ". A file and the class in it need the same name.");
         }
+    }
+
+    private String simpleName() {
+        return file.getFileName().toString().replaceFirst("\\.java$", "");
     }
 
     private List<Path> withOwnFolder(List<Path> classPath) {

@@ -21,6 +21,9 @@ import picocli.CommandLine.IVersionProvider;
             MeasureCommand.class,
             CompetitionCommand.class,
             BenchmarkCommand.class,
+            GradeCommand.class,
+            NewCommand.class,
+            EvaluationCommand.class,
             DoctorCommand.class
         },
         footer = {

@@ -62,6 +62,13 @@ class ArchitectureTest {
                     "com.google.gson..",
                     "javax.tools.."
                 }),
+                Arguments.of("exercises", new String[] {
+                    "org.robonewbie.nao..",
+                    "org.robonewbie.protocol..",
+                    "org.robonewbie.agent..",
+                    "org.robonewbie.simulator..",
+                    "com.google.gson.."
+                }),
                 Arguments.of("examples", new String[] {
                     "org.robonewbie.nao..", "org.robonewbie.agent..", "org.robonewbie.protocol.perceptor.."
                 }));

@@ -40,7 +40,7 @@ public record Exercise(
      * @return the text of a Java file with a class of the name {@link #className}
      */
     public String startCode() {
-        String file = "start/" + className + ".java";
+        String file = "start/" + className + ".java.txt";
         try (InputStream stream =
                 Objects.requireNonNull(Exercise.class.getResourceAsStream(file), "There is no start code " + file)) {
             return new String(stream.readAllBytes(), StandardCharsets.UTF_8);

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
-import org.robonewbie.exercises.task.AroundTheBallTask;
 import org.robonewbie.exercises.task.ArmBySideTask;
+import org.robonewbie.exercises.task.AroundTheBallTask;
 import org.robonewbie.exercises.task.BallDirectionTask;
 import org.robonewbie.exercises.task.DanceTask;
 import org.robonewbie.exercises.task.FasterWalkTask;
@@ -26,22 +26,95 @@ import org.robonewbie.exercises.task.WhereAmITask;
 public final class Exercises {
 
     private static final List<Exercise> ALL = List.of(
-            exercise(1, "raise-arms", "RaiseArms", "Raise the left arm to 60° and the right arm to 45°.", 4, RaiseArmsTask::new),
-            exercise(2, "stop-at-30", "StopAt30", "Stop the left shoulder at 30° ± 1°, from wherever it begins.", 5, StopAt30Task::new),
-            exercise(3, "arm-by-side", "ArmBySide", "Raise the arm on whose side another robot is seen; none seen, both arms down.", 18, ArmBySideTask::new),
-            exercise(4, "find-the-ball", "FindTheBall", "Look for the ball and face it within 8 s.", 9, FindTheBallTask::new),
-            exercise(5, "ball-direction", "BallDirection", "Tell the ball's direction to 1°, however the head turns.", 12, BallDirectionTask::new),
-            exercise(6, "smooth-motion", "SmoothMotion", "Play a motion through all its keyframes without jerks.", 4, SmoothMotionTask::new),
-            exercise(7, "dance", "MyDance", "Dance with at least six joints and stay on your feet.", 15, DanceTask::new),
+            exercise(
+                    1,
+                    "raise-arms",
+                    "RaiseArms",
+                    "Raise the left arm to 60° and the right arm to 45°.",
+                    4,
+                    RaiseArmsTask::new),
+            exercise(
+                    2,
+                    "stop-at-30",
+                    "StopAt30",
+                    "Stop the left shoulder at 30° ± 1°, from wherever it begins.",
+                    5,
+                    StopAt30Task::new),
+            exercise(
+                    3,
+                    "arm-by-side",
+                    "ArmBySide",
+                    "Raise the arm on whose side another robot is seen; none seen, both arms down.",
+                    18,
+                    ArmBySideTask::new),
+            exercise(
+                    4,
+                    "find-the-ball",
+                    "FindTheBall",
+                    "Look for the ball and face it within 8 s.",
+                    9,
+                    FindTheBallTask::new),
+            exercise(
+                    5,
+                    "ball-direction",
+                    "BallDirection",
+                    "Tell the ball's direction to 0.4°, however the head turns.",
+                    12,
+                    BallDirectionTask::new),
+            exercise(
+                    6,
+                    "smooth-motion",
+                    "SmoothMotion",
+                    "Play a motion through all its keyframes without jerks.",
+                    4,
+                    SmoothMotionTask::new),
+            exercise(
+                    7, "dance", "MyDance", "Dance with at least six joints and stay on your feet.", 15, DanceTask::new),
             exercise(8, "get-up", "GetUp", "Get up from the back and from the front within 12 s.", 13, GetUpTask::new),
-            exercise(9, "two-behaviours", "TwoBehaviours", "Follow the ball with the head and swing the arm at the same time.", 12, TwoBehavioursTask::new),
-            exercise(10, "go-to-ball", "GoToTheBall", "Walk to the ball, stop before it without touching it, raise the left arm.", 45, GoToTheBallTask::new),
-            exercise(11, "around-the-ball", "AroundTheBall", "Walk once around the ball without touching it.", 90, AroundTheBallTask::new),
+            exercise(
+                    9,
+                    "two-behaviours",
+                    "TwoBehaviours",
+                    "Follow the ball with the head and swing the arm at the same time.",
+                    12,
+                    TwoBehavioursTask::new),
+            exercise(
+                    10,
+                    "go-to-ball",
+                    "GoToTheBall",
+                    "Walk to the ball, stop before it without touching it, raise the left arm.",
+                    45,
+                    GoToTheBallTask::new),
+            exercise(
+                    11,
+                    "around-the-ball",
+                    "AroundTheBall",
+                    "Walk once around the ball without touching it.",
+                    90,
+                    AroundTheBallTask::new),
             exercise(12, "kick", "Kick", "Kick the ball 2 m or more and stay on your feet.", 12, KickTask::new),
-            exercise(13, "where-am-i", "WhereAmI", "Find out where on the pitch you stand, to 30 cm.", 24, WhereAmITask::new),
+            exercise(
+                    13,
+                    "where-am-i",
+                    "WhereAmI",
+                    "Find out where on the pitch you stand, to 30 cm.",
+                    24,
+                    WhereAmITask::new),
             exercise(14, "goalkeeper", "Goalkeeper", "Keep a shot out of the goal.", 9, GoalkeeperTask::new),
-            exercise(15, "passing", "Passing", "Play the ball to a team mate, who comes to meet it.", 20, PassingTask::new),
-            exercise(16, "faster-walk", "FasterWalk", "Learn to walk 4 m in 10 s, straight and without a fall.", 10, FasterWalkTask::new),
+            exercise(
+                    15,
+                    "passing",
+                    "Passing",
+                    "Play the ball to a team mate, who comes to meet it.",
+                    20,
+                    PassingTask::new),
+            exercise(
+                    16,
+                    "faster-walk",
+                    "FasterWalk",
+                    "Learn to walk 4 m in 10 s, straight and without a fall.",
+                    10,
+                    FasterWalkTask::new),
             exercise(17, "score-a-goal", "ScoreAGoal", "Score a goal within 3 minutes.", 180, ScoreAGoalTask::new));
 
     private Exercises() {}

@@ -35,7 +35,8 @@ public record Grade(String exercise, List<SeededScore> trials) {
      * @return whether all trials passed
      */
     public boolean passed() {
-        return !trials.isEmpty() && trials.stream().allMatch(trial -> trial.score().passed());
+        return !trials.isEmpty()
+                && trials.stream().allMatch(trial -> trial.score().passed());
     }
 
     /**
@@ -44,7 +45,10 @@ public record Grade(String exercise, List<SeededScore> trials) {
      * @return the mean of the trials, 0 to 10
      */
     public double points() {
-        return trials.stream().mapToInt(trial -> trial.score().points()).average().orElse(0);
+        return trials.stream()
+                .mapToInt(trial -> trial.score().points())
+                .average()
+                .orElse(0);
     }
 
     /**

@@ -92,7 +92,8 @@ public final class Grader {
                 ticks = trial.progress() == progress ? ticks + 1 : 0;
                 progress = trial.progress();
             } catch (ExecutionException exhausted) {
-                return Score.failed(0, "The program ended with " + exhausted.getCause() + ".", "Does it keep too much?");
+                return Score.failed(
+                        0, "The program ended with " + exhausted.getCause() + ".", "Does it keep too much?");
             } catch (InterruptedException end) {
                 Thread.currentThread().interrupt();
                 return Score.failed(0, "The grading was stopped.", "");

@@ -76,8 +76,7 @@ public final class Stage implements AutoCloseable {
             }
             boolean first = players.isEmpty() || team.equals(firstTeam);
             firstTeam = first ? team : firstTeam;
-            agent.introduce(
-                    Options.none().withTeam(team).withNumber(number), first ? TeamSide.LEFT : TeamSide.RIGHT);
+            agent.introduce(Options.none().withTeam(team).withNumber(number), first ? TeamSide.LEFT : TeamSide.RIGHT);
             Player player = new Player(link, simulator.world().robots().get(players.size()), agent);
             for (Player other : players) {
                 other.idle();

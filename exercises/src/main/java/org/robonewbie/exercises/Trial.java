@@ -3,6 +3,7 @@ package org.robonewbie.exercises;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Supplier;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.log.StudentCode;
@@ -14,7 +15,7 @@ final class Trial implements Callable<Score> {
     private final Supplier<? extends Agent> student;
     private final long seed;
     private final Optional<Path> recording;
-    private volatile long progress;
+    private final AtomicLong progress = new AtomicLong();
     private volatile Optional<Thread> thread = Optional.empty();
 
     Trial(Exercise exercise, Supplier<? extends Agent> student, long seed, Optional<Path> recording) {
@@ -30,7 +31,7 @@ final class Trial implements Callable<Score> {
 
     /** Counts what has been done so far; 0 before the trial begins. */
     long progress() {
-        return progress;
+        return progress.get();
     }
 
     /** Where the student's program is at the moment; empty if it is not at work. */
@@ -41,13 +42,13 @@ final class Trial implements Callable<Score> {
     @Override
     public Score call() {
         thread = Optional.of(Thread.currentThread());
-        progress = 1;
+        progress.set(1);
         try (Stage stage = new Stage(seed, recording)) {
             Task task = exercise.task().get();
             task.begin(stage, student);
             while (stage.seconds() < exercise.seconds() && !task.isDecided()) {
                 stage.cycle();
-                progress++;
+                progress.incrementAndGet();
                 task.watch(stage);
             }
             return task.score();

@@ -14,21 +14,9 @@ final class Solutions {
 
     private static Agent agent(String className) {
         try {
-            return (Agent) Class.forName(className).getConstructor().newInstance();
+            return Class.forName(className).asSubclass(Agent.class).getConstructor().newInstance();
         } catch (ReflectiveOperationException none) {
             throw new IllegalStateException(none);
-        }
-    }
-
-    /** Shows how solutions do: names of exercises and the number of seeds. */
-    public static void main(String[] args) {
-        int seeds = Integer.parseInt(args[args.length - 1]);
-        for (Exercise exercise : Exercises.all()) {
-            if (args.length == 1 || java.util.List.of(args).contains(exercise.name())) {
-                long start = System.nanoTime();
-                Grade grade = new Grader(1).grade(exercise, of(exercise), seeds);
-                System.out.printf("%s%.1f s%n", grade, (System.nanoTime() - start) / 1e9);
-            }
         }
     }
 }

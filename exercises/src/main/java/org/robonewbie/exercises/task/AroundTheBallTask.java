@@ -59,10 +59,12 @@ public final class AroundTheBallTask implements Task {
         String finding = String.format(
                 Locale.ROOT, "%.0f° around the ball in %.1f s, ball moved by %.3f m", Math.abs(turned), seconds, moved);
         if (moved > MOVED_METRES) {
-            return Score.failed(Math.abs(turned) / 60, finding, "Keep more distance: 0.5 m between torso and ball is safe.");
+            return Score.failed(
+                    Math.abs(turned) / 60, finding, "Keep more distance: 0.5 m between torso and ball is safe.");
         }
         if (farthest > FAR_METRES) {
-            return Score.failed(Math.abs(turned) / 60, finding, "Stay within 2 m of the ball and keep your eyes on it.");
+            return Score.failed(
+                    Math.abs(turned) / 60, finding, "Stay within 2 m of the ball and keep your eyes on it.");
         }
         return Math.abs(turned) >= 360
                 ? Score.passed(finding)

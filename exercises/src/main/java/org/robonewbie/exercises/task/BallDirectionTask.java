@@ -19,7 +19,7 @@ public final class BallDirectionTask implements Task {
 
     private static final Place STUDENT = new Place(-2, 0, 0);
     private static final Pattern WORDS = Pattern.compile("ball:(-?\\d{1,3}(\\.\\d+)?)");
-    private static final double GOOD_DEGREES = 1;
+    private static final double GOOD_DEGREES = 0.4;
     private static final int FEWEST_WORDS = 40;
     private static final double YAW_RANGE = 60;
     private static final double PITCH_RANGE = 20;
@@ -49,7 +49,8 @@ public final class BallDirectionTask implements Task {
         highPitch = Math.max(highPitch, robot.jointDegrees(Joint.NECK_PITCH));
         robot.said().map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
             words++;
-            sumOfErrors += Math.abs(Double.parseDouble(match.group(1)) - robot.bearing(stage.ball().position()));
+            sumOfErrors += Math.abs(Double.parseDouble(match.group(1))
+                    - robot.bearing(stage.ball().position()));
         });
     }
 
@@ -58,7 +59,8 @@ public final class BallDirectionTask implements Task {
         double error = sumOfErrors / Math.max(1, words);
         String finding = String.format(Locale.ROOT, "told %d times, mean error %.2f°", words, error);
         if (words < FEWEST_WORDS) {
-            return Score.failed(0, finding, "Say it at least 40 times, such as nao.say(\"ball:-12.3\"), when the ball is visible.");
+            return Score.failed(
+                    0, finding, "Say it at least 40 times, such as nao.say(\"ball:-12.3\"), when the ball is visible.");
         }
         if (highYaw - lowYaw < YAW_RANGE || highPitch - lowPitch < PITCH_RANGE) {
             return Score.failed(2, finding, "The head must move: call lookAround.look() in each cycle.");

@@ -57,18 +57,23 @@ public final class DanceTask implements Task {
 
     @Override
     public Score score() {
-        long joints = ranges.values().stream().filter(range -> range[1] - range[0] >= WIDE_DEGREES).count();
+        long joints = ranges.values().stream()
+                .filter(range -> range[1] - range[0] >= WIDE_DEGREES)
+                .count();
         int changes = (int) turns.values().stream().mapToDouble(turn -> turn[2]).sum();
         String finding = joints + " joints moved 30° or more, " + changes + " changes of direction"
                 + (fallen ? ", and a fall" : "");
         if (fallen || !standing) {
-            return Score.failed(Math.min(3, joints), finding, "Move the legs slowly and alike on both sides; arms and head are free.");
+            return Score.failed(
+                    (double) Math.min(3, joints),
+                    finding,
+                    "Move the legs slowly and alike on both sides; arms and head are free.");
         }
         boolean rich = joints >= FEWEST_JOINTS && changes >= FEWEST_TURNS;
         return rich
                 ? Score.passed(finding)
                 : Score.failed(
-                        Math.min(9, joints + changes / 6.0),
+                        Math.min(9.0, joints + changes / 6.0),
                         finding,
                         "The audience wants at least 6 joints that move 30° or more, and 12 changes of direction.");
     }

@@ -51,7 +51,8 @@ public final class FasterWalkTask implements Task {
         String finding = String.format(
                 Locale.ROOT, "%.2f m in 10 s, at most %.2f m aside%s", metres, aside, fallen ? ", then a fall" : "");
         if (fallen) {
-            return Score.failed(metres, finding, "Too fast: change one parameter at a time and try each several times.");
+            return Score.failed(
+                    metres, finding, "Too fast: change one parameter at a time and try each several times.");
         }
         return metres >= FAR_METRES && aside <= ASIDE_METRES
                 ? Score.passed((int) Math.round(7 + 2 * (metres - FAR_METRES)), finding, "")

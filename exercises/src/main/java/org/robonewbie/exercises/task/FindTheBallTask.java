@@ -60,7 +60,9 @@ public final class FindTheBallTask implements Task {
             return Score.passed(
                     points,
                     String.format(Locale.ROOT, "faced the ball after %.1f s", foundSeconds),
-                    points < 10 ? "The head is quicker than the legs, and the shorter way round is known once it is seen." : "");
+                    points < 10
+                            ? "The head is quicker than the legs, and the shorter way round is known once it is seen."
+                            : "");
         }
         return Score.failed(
                 2,

@@ -71,7 +71,8 @@ public final class GoToTheBallTask implements Task {
         String finding = String.format(
                 Locale.ROOT, "nearest %.2f m, ball moved by %.3f m%s", nearest, moved, fallen ? ", and a fall" : "");
         if (moved > MOVED_METRES) {
-            return Score.failed(3, finding, "The feet reach further than the torso: stop at 0.4 m, and get slower before.");
+            return Score.failed(
+                    3, finding, "The feet reach further than the torso: stop at 0.4 m, and get slower before.");
         }
         if (Double.isNaN(doneSeconds)) {
             return Score.failed(

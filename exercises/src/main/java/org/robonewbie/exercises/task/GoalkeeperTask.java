@@ -18,7 +18,7 @@ public final class GoalkeeperTask implements Task {
 
     private static final Place KEEPER = new Place(-5.75, 0, 0);
     private static final double SHOT_SECONDS = 2;
-    private static final double METRES_PER_SECOND = 4.6;
+    private static final double METRES_PER_SECOND = 5.5;
 
     private double aim;
     private boolean shot;
@@ -44,7 +44,8 @@ public final class GoalkeeperTask implements Task {
             Vector3 level = new Vector3(way.x(), way.y(), 0);
             stage.ball().setVelocity(level.times(METRES_PER_SECOND / level.length()));
         }
-        goal |= stage.game().score(TeamSide.RIGHT) > 0 || stage.ball().position().x() < -6.05;
+        goal |= stage.game().score(TeamSide.RIGHT) > 0
+                || stage.ball().position().x() < -6.05;
     }
 
     @Override
@@ -54,8 +55,12 @@ public final class GoalkeeperTask implements Task {
 
     @Override
     public Score score() {
-        String finding = String.format(Locale.ROOT, "shot %.2f m to the %s of the goal's centre: %s",
-                Math.abs(aim), aim > 0 ? "left" : "right", goal ? "a goal" : "kept");
+        String finding = String.format(
+                Locale.ROOT,
+                "shot %.2f m to the %s of the goal's centre: %s",
+                Math.abs(aim),
+                aim > 0 ? "left" : "right",
+                goal ? "a goal" : "kept");
         return goal
                 ? Score.failed(
                         2,

@@ -57,7 +57,11 @@ public final class KickTask implements Task {
     @Override
     public Score score() {
         String finding = String.format(
-                Locale.ROOT, "the ball went %.2f m, the robot moved %.2f m%s", metres, walked, fallen ? " and fell" : "");
+                Locale.ROOT,
+                "the ball went %.2f m, the robot moved %.2f m%s",
+                metres,
+                walked,
+                fallen ? " and fell" : "");
         if (fallen || !standing) {
             return Score.failed(2 * metres, finding, "Shift the weight onto the other foot before the leg swings.");
         }
@@ -65,7 +69,9 @@ public final class KickTask implements Task {
             return Score.failed(2, finding, "Kick from where you stand: that was a walk.");
         }
         return metres >= FAR_METRES
-                ? Score.passed((int) Math.round(7 + metres - FAR_METRES), finding, metres < 5 ? "10 points are for 5 m." : "")
-                : Score.failed(4 * metres, finding, "The foot must be quick where the ball lies: a short keyframe there.");
+                ? Score.passed(
+                        (int) Math.round(7 + metres - FAR_METRES), finding, metres < 5 ? "10 points are for 5 m." : "")
+                : Score.failed(
+                        4 * metres, finding, "The foot must be quick where the ball lies: a short keyframe there.");
     }
 }

@@ -37,7 +37,8 @@ public final class PassingTask implements Task {
         stage.placeBall(new Vector3(4, 3, 0));
         stage.prelude(passer, robot, "stand");
         Place here = passer.place();
-        stage.placeBall(here.point(Math.hypot(BALL_AHEAD, BALL_LEFT), Math.toDegrees(Math.atan2(BALL_LEFT, BALL_AHEAD)), 0));
+        stage.placeBall(
+                here.point(Math.hypot(BALL_AHEAD, BALL_LEFT), Math.toDegrees(Math.atan2(BALL_LEFT, BALL_AHEAD)), 0));
         ballStart = stage.ball().position();
     }
 
@@ -59,7 +60,11 @@ public final class PassingTask implements Task {
     @Override
     public Score score() {
         String finding = String.format(
-                Locale.ROOT, "the ball went %.2f m, number 2 came as near as %.2f m%s", metres, nearest, fallen ? ", and a fall" : "");
+                Locale.ROOT,
+                "the ball went %.2f m, number 2 came as near as %.2f m%s",
+                metres,
+                nearest,
+                fallen ? ", and a fall" : "");
         return nearest <= AT_MATE_METRES && !fallen
                 ? Score.passed(finding)
                 : Score.failed(

@@ -61,12 +61,16 @@ public final class TwoBehavioursTask implements Task {
     public Score score() {
         double share = 100.0 * atBall / Math.max(1, cycles);
         boolean follows = share >= 80;
-        double period = upward.size() < 2
-                ? Double.NaN
-                : (upward.get(upward.size() - 1) - upward.get(0)) / (upward.size() - 1);
+        double period =
+                upward.size() < 2 ? Double.NaN : (upward.get(upward.size() - 1) - upward.get(0)) / (upward.size() - 1);
         boolean swings = Math.abs(period - PERIOD_SECONDS) < 0.1 && lowest < -SWING_DEGREES && highest > SWING_DEGREES;
         String finding = String.format(
-                Locale.ROOT, "head at the ball for %.0f %% of the time, arm %.0f° to %.0f°, once in %.2f s", share, lowest, highest, period);
+                Locale.ROOT,
+                "head at the ball for %.0f %% of the time, arm %.0f° to %.0f°, once in %.2f s",
+                share,
+                lowest,
+                highest,
+                period);
         return follows && swings
                 ? Score.passed(finding)
                 : Score.failed(

@@ -60,9 +60,13 @@ public final class WhereAmITask implements Task {
         errors.add(said);
         double worst = errors.stream().mapToDouble(Double::doubleValue).max().orElse(said);
         String finding = String.format(
-                Locale.ROOT, "errors of the two places: %.2f m and %.2f m", errors.get(0), errors.get(errors.size() - 1));
+                Locale.ROOT,
+                "errors of the two places: %.2f m and %.2f m",
+                errors.get(0),
+                errors.get(errors.size() - 1));
         if (Double.isInfinite(worst)) {
-            return Score.failed(0, finding, "From 10 s on say in each cycle where you are, such as nao.say(\"at:-2.31:1.05\").");
+            return Score.failed(
+                    0, finding, "From 10 s on say in each cycle where you are, such as nao.say(\"at:-2.31:1.05\").");
         }
         return worst <= GOOD_METRES
                 ? Score.passed(finding)

@@ -14,8 +14,8 @@ public final class SmoothMotion extends Agent {
     /** Creates the solution. */
     public SmoothMotion() {}
 
-    private static final Motion SALUTE = new Motion(
-            "salute", List.of(keyframe(400, 60), keyframe(400, -30), keyframe(600, 45), keyframe(400, 0)));
+    private static final Motion SALUTE =
+            new Motion("salute", List.of(keyframe(400, 60), keyframe(400, -30), keyframe(600, 45), keyframe(400, 0)));
 
     private boolean played;
 

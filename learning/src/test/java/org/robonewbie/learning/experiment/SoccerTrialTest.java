@@ -148,7 +148,9 @@ class SoccerTrialTest {
             gauge.look(eye.look());
         }
 
-        assertThat(gauge.value()).as("a ball that begins without spin keeps 5/7 of its speed").isCloseTo(2 * 5 / 7.0 * 0.94, within(0.1));
+        assertThat(gauge.value())
+                .as("a ball that begins without spin keeps 5/7 of its speed")
+                .isCloseTo(2 * 5 / 7.0 * 0.94, within(0.1));
     }
 
     @Test

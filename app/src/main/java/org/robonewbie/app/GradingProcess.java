@@ -1,0 +1,132 @@
+package org.robonewbie.app;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.LongStream;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Grade;
+import org.robonewbie.exercises.Score;
+
+/**
+ * Grades in a process of its own, so that a program that ends the process, takes all memory or never returns costs its author
+ * the trial and nobody anything else.
+ */
+final class GradingProcess {
+
+    /** Tells the process that it is the one in which the student's program runs, and where its result goes. */
+    static final String INSIDE = "--result-of-process";
+
+    /** What stands in the file of the result while the student's program runs. */
+    static final String STARTED = "started";
+
+    private static final int MEGABYTES = 512;
+    private static final int OUT_OF_MEMORY = 3;
+    private static final int SECONDS_AT_LEAST = 20;
+    private static final int SECONDS_FOR_EACH_SEED = 10;
+
+    private final Exercise exercise;
+    private final String program;
+    private final int seeds;
+    private final String classPath;
+    private final Optional<Path> recording;
+    private int exitCode;
+
+    GradingProcess(Exercise exercise, String program, int seeds, String classPath, Optional<Path> recording) {
+        this.exercise = exercise;
+        this.program = program;
+        this.seeds = seeds;
+        this.classPath = classPath;
+        this.recording = recording;
+    }
+
+    /** Grades; there is no grade if the program cannot even begin, and why not has been shown. */
+    Optional<Grade> run() throws IOException {
+        Path result = Files.createTempFile("grade", ".json");
+        try {
+            Process process = new ProcessBuilder(command(result)).inheritIO().start();
+            boolean ended = waitFor(process);
+            process.descendants().forEach(ProcessHandle::destroyForcibly);
+            process.destroyForcibly();
+            exitCode = ended ? process.exitValue() : 1;
+            String text = Files.readString(result);
+            if (text.isEmpty()) {
+                return Optional.empty();
+            }
+            return Optional.of(text.equals(STARTED) ? unfinished(ended) : Grade.ofJson(text));
+        } finally {
+            Files.deleteIfExists(result);
+        }
+    }
+
+    /** Tells how the process ended. */
+    int exitCode() {
+        return exitCode;
+    }
+
+    /** Writes a file in one step, so that nobody reads half of it. */
+    static void write(Path file, String text) {
+        try {
+            Path part = file.resolveSibling(file.getFileName() + ".part");
+            Files.writeString(part, text);
+            Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+        } catch (IOException unwritable) {
+            throw new UncheckedIOException("The file " + file + " cannot be written.", unwritable);
+        }
+    }
+
+    private List<String> command(Path result) {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UseSerialGC",
+                "-Xmx" + MEGABYTES + "m",
+                "-XX:+ExitOnOutOfMemoryError",
+                "-cp",
+                System.getProperty("java.class.path"),
+                Main.class.getName(),
+                GradeCommand.NAME,
+                exercise.name(),
+                program,
+                "--seeds",
+                Integer.toString(seeds),
+                INSIDE,
+                result.toString()));
+        if (!classPath.isEmpty()) {
+            command.addAll(List.of("--class-path", classPath));
+        }
+        recording.ifPresent(file -> command.addAll(List.of("--record", file.toString())));
+        return command;
+    }
+
+    private boolean waitFor(Process process) {
+        try {
+            return process.waitFor(SECONDS_AT_LEAST + (long) SECONDS_FOR_EACH_SEED * seeds, TimeUnit.SECONDS);
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
+    }
+
+    private Grade unfinished(boolean ended) {
+        String finding;
+        if (!ended) {
+            finding = "The program took too long.";
+        } else if (exitCode == OUT_OF_MEMORY) {
+            finding = "The program took all memory (" + MEGABYTES + " MB).";
+        } else {
+            finding = "The program ended the whole process (exit code " + exitCode + "). Does it call System.exit?";
+        }
+        Score score = Score.failed(0, finding, "Mend this first; the rest was not tried.");
+        return new Grade(
+                exercise.fullName(),
+                LongStream.rangeClosed(1, seeds)
+                        .mapToObj(seed -> new Grade.SeededScore(seed, score))
+                        .toList());
+    }
+}
