@@ -60,8 +60,7 @@ final class AgentFinder {
     }
 
     private Optional<AgentProgram> findOwnClass(String name) {
-        return ownClass(name)
-                .map(type -> AgentProgram.of(type).orElseThrow(() -> withoutMain(type.getSimpleName())));
+        return ownClass(name).map(type -> AgentProgram.of(type).orElseThrow(() -> withoutMain(type.getSimpleName())));
     }
 
     private Optional<Class<?>> ownClass(String name) {

@@ -11,7 +11,12 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "evaluation",
         description = "Summarise the evaluation forms of a course by the participants' experience.",
-        footer = {"", "Examples:", "  robonewbie evaluation answers.csv", "The form is docs/teaching/evaluation-form.md."})
+        footer = {
+            "",
+            "Examples:",
+            "  robonewbie evaluation answers.csv",
+            "The form is docs/teaching/evaluation-form.md."
+        })
 final class EvaluationCommand implements Callable<Integer> {
 
     @Mixin

@@ -42,7 +42,8 @@ final class EvaluationSummary {
         if (lines.isEmpty()) {
             throw new CalledWronglyException("The file is empty. Its first line names the questions.");
         }
-        List<String> questions = List.of(lines.get(0).trim().toLowerCase(Locale.ROOT).split(SEPARATOR, -1));
+        List<String> questions =
+                List.of(lines.get(0).trim().toLowerCase(Locale.ROOT).split(SEPARATOR, -1));
         List<double[]> answers = new ArrayList<>();
         for (int i = 1; i < lines.size(); i++) {
             if (!lines.get(i).isBlank()) {
@@ -70,12 +71,15 @@ final class EvaluationSummary {
     }
 
     private void append(StringBuilder table, Group group) {
-        List<double[]> people = answers.stream().filter(answer -> belongs(answer, group)).toList();
+        List<double[]> people =
+                answers.stream().filter(answer -> belongs(answer, group)).toList();
         table.append(String.format("%-16s%8d", group.name, people.size()));
         for (int i = 0; i < questions.size(); i++) {
             int column = i;
-            OptionalDouble mean = people.stream().mapToDouble(answer -> answer[column]).average();
-            table.append(mean.isPresent() ? String.format(Locale.ROOT, "  %11.2f", mean.getAsDouble()) : "            -");
+            OptionalDouble mean =
+                    people.stream().mapToDouble(answer -> answer[column]).average();
+            table.append(
+                    mean.isPresent() ? String.format(Locale.ROOT, "  %11.2f", mean.getAsDouble()) : "            -");
         }
         table.append(System.lineSeparator());
     }
@@ -91,8 +95,8 @@ final class EvaluationSummary {
     private static double[] answer(String line, int number, int questions) {
         String[] words = line.trim().split(SEPARATOR, -1);
         if (words.length != questions) {
-            throw new CalledWronglyException("Line " + number + " has " + words.length + " answers, but there are "
-                    + questions + " questions.");
+            throw new CalledWronglyException(
+                    "Line " + number + " has " + words.length + " answers, but there are " + questions + " questions.");
         }
         double[] answers = new double[questions];
         for (int i = 0; i < questions; i++) {
@@ -103,7 +107,8 @@ final class EvaluationSummary {
 
     private static double number(String word, int line) {
         if (!word.matches("[1-5]")) {
-            throw new CalledWronglyException("Line " + line + ": \"" + word + "\" is no answer. Answers go from 1 to 5.");
+            throw new CalledWronglyException(
+                    "Line " + line + ": \"" + word + "\" is no answer. Answers go from 1 to 5.");
         }
         return Double.parseDouble(word);
     }

@@ -150,8 +150,8 @@ final class GradeCommand implements Callable<Integer> {
         String question = NearestName.of(name, names)
                 .map(nearest -> " Did you mean " + nearest + "?")
                 .orElse("");
-        return new CalledWronglyException("There is no exercise \"" + name + "\"." + question
-                + " \"robonewbie grade\" lists all exercises.");
+        return new CalledWronglyException(
+                "There is no exercise \"" + name + "\"." + question + " \"robonewbie grade\" lists all exercises.");
     }
 
     private static CalledWronglyException withoutSolution(Exercise exercise) {

@@ -38,7 +38,10 @@ final class NewCommand implements Callable<Integer> {
     @Parameters(paramLabel = "NAME", description = "Name of the project and its folder, such as my-team.")
     private String name = "";
 
-    @Option(names = "--package", paramLabel = "PACKAGE", description = "Package of your classes (default: from the name).")
+    @Option(
+            names = "--package",
+            paramLabel = "PACKAGE",
+            description = "Package of your classes (default: from the name).")
     private String packageName = "";
 
     @Override
@@ -48,16 +51,16 @@ final class NewCommand implements Callable<Integer> {
             throw new CalledWronglyException(
                     "\"" + folder + "\" is no name for a project. Use letters, digits and -, such as my-team.");
         }
-        String chosen = packageName.isEmpty()
-                ? folder.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "")
-                : packageName;
+        String chosen =
+                packageName.isEmpty() ? folder.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "") : packageName;
         if (!PACKAGE.matcher(chosen).matches()) {
-            throw new CalledWronglyException(
-                    "\"" + chosen + "\" is no name for a package. Use small letters and points, such as org.example.team.");
+            throw new CalledWronglyException("\"" + chosen
+                    + "\" is no name for a package. Use small letters and points, such as org.example.team.");
         }
         Path project = Path.of(name);
         if (Files.exists(project)) {
-            throw new CalledWronglyException("There is a folder " + name + " already, and it is kept. Take another name.");
+            throw new CalledWronglyException(
+                    "There is a folder " + name + " already, and it is kept. Take another name.");
         }
         new NewProject(folder, chosen, ownJar()).create(project);
         System.out.println("Your project is in " + project.toAbsolutePath() + System.lineSeparator()

@@ -38,8 +38,8 @@ final class NewProject {
      */
     void create(Path project) throws IOException {
         if (!Files.isRegularFile(jar)) {
-            throw new CalledWronglyException(
-                    "A project needs the file " + jar + ", which is not there. Start ./robonewbie once; that builds it.");
+            throw new CalledWronglyException("A project needs the file " + jar
+                    + ", which is not there. Start ./robonewbie once; that builds it.");
         }
         write("pom.xml", project.resolve("pom.xml"));
         write("README.md", project.resolve("README.md"));
@@ -51,7 +51,9 @@ final class NewProject {
             System.err.println("The file robonewbie could not be made executable; start it by: sh robonewbie");
         }
         write("MyAgent.java", project.resolve("src/main/java").resolve(folder()).resolve("MyAgent.java"));
-        write("MyAgentTest.java", project.resolve("src/test/java").resolve(folder()).resolve("MyAgentTest.java"));
+        write(
+                "MyAgentTest.java",
+                project.resolve("src/test/java").resolve(folder()).resolve("MyAgentTest.java"));
         Files.createDirectories(project.resolve("motions"));
         new MotionLibrary().find("wave").orElseThrow().save(project.resolve("motions/greet.txt"));
         Files.createDirectories(project.resolve("lib"));
@@ -73,7 +75,8 @@ final class NewProject {
 
     private static String read(String template) throws IOException {
         try (InputStream stream = Objects.requireNonNull(
-                NewProject.class.getResourceAsStream("project/" + template + ".txt"), "There is no template " + template)) {
+                NewProject.class.getResourceAsStream("project/" + template + ".txt"),
+                "There is no template " + template)) {
             return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
         }
     }

@@ -42,12 +42,13 @@ final class StudentsAgents implements Supplier<Agent> {
                     + " does not. \"robonewbie grade EXERCISE --start\" writes one to begin with.");
         }
         try {
-            Constructor<? extends Agent> constructor = type.asSubclass(Agent.class).getDeclaredConstructor();
+            Constructor<? extends Agent> constructor =
+                    type.asSubclass(Agent.class).getDeclaredConstructor();
             constructor.setAccessible(true);
             return Objects.requireNonNull(constructor);
         } catch (NoSuchMethodException none) {
-            throw new CalledWronglyException(
-                    "No robot can be made with " + type.getSimpleName() + ": it needs a constructor without parameters.");
+            throw new CalledWronglyException("No robot can be made with " + type.getSimpleName()
+                    + ": it needs a constructor without parameters.");
         }
     }
 }

@@ -47,8 +47,8 @@ class GradeCommandTest {
     void solvedExercisePassesAndIsWrittenAsJson() throws IOException {
         Path json = folder.resolve("grade.json");
 
-        Printed printed = Printed.by(
-                "grade", "raise-arms", program(SOLUTION), "--seeds", "2", "--json", json.toString());
+        Printed printed =
+                Printed.by("grade", "raise-arms", program(SOLUTION), "--seeds", "2", "--json", json.toString());
 
         assertThat(printed.exitCode()).as(printed.out()).isZero();
         assertThat(printed.out()).contains("01-raise-arms PASSED: 10.0 of 10 points");
@@ -57,12 +57,8 @@ class GradeCommandTest {
 
     @Test
     void staticFieldsBelongToOneTrial() throws IOException {
-        Printed printed = Printed.by(
-                "grade",
-                "raise-arms",
-                program("if (trials++ < 300) { " + SOLUTION + "}"),
-                "--seeds",
-                "2");
+        Printed printed =
+                Printed.by("grade", "raise-arms", program("if (trials++ < 300) { " + SOLUTION + "}"), "--seeds", "2");
 
         assertThat(printed.exitCode()).as(printed.out()).isZero();
     }
@@ -87,7 +83,8 @@ class GradeCommandTest {
 
     @Test
     void programThatTakesAllMemoryCostsOnlyItsPoints() throws IOException {
-        Printed printed = Printed.by("grade", "raise-arms", program("while (true) { hoard.add(new byte[10_000_000]); }"));
+        Printed printed =
+                Printed.by("grade", "raise-arms", program("while (true) { hoard.add(new byte[10_000_000]); }"));
 
         assertThat(printed.exitCode()).isEqualTo(1);
         assertThat(printed.out()).contains("0.0 of 10 points").contains("memory");
@@ -122,6 +119,7 @@ class GradeCommandTest {
                         nao.setJointSpeed(joint, nao.getJointAngle(joint) < goal ? 30 : 0);
                     }
                 }
-                """.formatted(lines)).toString();
+                """.formatted(lines))
+                .toString();
     }
 }

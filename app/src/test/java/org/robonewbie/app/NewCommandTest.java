@@ -66,7 +66,8 @@ class NewCommandTest {
         Printed printed = Printed.by("new", "2 robots");
 
         assertThat(printed.exitCode()).isEqualTo(2);
-        assertThat(printed.err()).contains("\"2 robots\" is no name for a project. Use letters, digits and -, such as my-team.");
+        assertThat(printed.err())
+                .contains("\"2 robots\" is no name for a project. Use letters, digits and -, such as my-team.");
     }
 
     @Test
@@ -87,13 +88,7 @@ class NewCommandTest {
                     project.resolve("src/main/java").toString(),
                     "-d",
                     Files.createTempDirectory(folder, "classes").toString());
-            return compiler.getTask(
-                                    mistakes,
-                                    disk,
-                                    null,
-                                    options,
-                                    null,
-                                    disk.getJavaFileObjects(project.resolve(file)))
+            return compiler.getTask(mistakes, disk, null, options, null, disk.getJavaFileObjects(project.resolve(file)))
                             .call()
                     ? ""
                     : mistakes.toString();

@@ -33,8 +33,8 @@ class TutorialTest {
         return Project.pages().stream().flatMap(page -> {
             Matcher matcher = PROGRAM.matcher(Project.read(page));
             return matcher.results()
-                    .map(match -> new Program(
-                            Project.ROOT.relativize(page).toString(), match.group(2), match.group(1)));
+                    .map(match ->
+                            new Program(Project.ROOT.relativize(page).toString(), match.group(2), match.group(1)));
         });
     }
 
@@ -43,8 +43,7 @@ class TutorialTest {
     void programRuns(Program program) throws IOException {
         Path file = Files.writeString(folder.resolve(program.name() + ".java"), program.code());
 
-        Printed printed =
-                Printed.by("run", file.toString(), "--headless", "--fast", "--seed", "1", "--seconds", "5");
+        Printed printed = Printed.by("run", file.toString(), "--headless", "--fast", "--seed", "1", "--seconds", "5");
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(printed.err()).doesNotContain("failed with");

@@ -14,7 +14,10 @@ final class Solutions {
 
     private static Agent agent(String className) {
         try {
-            return Class.forName(className).asSubclass(Agent.class).getConstructor().newInstance();
+            return Class.forName(className)
+                    .asSubclass(Agent.class)
+                    .getConstructor()
+                    .newInstance();
         } catch (ReflectiveOperationException none) {
             throw new IllegalStateException(none);
         }
