@@ -2,9 +2,11 @@ package org.robonewbie.agent;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.robonewbie.agent.log.Logger;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.log.StudentCode;
@@ -38,8 +40,10 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
  */
 public abstract class Agent {
 
+    private static final int MOST_CALLS = 8;
+
     /** What the robot logs; printed when the run is over. */
-    protected final Logger log = new Logger(getClass().getSimpleName());
+    protected final Logger log = new Logger(nameOf(getClass()));
 
     private final Mistakes mistakes = new Mistakes(System.err);
 
@@ -222,13 +226,22 @@ public abstract class Agent {
     private void report(String name, Throwable mistake) {
         String place = StudentCode.place(mistake.getStackTrace()).orElse("");
         mistakes.reportAt(place, name + mistake.getClass(), () -> {
-            log.error(
-                    "%s failed: %s at %s",
-                    name,
-                    mistake,
-                    List.of(mistake.getStackTrace()).stream().limit(8).toList());
+            log.error("%s failed: %s%s", name, mistake, stack(mistake));
             return name + " failed with " + mistake + "; the robot goes on with the next step.";
         });
+    }
+
+    /** Where a mistake happened, one call below the other; what lies outside of the student's code is left out. */
+    private static String stack(Throwable mistake) {
+        return Arrays.stream(mistake.getStackTrace())
+                .limit(MOST_CALLS)
+                .takeWhile(call -> !call.getClassName().equals(Agent.class.getName()))
+                .map(call -> "\n                      at " + call)
+                .collect(Collectors.joining());
+    }
+
+    private static String nameOf(Class<?> type) {
+        return type.isAnonymousClass() ? nameOf(type.getSuperclass()) : type.getSimpleName();
     }
 
     private static int help() {

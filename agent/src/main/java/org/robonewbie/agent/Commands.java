@@ -11,6 +11,8 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 /** What the robot is told to do in this cycle; checks it, and turns it into a message for the simulator. */
 final class Commands {
 
+    private static final String SPEED_IS_A_SIZE = "Give a speed above 0; the angle decides on the direction.";
+
     private final Senses senses;
     private final Motors motors;
     private final Mistakes mistakes;
@@ -53,10 +55,10 @@ final class Commands {
     void setJointAngle(Joint joint, double degrees, double speed) {
         if (!Double.isFinite(degrees) || !(speed > 0)) {
             mistakes.report(
-                    "angle " + joint,
+                    "angle " + joint + (speed <= 0),
                     () -> format(
-                            "Joint angle %s with speed %s for %s is ignored. Was something divided by zero?",
-                            degrees, speed, joint));
+                            "Joint angle %s with speed %s for %s is ignored. %s",
+                            degrees, speed, joint, speed <= 0 ? SPEED_IS_A_SIZE : "Was something divided by zero?"));
             return;
         }
         if (joint.clampDegrees(degrees) != degrees) {

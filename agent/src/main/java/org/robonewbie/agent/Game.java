@@ -3,6 +3,7 @@ package org.robonewbie.agent;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /** Several agents of one program in the same game. */
@@ -22,12 +23,23 @@ final class Game {
      * @throws StartUpException if the game cannot begin
      */
     static int play(List<String> args, List<Agent> agents) {
+        check(agents);
         List<Options> options = agents.stream()
                 .map(agent -> agent.defaults().overriddenBy(args.toArray(String[]::new)))
                 .toList();
         try (Home home = Home.find(options.get(0), agents.size())) {
             System.out.println(home.description());
             return new Game(home).playAll(agents, options);
+        }
+    }
+
+    private static void check(List<Agent> agents) {
+        if (agents.isEmpty()) {
+            throw new StartUpException("No agent shall play: give runTogether at least one, such as new MyAgent().");
+        }
+        if (Set.copyOf(agents).size() < agents.size()) {
+            throw new StartUpException(
+                    "The same agent shall play twice, but a robot has only one body: make each of them with new.");
         }
     }
 

@@ -100,9 +100,9 @@ public final class Nao extends NaoBody implements AutoCloseable {
         return session.sense();
     }
 
-    /** Sends what was set since the last {@link #sense}; a second time in the same cycle it does nothing. */
+    /** Sends what was set since the last {@link #sense}; a second time in the same cycle it does nothing but report that. */
     public void act() {
-        session.act();
+        session.actOnce();
     }
 
     /**

@@ -3,6 +3,7 @@ package org.robonewbie.agent;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
+import org.robonewbie.agent.log.Spelling;
 
 /** One option of an agent: its name, what it takes and what the help says about it. */
 enum Option {
@@ -74,24 +75,7 @@ enum Option {
 
     /** The option whose name is most like a misspelt one; empty if none is near. */
     static Optional<Option> nearest(String key) {
-        return Arrays.stream(values())
-                .filter(option -> distance(option.key(), key) <= 2)
-                .min(java.util.Comparator.comparingInt(option -> distance(option.key(), key)));
-    }
-
-    /** Levenshtein's distance: how many letters must be changed, added or taken away. */
-    private static int distance(String from, String to) {
-        int[] row = new int[to.length() + 1];
-        Arrays.setAll(row, i -> i);
-        for (int i = 1; i <= from.length(); i++) {
-            int diagonal = row[0];
-            row[0] = i;
-            for (int j = 1; j <= to.length(); j++) {
-                int replaced = diagonal + (from.charAt(i - 1) == to.charAt(j - 1) ? 0 : 1);
-                diagonal = row[j];
-                row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
-            }
-        }
-        return row[to.length()];
+        return Spelling.nearest(key, Arrays.stream(values()).map(Option::key).toList())
+                .flatMap(Option::ofKey);
     }
 }

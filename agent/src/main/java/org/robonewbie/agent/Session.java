@@ -28,6 +28,8 @@ final class Session implements AutoCloseable {
     private final PrintStream out;
     private boolean answered = true;
     private boolean broken;
+    private boolean over;
+    private boolean closed;
     private long cycles;
     private long receivedNanos;
     private Supplier<String> slowPlace = () -> StudentCode.place().orElse("");
@@ -55,12 +57,18 @@ final class Session implements AutoCloseable {
 
     /** Waits for the next message; false if the game is over for this robot. */
     boolean sense() {
+        if (closed) {
+            body.mistakes().report("closed", () -> "The robot has left the game: sense() was called after close().");
+            return false;
+        }
         if (!answered) {
             act();
         }
-        if (broken || isOver()) {
-            return false;
-        }
+        over = broken || isOver() || !receive();
+        return !over;
+    }
+
+    private boolean receive() {
         try {
             Optional<PerceptorMessage> message = port.receive();
             message.ifPresent(this::perceive);
@@ -93,6 +101,18 @@ final class Session implements AutoCloseable {
         }
     }
 
+    /** Sends the answer as {@link #act}, and reports it if there is no message to answer. */
+    void actOnce() {
+        if (answered && !over && !closed) {
+            body.mistakes()
+                    .report(
+                            "act twice",
+                            () -> "act() sends nothing, since the last message is answered already:"
+                                    + " call sense() before each act().");
+        }
+        act();
+    }
+
     /** Whether the last message still waits for its answer. */
     boolean isAnswerDue() {
         return !answered;
@@ -110,6 +130,7 @@ final class Session implements AutoCloseable {
 
     @Override
     public void close() {
+        closed = true;
         port.close();
     }
 

@@ -21,7 +21,7 @@ final class Values {
     static Optional<String> name(String value) {
         boolean readable =
                 !value.isEmpty() && value.chars().allMatch(c -> c > ' ' && c <= '~' && "()\"';".indexOf(c) < 0);
-        return expect(readable, "a name without blanks, brackets and quotes");
+        return expect(readable, "a name of letters A to Z, digits and signs without blanks, brackets and quotes");
     }
 
     static Optional<String> flag(String value) {

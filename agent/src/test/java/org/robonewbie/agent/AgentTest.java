@@ -102,6 +102,19 @@ class AgentTest {
     }
 
     @Test
+    void asksForASpeedAboveZeroInsteadOfADirection() {
+        Agent agent = new Careless(nao -> nao.setJointAngle(Joint.LEFT_KNEE_PITCH, -10, -20));
+
+        agent.respond(Messages.standing().build());
+
+        assertThat(printedLines())
+                .singleElement()
+                .asString()
+                .contains("Joint angle -10.0 with speed -20.0 for LEFT_KNEE_PITCH is ignored. Give a speed above 0; the"
+                        + " angle decides on the direction.");
+    }
+
+    @Test
     void stopsAJointAtTheEndOfItsRange() {
         Agent agent = new Careless(nao -> nao.setJointSpeed(Joint.NECK_PITCH, 100));
         Posture atTheEnd = Posture.ZERO.with(Joint.NECK_PITCH, 44.9);

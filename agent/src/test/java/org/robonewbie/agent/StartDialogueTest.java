@@ -124,6 +124,56 @@ class StartDialogueTest {
         }
     }
 
+    @Test
+    void reportsAnActWithoutSense() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(2, 30));
+                Nao nao = Nao.connect(options(server))) {
+            nao.sense();
+            nao.act();
+            assertThat(nao.mistakes().reported()).isEmpty();
+
+            nao.act();
+
+            assertThat(nao.mistakes().reported())
+                    .singleElement()
+                    .asString()
+                    .contains("act() sends nothing, since the last message is answered already: call sense() before each"
+                            + " act().");
+        }
+    }
+
+    @Test
+    void endsAProgramThatSensesAfterTheRobotHasLeft() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(2, 30))) {
+            Nao nao = Nao.connect(options(server));
+            nao.close();
+
+            boolean running = nao.sense();
+
+            assertThat(running).isFalse();
+            assertThat(nao.mistakes().reported())
+                    .singleElement()
+                    .asString()
+                    .contains("The robot has left the game: sense() was called after close().");
+        }
+    }
+
+    @Test
+    void refusesAnAgentThatShallPlayTwice() {
+        Agent agent = new Agent() {};
+
+        assertThatThrownBy(() -> Game.play(List.of(), List.of(agent, agent)))
+                .isInstanceOf(StartUpException.class)
+                .hasMessage("The same agent shall play twice, but a robot has only one body: make each of them with new.");
+    }
+
+    @Test
+    void refusesAGameWithoutAgents() {
+        assertThatThrownBy(() -> Game.play(List.of(), List.of()))
+                .isInstanceOf(StartUpException.class)
+                .hasMessage("No agent shall play: give runTogether at least one, such as new MyAgent().");
+    }
+
     private static Options options(ScriptedServer server) {
         return Options.none().with("host", "127.0.0.1").with("port", Integer.toString(server.port()));
     }

@@ -102,9 +102,9 @@ public final class MotionLibrary {
      */
     public SortedSet<String> names() {
         SortedSet<String> names = new TreeSet<>(namesIn(ownMotions));
-        URL folder = MotionLibrary.class.getResource("/" + FOLDER);
-        if (folder != null) {
-            names.addAll(shippedNames(folder));
+        URL shipped = MotionLibrary.class.getResource("/" + FOLDER + "/stand" + ENDING);
+        if (shipped != null) {
+            names.addAll(namesBeside(shipped));
         }
         return Collections.unmodifiableSortedSet(names);
     }
@@ -124,13 +124,14 @@ public final class MotionLibrary {
         }
     }
 
-    private static List<String> shippedNames(URL folder) {
+    /** Lists what stands in the same folder or jar as a motion that comes with the framework. */
+    private static List<String> namesBeside(URL shipped) {
         try {
-            URLConnection connection = folder.openConnection();
+            URLConnection connection = shipped.openConnection();
             if (connection instanceof JarURLConnection jar) {
                 return namesOf(jar.getJarFile().stream().map(Object::toString).filter(MotionLibrary::isMotionOfJar));
             }
-            return namesIn(Path.of(new URI(folder.toString())));
+            return namesIn(Path.of(new URI(shipped.toString())).resolveSibling(""));
         } catch (IOException | URISyntaxException unreadable) {
             return List.of();
         }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.Motion;
@@ -308,10 +309,14 @@ public final class Motions {
     }
 
     private String unknown(String name) {
+        String meant = Spelling.nearest(name.replaceFirst("\\.txt$", ""), library.names())
+                .map(similar -> " Did you mean \"" + similar + "\"?")
+                .orElse("");
         return String.format(
                 Locale.ROOT,
-                "There is no motion \"%s\". Put a file motions/%s.txt into the working directory, or use one of: %s.",
+                "There is no motion \"%s\".%s Put a file motions/%s.txt into the working directory, or use one of: %s.",
                 name,
+                meant,
                 name,
                 String.join(", ", library.names()));
     }

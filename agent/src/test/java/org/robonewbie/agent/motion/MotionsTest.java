@@ -262,15 +262,25 @@ class MotionsTest {
     void saysWhichMotionsThereAreWhenOneIsUnknown() throws IOException {
         file("nod", "200 30" + ZEROS);
 
-        boolean started = motions().start("not");
+        boolean started = motions().start("salute");
 
         assertThat(started).isFalse();
         assertThat(mistakes.reported())
                 .singleElement()
                 .asString()
-                .startsWith("0.00 s: There is no motion \"not\". Put a file motions/not.txt into the working directory,"
-                        + " or use one of: ")
-                .contains("nod");
+                .startsWith("0.00 s: There is no motion \"salute\". Put a file motions/salute.txt into the working"
+                        + " directory, or use one of: ")
+                .contains("nod", "walk-forward");
+    }
+
+    @Test
+    void guessesWhichMotionAMisspeltNameMeans() {
+        motions().start("walk-foward");
+
+        assertThat(mistakes.reported())
+                .singleElement()
+                .asString()
+                .startsWith("0.00 s: There is no motion \"walk-foward\". Did you mean \"walk-forward\"? Put a file ");
     }
 
     @Test

@@ -1,0 +1,44 @@
+package org.robonewbie.agent.log;
+
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.Optional;
+
+/** Finds out what was probably meant by a misspelt word. */
+public final class Spelling {
+
+    private static final int MOST_WRONG_LETTERS = 2;
+
+    private Spelling() {}
+
+    /**
+     * Looks for the word that is most like a misspelt one; capitals do not matter.
+     *
+     * @param misspelt what was written
+     * @param words what could have been meant
+     * @return the most similar word; empty if none is near
+     */
+    public static Optional<String> nearest(String misspelt, Collection<String> words) {
+        return words.stream()
+                .filter(word -> distance(word, misspelt) <= MOST_WRONG_LETTERS)
+                .min(Comparator.comparingInt(word -> distance(word, misspelt)));
+    }
+
+    /** Levenshtein's distance: how many letters must be changed, added or taken away. */
+    private static int distance(String from, String to) {
+        int[] row = new int[to.length() + 1];
+        Arrays.setAll(row, i -> i);
+        for (int i = 1; i <= from.length(); i++) {
+            int diagonal = row[0];
+            row[0] = i;
+            for (int j = 1; j <= to.length(); j++) {
+                boolean same = Character.toLowerCase(from.charAt(i - 1)) == Character.toLowerCase(to.charAt(j - 1));
+                int replaced = diagonal + (same ? 0 : 1);
+                diagonal = row[j];
+                row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
+            }
+        }
+        return row[to.length()];
+    }
+}
