@@ -53,9 +53,13 @@ public record Rotation(double w, double x, double y, double z) {
      * @return the turned vector, of the same length
      */
     public Vector3 apply(Vector3 vector) {
-        Vector3 axis = new Vector3(x, y, z);
-        Vector3 twice = axis.cross(vector).times(2);
-        return vector.plus(twice.times(w)).plus(axis.cross(twice));
+        double twiceX = 2 * (y * vector.z() - z * vector.y()); // twice the cross product of axis and vector
+        double twiceY = 2 * (z * vector.x() - x * vector.z());
+        double twiceZ = 2 * (x * vector.y() - y * vector.x());
+        return new Vector3(
+                vector.x() + w * twiceX + (y * twiceZ - z * twiceY),
+                vector.y() + w * twiceY + (z * twiceX - x * twiceZ),
+                vector.z() + w * twiceZ + (x * twiceY - y * twiceX));
     }
 
     /**

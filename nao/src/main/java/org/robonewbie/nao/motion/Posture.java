@@ -15,6 +15,8 @@ public final class Posture {
     /** The construction pose: standing straight, both arms stretched forward, all angles 0. */
     public static final Posture ZERO = new Posture(new double[Joint.COUNT]);
 
+    private static final Joint[] JOINTS = Joint.values();
+
     private final double[] degrees;
 
     /** Takes the array over; a negative zero becomes a plain one, since both are the same angle. */
@@ -38,7 +40,7 @@ public final class Posture {
                     + degrees.length + " were given.");
         }
         for (int i = 0; i < degrees.length; i++) {
-            checkFinite(Joint.values()[i], degrees[i]);
+            checkFinite(JOINTS[i], degrees[i]);
         }
         return new Posture(degrees.clone());
     }
@@ -75,7 +77,7 @@ public final class Posture {
      */
     public Posture mirrored() {
         double[] mirrored = new double[Joint.COUNT];
-        for (Joint joint : Joint.values()) {
+        for (Joint joint : JOINTS) {
             mirrored[Mirror.partner(joint).ordinal()] = Mirror.mirroredDegrees(joint, degrees(joint));
         }
         return new Posture(mirrored);
@@ -88,7 +90,7 @@ public final class Posture {
      */
     public Posture clamped() {
         double[] clamped = new double[Joint.COUNT];
-        for (Joint joint : Joint.values()) {
+        for (Joint joint : JOINTS) {
             clamped[joint.ordinal()] = joint.clampDegrees(degrees(joint));
         }
         return new Posture(clamped);
