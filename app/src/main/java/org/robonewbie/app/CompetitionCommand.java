@@ -203,7 +203,7 @@ final class CompetitionCommand implements Callable<Integer> {
         return (simulation, trial) -> {
             Viewer.View view = viewer.open(simulation, 0);
             System.out.println("Watch " + trial.id() + " at " + view.address());
-            return view;
+            return view::close;
         };
     }
 

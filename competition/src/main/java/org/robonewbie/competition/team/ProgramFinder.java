@@ -132,7 +132,7 @@ public final class ProgramFinder {
     }
 
     private TeamProgram ofCommand(TeamEntry team) throws IOException {
-        List<String> words = Arrays.stream(team.program().split("\\s+"))
+        List<String> words = Arrays.stream(team.program().split("\\s+", -1))
                 .map(word -> existing(word).map(Path::toString).orElse(word))
                 .toList();
         Optional<Path> own =

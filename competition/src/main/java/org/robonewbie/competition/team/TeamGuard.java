@@ -3,6 +3,7 @@ package org.robonewbie.competition.team;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Arrays;
 import java.util.List;
@@ -66,9 +67,7 @@ public final class TeamGuard {
         Thread thread = new Thread(
                 () -> {
                     try {
-                        while (input.read() >= 0) {
-                            continue;
-                        }
+                        input.transferTo(OutputStream.nullOutputStream());
                     } catch (IOException closed) {
                         // That is the end, too.
                     }

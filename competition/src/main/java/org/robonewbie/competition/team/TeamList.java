@@ -130,7 +130,8 @@ public final class TeamList {
 
     /** Names a team after its folder, file or class. */
     private String freeName(String program) {
-        Path last = Objects.requireNonNullElse(Path.of(program.split("\\s")[0]).getFileName(), Path.of("Team"));
+        Path last =
+                Objects.requireNonNullElse(Path.of(program.split("\\s", -1)[0]).getFileName(), Path.of("Team"));
         String base = last.toString()
                 .replaceFirst("\\.(jar|java)$", "")
                 .replaceAll("^.*\\.", "")

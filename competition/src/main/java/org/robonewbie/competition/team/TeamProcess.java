@@ -164,7 +164,7 @@ public final class TeamProcess implements AutoCloseable {
     }
 
     private static String classPath(List<Path> own) {
-        Stream<String> ours = Stream.of(System.getProperty("java.class.path").split(File.pathSeparator));
+        Stream<String> ours = Stream.of(System.getProperty("java.class.path").split(File.pathSeparator, -1));
         return String.join(
                 File.pathSeparator,
                 Stream.concat(ours.map(Path::of), own.stream())
@@ -176,7 +176,7 @@ public final class TeamProcess implements AutoCloseable {
     private static long residentBytes(long pid) {
         Path file = Path.of("/proc", String.valueOf(pid), "statm");
         try {
-            return Files.exists(file) ? Long.parseLong(Files.readString(file).split(" ")[1]) * PAGE_BYTES : 0;
+            return Files.exists(file) ? Long.parseLong(Files.readString(file).split(" ", -1)[1]) * PAGE_BYTES : 0;
         } catch (IOException gone) {
             return 0;
         }

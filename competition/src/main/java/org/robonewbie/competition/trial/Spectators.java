@@ -10,7 +10,7 @@ public interface Spectators {
     /** Nobody looks, so trials run as fast as they can. */
     Spectators NOBODY = new Spectators() {
         @Override
-        public AutoCloseable watch(SimulationControl simulation, Trial trial) {
+        public Runnable watch(SimulationControl simulation, Trial trial) {
             return () -> {};
         }
 
@@ -25,10 +25,10 @@ public interface Spectators {
      *
      * @param simulation what to look at
      * @param trial which trial it is
-     * @return what to close at the end of the trial
+     * @return what to do at the end of the trial
      * @throws IOException if they cannot look
      */
-    AutoCloseable watch(SimulationControl simulation, Trial trial) throws IOException;
+    Runnable watch(SimulationControl simulation, Trial trial) throws IOException;
 
     /**
      * Tells whether there is nobody.

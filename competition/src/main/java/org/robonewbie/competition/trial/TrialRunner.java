@@ -66,23 +66,30 @@ public final class TrialRunner {
     public TrialResult run(Trial trial, TrialFiles files) throws IOException, InterruptedException {
         Judge judge = contest.judge(trial);
         Map<String, List<TeamProcess>> processes = new LinkedHashMap<>();
+        try {
+            Umpire umpire = play(trial, files, judge, processes);
+            return result(trial, judge, umpire, processes);
+        } finally {
+            processes.values().stream().flatMap(List::stream).forEach(TeamProcess::close);
+        }
+    }
+
+    /** Plays until the umpire has decided or the time is over. */
+    private Umpire play(Trial trial, TrialFiles files, Judge judge, Map<String, List<TeamProcess>> processes)
+            throws IOException, InterruptedException {
         Path log = files.logs().resolve(trial.id() + "-simulator.txt");
         try (PrintWriter console = new PrintWriter(Files.newBufferedWriter(log, StandardCharsets.UTF_8), true);
                 Simulator simulator = Simulator.start(settings(trial, files), console::println)) {
             Umpire umpire = new Umpire(trial, judge, simulator.control());
             simulator.control().addObserver(umpire);
-            try (AutoCloseable ignored = spectators.watch(simulator.control(), trial)) {
+            Runnable leaving = spectators.watch(simulator.control(), trial);
+            try {
                 startAll(trial, files, simulator, processes);
                 lead(trial, simulator, umpire, processes);
-            } catch (IOException | InterruptedException passedOn) {
-                throw passedOn;
-            } catch (Exception failure) {
-                throw new IOException("The view of trial " + trial.id() + " failed: " + failure.getMessage(), failure);
+            } finally {
+                leaving.run();
             }
-            simulator.close();
-            return result(trial, judge, umpire, processes);
-        } finally {
-            processes.values().stream().flatMap(List::stream).forEach(TeamProcess::close);
+            return umpire;
         }
     }
 

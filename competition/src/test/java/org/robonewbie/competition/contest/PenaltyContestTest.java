@@ -32,7 +32,7 @@ class PenaltyContestTest {
     void equalTeamsGoOnOneRoundAfterTheOther(String rounds, int needed) {
         List<ShootOut.Round> played = rounds == null
                 ? List.of()
-                : Arrays.stream(rounds.split(" "))
+                : Arrays.stream(rounds.split(" ", -1))
                         .map(round -> new ShootOut.Round(round.charAt(0) - '0', round.charAt(2) - '0'))
                         .toList();
 

@@ -60,7 +60,7 @@ class TeamListTest {
                 "B.seed=3; Something is said of team B, but no line says what its program is."
             })
     void mistakeIsToldWithWhatToWrite(String lines, String message) {
-        assertThatThrownBy(() -> TeamList.parse(List.of(lines.split(","))))
+        assertThatThrownBy(() -> TeamList.parse(List.of(lines.split(",", -1))))
                 .isInstanceOf(WrongEntryException.class)
                 .hasMessageStartingWith(message);
     }
