@@ -11,6 +11,6 @@ public final class Crashes {
      * @param args without meaning
      */
     public static void main(String[] args) {
-        throw new IllegalStateException("this program is broken");
+        System.out.println(args[args.length]);
     }
 }

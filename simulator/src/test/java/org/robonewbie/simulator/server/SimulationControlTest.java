@@ -146,6 +146,16 @@ class SimulationControlTest {
     }
 
     @Test
+    void pushedRobotFliesAway() throws InterruptedException {
+        float y = await(snapshot -> snapshot.cycle() > 20).robots().get(0).linkPoses()[1];
+
+        control.pushRobot(TeamSide.LEFT, 1, new Vector3(0, 1000, 0));
+
+        WorldSnapshot pushed = await(snapshot -> snapshot.robots().get(0).linkPoses()[1] > y + 0.5);
+        assertThat(pushed.robots().get(0).linkPoses()[2]).isLessThan(0.6f);
+    }
+
+    @Test
     void refereeCanBeOverruled() throws InterruptedException {
         control.setPlayMode(PlayMode.GOAL_KICK_LEFT);
         await(snapshot -> snapshot.playMode() == PlayMode.GOAL_KICK_LEFT);
