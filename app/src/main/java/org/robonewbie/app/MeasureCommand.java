@@ -49,6 +49,20 @@ final class MeasureCommand implements Callable<Integer> {
             description = "motions, agents: trials of each one, each disturbed in another way (default: 20).")
     private int seeds;
 
+    @Option(
+            names = "--first-seed",
+            paramLabel = "N",
+            defaultValue = "0",
+            description = "motions: seed of the first trial; another one disturbs in other ways (default: 0).")
+    private long firstSeed;
+
+    @Option(
+            names = "--only",
+            paramLabel = "PART",
+            defaultValue = "",
+            description = "motions: only those whose name has this in it, such as kick.")
+    private String part = "";
+
     @Option(names = "--json", paramLabel = "FILE", description = "motions, agents: write the results as JSON too.")
     private Optional<Path> json = Optional.empty();
 
@@ -74,8 +88,16 @@ final class MeasureCommand implements Callable<Integer> {
         if (subject.equals(AGENTS)) {
             new AgentMeasurement(seeds, System.out).run(json);
         } else {
-            new MotionMeasurement(seeds, System.out).run(json);
+            measureMotions();
         }
         return ExitCode.OK;
+    }
+
+    private void measureMotions() throws IOException {
+        try {
+            new MotionMeasurement(seeds, firstSeed, part, System.out).run(json);
+        } catch (IllegalArgumentException wrong) {
+            throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
+        }
     }
 }

@@ -20,6 +20,7 @@ import picocli.CommandLine.IVersionProvider;
             RecordReferenceCommand.class,
             MeasureCommand.class,
             CompetitionCommand.class,
+            OptimiseCommand.class,
             BenchmarkCommand.class,
             GradeCommand.class,
             NewCommand.class,

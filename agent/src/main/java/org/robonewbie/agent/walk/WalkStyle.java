@@ -32,8 +32,7 @@ public record WalkStyle(
     };
 
     /** The walk of {@link Walk}. */
-    public static final WalkStyle STANDARD =
-            of(200, new WalkVelocity(1.12, 1.25, 1.2), new WalkVelocity(0.6, 0.22, 70), COORDINATES);
+    public static final WalkStyle STANDARD = standard(COORDINATES);
 
     /** How many numbers {@link #of} takes. */
     public static final int PARAMETERS = Gait.PARAMETERS + 16;
@@ -45,6 +44,16 @@ public record WalkStyle(
      */
     public static double[] coordinates() {
         return COORDINATES.clone();
+    }
+
+    /**
+     * Makes the standard walk with other coordinates.
+     *
+     * @param x coordinates as for {@link #of}
+     * @return a walk with the same step time and the same largest speeds
+     */
+    public static WalkStyle standard(double[] x) {
+        return of(200, new WalkVelocity(1.12, 1.25, 1.2), new WalkVelocity(0.6, 0.22, 70), x);
     }
 
     /**

@@ -11,7 +11,7 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /** What several designs have in common. */
-final class Costs {
+public final class Costs {
 
     private Costs() {}
 
@@ -28,8 +28,13 @@ final class Costs {
                         .sum();
     }
 
-    /** Adds up by how many degrees a motion that is played again and again asks for more than the motors can do. */
-    static double degreesBeyondMotors(Motion motion) {
+    /**
+     * Adds up by how much a motion that is played again and again asks for more than the motors can do.
+     *
+     * @param motion the motion
+     * @return degrees, 0 if each joint has time enough
+     */
+    public static double degreesBeyondMotors(Motion motion) {
         double sum = 0;
         List<Keyframe> keyframes = motion.keyframes();
         Posture before = keyframes.get(keyframes.size() - 1).posture();

@@ -81,11 +81,11 @@ public final class Designs {
                             new SearchPlan(1, 0.25, 12, 40, 6, 4))),
             Map.entry(
                     "stand-up-from-back",
-                    () -> new GetUpDesign("stand-up-from-back", Lying.ON_BACK, new SearchPlan(1, 0.4, 14, 50, 4, 3))),
+                    () -> new GetUpDesign("stand-up-from-back", Lying.ON_BACK, new SearchPlan(2, 0.12, 14, 40, 8, 2))),
             Map.entry(
                     "stand-up-from-front",
                     () -> new GetUpDesign(
-                            "stand-up-from-front", Lying.ON_FRONT, new SearchPlan(1, 0.4, 14, 50, 4, 3)))));
+                            "stand-up-from-front", Lying.ON_FRONT, new SearchPlan(1, 0.12, 14, 40, 6, 2)))));
 
     private Designs() {}
 

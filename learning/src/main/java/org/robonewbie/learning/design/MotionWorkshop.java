@@ -58,7 +58,7 @@ public final class MotionWorkshop {
         for (DescribedMotion described : design.motions(found)) {
             MotionFile file = MotionFile.of(described.motion())
                     .withProperty("coordinates", text(found))
-                    .withProperty("made by", "MotionWorkshop " + name + seed(design.plan()))
+                    .withProperty("made by", "robonewbie optimise " + name + " --again" + seed(design.plan()))
                     .withProperty("end", described.end())
                     .withProperty("start", described.start())
                     .withProperty("does", described.does());
@@ -70,7 +70,7 @@ public final class MotionWorkshop {
     }
 
     private static String seed(SearchPlan plan) {
-        return plan.generations() == 0 ? "" : ", seed " + plan.seed() + ", " + plan.generations() + " generations";
+        return plan.generations() == 0 ? "" : "; seed " + plan.seed() + ", " + plan.generations() + " generations";
     }
 
     private static void save(MotionFile file, Path path) {

@@ -25,9 +25,23 @@ public record CheckResult(MotionCheck check, List<Outcome> outcomes) {
      * @return the answer, the same each time
      */
     public static CheckResult of(MotionCheck check, int wanted) {
+        return of(check, 0, wanted);
+    }
+
+    /**
+     * Carries out trials from some seed on, several at a time.
+     *
+     * @param check the question
+     * @param firstSeed the seed of the first trial
+     * @param wanted how many; a thorough check makes more of them
+     * @return the answer, the same each time
+     */
+    public static CheckResult of(MotionCheck check, long firstSeed, int wanted) {
         long trials = Math.round(check.thoroughness() * wanted);
-        Outcome[] outcomes =
-                LongStream.range(0, trials).parallel().mapToObj(check.trial()).toArray(Outcome[]::new);
+        Outcome[] outcomes = LongStream.range(firstSeed, firstSeed + trials)
+                .parallel()
+                .mapToObj(check.trial())
+                .toArray(Outcome[]::new);
         return new CheckResult(check, Arrays.asList(outcomes));
     }
 

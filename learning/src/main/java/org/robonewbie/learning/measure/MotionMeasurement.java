@@ -25,6 +25,8 @@ public final class MotionMeasurement {
 
     private final int seeds;
     private final PrintStream out;
+    private final long firstSeed;
+    private final String part;
 
     /**
      * Prepares a measurement.
@@ -33,10 +35,24 @@ public final class MotionMeasurement {
      * @param out where the table goes
      */
     public MotionMeasurement(int seeds, PrintStream out) {
+        this(seeds, 0, "", out);
+    }
+
+    /**
+     * Prepares a measurement of some motions.
+     *
+     * @param seeds trials of each motion, at least 1
+     * @param firstSeed seed of the first trial of each motion
+     * @param part a part of the names of the motions that are measured; all have the empty one
+     * @param out where the table goes
+     */
+    public MotionMeasurement(int seeds, long firstSeed, String part, PrintStream out) {
         if (seeds < 1) {
             throw new IllegalArgumentException("Cannot measure with " + seeds + " seeds. Use at least 1.");
         }
         this.seeds = seeds;
+        this.firstSeed = firstSeed;
+        this.part = part;
         this.out = out;
     }
 
@@ -66,10 +82,14 @@ public final class MotionMeasurement {
      */
     public List<CheckResult> run(Optional<Path> json) throws IOException {
         List<CheckResult> results = new ArrayList<>();
-        List<MotionCheck> checks = checks();
+        List<MotionCheck> checks =
+                checks().stream().filter(check -> check.name().contains(part)).toList();
+        if (checks.isEmpty()) {
+            throw new IllegalArgumentException("No motion's name has \"" + part + "\" in it.");
+        }
         out.printf("%-8s%-28s %9s %9s  %s%n", "", "motion", "successes", "mean", "unit");
         for (MotionCheck check : checks) {
-            CheckResult result = CheckResult.of(check, seeds);
+            CheckResult result = CheckResult.of(check, firstSeed, seeds);
             results.add(result);
             out.printf("%-8s%s%n", results.size() + "/" + checks.size(), line(result));
             out.printf("%-10sstart: %s; success: %s%n", "", check.start(), check.rule());

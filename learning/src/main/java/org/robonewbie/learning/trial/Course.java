@@ -24,7 +24,7 @@ public final class Course {
     private static final double UPRIGHT = 0.98;
     private static final double REST = 0.05;
 
-    private final TrialRobot robot = new TrialRobot();
+    private final TrialRobot robot;
     private final Watch watch = new Watch();
     private final TrialObserver observer;
     private final Vector3 start;
@@ -50,6 +50,19 @@ public final class Course {
      * @param guest sees each cycle from now on
      */
     public Course(long seed, double newtons, TrialObserver guest) {
+        this(TrialRobot.START, seed, newtons, guest);
+    }
+
+    /**
+     * Puts a robot somewhere into the stance by way of a posture near it and lets someone look on.
+     *
+     * @param place where the centre of its torso is at first, in metres in the world frame
+     * @param seed chooses the disturbances
+     * @param newtons strength of the pushes
+     * @param guest sees each cycle from now on
+     */
+    public Course(Vector3 place, long seed, double newtons, TrialObserver guest) {
+        robot = new TrialRobot(place);
         Disturbance disturbance = new Disturbance(seed, newtons);
         robot.moveTo(disturbance.near(Stance.POSTURE, NOISE_DEGREES), 600, TrialObserver.NONE);
         robot.moveTo(Stance.POSTURE, 400, TrialObserver.NONE);

@@ -41,19 +41,29 @@ public final class TrialRobot {
     private static final Joint[] JOINTS = Joint.values();
 
     private static final TrialSetting SETTING = TrialSetting.standing()
-            .withRobots(List.of(RobotStart.at(START.x(), START.y())))
             .withBall(BALL_ASIDE)
             .withSpread(0, 0, 0)
             .withoutCamera()
             .withSettling(0);
 
-    private final SoccerTrial trial = new SoccerTrial(SETTING);
-    private final Robot robot = trial.world().robots().get(0);
+    private final SoccerTrial trial;
+    private final Robot robot;
     private final Motors motors = new Motors();
     private long cycles;
 
-    /** Puts a robot down with all joints at 0. */
+    /** Puts a robot down at {@link #START} with all joints at 0. */
     public TrialRobot() {
+        this(START);
+    }
+
+    /**
+     * Puts a robot down with all joints at 0.
+     *
+     * @param start where the centre of its torso is, in metres in the world frame; the height does not matter
+     */
+    public TrialRobot(Vector3 start) {
+        trial = new SoccerTrial(SETTING.withRobots(List.of(RobotStart.at(start.x(), start.y()))));
+        robot = trial.world().robots().get(0);
         sense();
     }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class MotionMeasurementTest {
@@ -35,5 +36,21 @@ class MotionMeasurementTest {
         assertThatThrownBy(() -> new MotionMeasurement(0, System.out))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("Cannot measure with 0 seeds. Use at least 1.");
+    }
+
+    @Test
+    void countsOnFromItsFirstSeed() {
+        MotionCheck check = new MotionCheck("jump", "stance", "flies", "m", seed -> new Outcome(true, seed));
+
+        assertThat(CheckResult.of(check, 21, 3).outcomes())
+                .extracting(Outcome::value)
+                .containsExactly(21.0, 22.0, 23.0);
+    }
+
+    @Test
+    void refusesAPartThatNoNameHas() {
+        assertThatThrownBy(() -> new MotionMeasurement(1, 0, "flight", System.out).run(Optional.empty()))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("No motion's name has \"flight\" in it.");
     }
 }

@@ -1,0 +1,201 @@
+package org.robonewbie.app;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.robonewbie.learning.design.MotionWorkshop;
+import org.robonewbie.learning.objective.StandardObjective;
+import org.robonewbie.learning.optimise.EngineSubject;
+import org.robonewbie.learning.optimise.Generation;
+import org.robonewbie.learning.optimise.MotionSubject;
+import org.robonewbie.learning.optimise.Optimisation;
+import org.robonewbie.learning.optimise.OptimisationPlan;
+import org.robonewbie.learning.optimise.OptimisationResult;
+import org.robonewbie.learning.optimise.OtherSide;
+import org.robonewbie.learning.optimise.Subject;
+import org.robonewbie.learning.trial.Library;
+import org.robonewbie.nao.motion.MotionFile;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Improves a motion or the walk engine by trial in the simulator. */
+@Command(
+        name = "optimise",
+        description = {
+            "Improve a motion or the walk engine: change its numbers, try it in the simulator, keep what is better (CMA-ES).",
+            "",
+            "Objectives: distance-walked, walk-speed, energy, stability, kick-distance, time-to-score.",
+            "The same seed and the same options give the same result, on any number of threads. An interrupted run goes on",
+            "with --resume. Exit code 1: nothing better was found."
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  robonewbie optimise kick-right --objective kick-distance",
+            "  robonewbie optimise my-walk.txt --objective walk-speed --generations 60 --seed 3",
+            "  robonewbie optimise my-walk.txt --objective walk-speed --generations 60 --seed 3 --resume",
+            "  robonewbie optimise walk-engine --objective stability --threads 1",
+            "  robonewbie optimise turn-left --again      make the library's motion again"
+        })
+final class OptimiseCommand implements Callable<Integer> {
+
+    @Mixin
+    final HelpOption help = new HelpOption();
+
+    @Parameters(
+            paramLabel = "MOTION",
+            description = "What to improve: a motion of the library, a motion file, or walk-engine.")
+    private String name = "";
+
+    @Option(names = "--objective", paramLabel = "NAME", description = "At what it shall become better.")
+    private String objective = "";
+
+    @Option(names = "--generations", paramLabel = "N", defaultValue = "30", description = "Rounds (default: 30).")
+    private int generations;
+
+    @Option(
+            names = "--population",
+            paramLabel = "N",
+            defaultValue = "12",
+            description = "Candidates in each round (default: 12).")
+    private int population;
+
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Chooses candidates and trials (default: 1).")
+    private long seed;
+
+    @Option(
+            names = "--seeds",
+            paramLabel = "N",
+            defaultValue = "4",
+            description = "Trials of each candidate, each disturbed in another way (default: 4).")
+    private int trials;
+
+    @Option(
+            names = "--step",
+            paramLabel = "X",
+            defaultValue = "0.15",
+            description = "Spread of the first candidates; 1 is 5 degrees and 60 ms in each keyframe (default: 0.15).")
+    private double step;
+
+    @Option(names = "--threads", paramLabel = "N", description = "Trials at the same time (default: one for each core).")
+    private int threads = Runtime.getRuntime().availableProcessors();
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE",
+            description = "Where the result goes (default: NAME-optimised.txt in this folder).")
+    private Optional<Path> output = Optional.empty();
+
+    @Option(names = "--both-sides", description = "Write the mirror image for the other side beside the output too.")
+    private boolean bothSides;
+
+    @Option(names = "--resume", description = "Go on with an interrupted run, from its file OUTPUT.checkpoint.")
+    private boolean resume;
+
+    @Option(
+            names = "--again",
+            description = "Make a motion of the library again, exactly as it was made; OUTPUT is a folder.")
+    private boolean again;
+
+    @Mixin
+    final WithoutStudioOption withoutStudio = new WithoutStudioOption();
+
+    @Override
+    public Integer call() throws IOException {
+        try {
+            return again ? makeAgain() : optimise();
+        } catch (IllegalArgumentException wrong) {
+            throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
+        }
+    }
+
+    private int makeAgain() throws IOException {
+        Path folder = output.orElse(Path.of("motions"));
+        MotionWorkshop.make(name, folder);
+        System.out.println("Written to the folder " + folder + ".");
+        return ExitCode.OK;
+    }
+
+    private int optimise() throws IOException {
+        if (objective.isEmpty()) {
+            throw new CalledWronglyException("Say at what " + name + " shall become better: --objective NAME. There are: "
+                    + StandardObjective.labels() + ".");
+        }
+        StandardObjective wanted = StandardObjective.labelled(objective);
+        Subject subject = subject(wanted);
+        Path file = output.orElse(Path.of(plainName() + "-optimised.txt"));
+        if (bothSides) {
+            OtherSide.of(file);
+        }
+        var plan = new OptimisationPlan(seed, generations, population, trials, step, threads);
+        System.out.printf(
+                Locale.ROOT,
+                "%s: %d numbers, %d generations of %d candidates with %d trials each, on %d threads%n",
+                subject.name(),
+                subject.dimension(),
+                generations,
+                population,
+                trials,
+                threads);
+        OptimisationResult result = new Optimisation(subject, wanted, plan, file)
+                .run(resume, generation -> System.out.println(line(generation, wanted.unit())));
+        if (result.isBetter() && bothSides) {
+            OtherSide.write(file);
+        }
+        System.out.println("before: " + result.words(result.before()));
+        System.out.println("after:  " + result.words(result.after()));
+        System.out.println(
+                result.isBetter()
+                        ? "Written to " + file + "."
+                        : "Nothing better was found, so nothing is written. More --generations or another --seed may help.");
+        return result.isBetter() ? ExitCode.OK : ExitCode.SOFTWARE;
+    }
+
+    private String plainName() {
+        return String.valueOf(Path.of(name).getFileName()).replaceFirst("\\.txt$", "");
+    }
+
+    private Subject subject(StandardObjective wanted) throws IOException {
+        if (name.equals(EngineSubject.NAME)) {
+            return new EngineSubject(wanted);
+        }
+        return new MotionSubject(name.replace('\\', '/'), motionFile(), wanted);
+    }
+
+    private MotionFile motionFile() throws IOException {
+        Path path = Path.of(name);
+        if (!name.endsWith(".txt")) {
+            return Library.file(name);
+        }
+        if (!Files.isRegularFile(path)) {
+            throw new CalledWronglyException("There is no motion file " + path + ".");
+        }
+        MotionFile file = MotionFile.load(path);
+        if (!file.errors().isEmpty()) {
+            throw new CalledWronglyException(path + " cannot be read: " + file.errors().get(0));
+        }
+        return file;
+    }
+
+    private static String line(Generation generation, String unit) {
+        long seconds = Math.round(generation.secondsLeft());
+        return String.format(
+                Locale.ROOT,
+                "generation %d/%d: best %.3f %s, mean %.3f %s, %.0f%% succeed, %d:%02d left",
+                generation.number(),
+                generation.of(),
+                generation.best(),
+                unit,
+                generation.mean(),
+                unit,
+                100 * generation.success(),
+                seconds / 60,
+                seconds % 60);
+    }
+}

@@ -1,0 +1,86 @@
+package org.robonewbie.learning.optimise;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/**
+ * The memory of an optimisation: what it searches for, and the costs of all candidates so far, one generation in each line. Since
+ * the same costs lead to the same candidates, this is all it takes to go on exactly where it was interrupted. The file is written
+ * anew after each generation, all at once.
+ */
+final class Checkpoint {
+
+    private final Path file;
+    private final String question;
+    private final List<double[]> generations = new ArrayList<>();
+
+    private Checkpoint(Path file, String question) {
+        this.file = file;
+        this.question = question;
+    }
+
+    /** Begins with nothing. */
+    static Checkpoint begin(Path file, String question) {
+        return new Checkpoint(file, question);
+    }
+
+    /**
+     * Remembers what was reached before.
+     *
+     * @throws IllegalArgumentException if the file belongs to another optimisation or cannot be understood
+     */
+    static Checkpoint resume(Path file, String question) throws IOException {
+        if (!Files.exists(file)) {
+            throw new IllegalArgumentException(
+                    "There is nothing to resume: " + file + " does not exist. Leave out --resume.");
+        }
+        List<String> lines = Files.readAllLines(file, StandardCharsets.UTF_8);
+        if (lines.isEmpty() || !lines.get(0).equals(question)) {
+            throw new IllegalArgumentException(file + " belongs to another optimisation:\n  "
+                    + (lines.isEmpty() ? "(empty file)" : lines.get(0)) + "\nand not to:\n  " + question
+                    + "\nGive the same options as before, or leave out --resume.");
+        }
+        Checkpoint checkpoint = new Checkpoint(file, question);
+        lines.stream().skip(1).map(line -> costs(file, line)).forEach(checkpoint.generations::add);
+        return checkpoint;
+    }
+
+    /** Lists the costs of all generations so far. */
+    List<double[]> generations() {
+        return List.copyOf(generations);
+    }
+
+    /** Adds a generation and writes the file. */
+    void add(double[] costs) {
+        generations.add(costs.clone());
+        String text = generations.stream()
+                .map(line -> Arrays.stream(line).mapToObj(Double::toString).collect(Collectors.joining(" ")))
+                .collect(Collectors.joining("\n", question + "\n", "\n"));
+        try {
+            Path temporary = file.resolveSibling(file.getFileName() + ".part");
+            Files.writeString(temporary, text);
+            Files.move(temporary, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+        } catch (IOException e) {
+            throw new UncheckedIOException("Cannot write " + file + ".", e);
+        }
+    }
+
+    private static double[] costs(Path file, String line) {
+        try {
+            return Arrays.stream(line.split(" ", -1))
+                    .mapToDouble(Double::parseDouble)
+                    .toArray();
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException(
+                    file + " cannot be understood: \"" + line + "\". Leave out --resume.", e);
+        }
+    }
+}

@@ -1,0 +1,101 @@
+package org.robonewbie.learning.optimise;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.Mirror;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.Posture;
+
+/**
+ * The changes that can be made to a motion: each keyframe's time and the angles of its joints, the head left out. What is
+ * symmetrical stays so: a posture that is its own mirror image, and a walk whose second half is the mirror image of its first. The
+ * last keyframe of any other motion stays as it is, since the next motion begins there.
+ */
+final class KeyframeSpace {
+
+    private static final double MILLIS_PER_COORDINATE = 60;
+    private static final double DEGREES_PER_COORDINATE = 5;
+    private static final int CYCLE_MILLIS = 20;
+    private static final int SHORTEST_MILLIS = 40;
+    private static final double MARGIN_DEGREES = 0.5;
+
+    private final Motion motion;
+    private final boolean alternating;
+    private final List<List<Joint>> joints = new ArrayList<>();
+
+    KeyframeSpace(Motion motion) {
+        this.motion = motion;
+        List<Keyframe> keyframes = motion.keyframes();
+        this.alternating = isAlternating(keyframes);
+        int changed = alternating ? keyframes.size() / 2 : keyframes.size() - 1;
+        for (Keyframe keyframe : keyframes.subList(0, Math.max(0, changed))) {
+            boolean symmetric = isSymmetric(keyframe.posture());
+            joints.add(List.of(Joint.values()).stream()
+                    .filter(joint -> !joint.name().startsWith("NECK_"))
+                    .filter(joint -> !symmetric || joint.name().startsWith("LEFT_"))
+                    .toList());
+        }
+    }
+
+    /** Tells how many coordinates there are. */
+    int dimension() {
+        return joints.size() + joints.stream().mapToInt(List::size).sum();
+    }
+
+    /** Makes the motion that belongs to coordinates; with all of them 0 it is the motion itself. */
+    Motion motion(double[] coordinates) {
+        List<Keyframe> keyframes = new ArrayList<>(motion.keyframes());
+        int at = 0;
+        for (int i = 0; i < joints.size(); i++) {
+            Keyframe before = keyframes.get(i);
+            int millis = millis(before.durationMillis(), coordinates[at++]);
+            double[] degrees = before.posture().toArray();
+            boolean symmetric = isSymmetric(before.posture());
+            for (Joint joint : joints.get(i)) {
+                double angle = degrees(joint, degrees[joint.ordinal()], coordinates[at++]);
+                degrees[joint.ordinal()] = angle;
+                if (symmetric) {
+                    degrees[Mirror.partner(joint).ordinal()] = Mirror.mirroredDegrees(joint, angle);
+                }
+            }
+            Keyframe changed = new Keyframe(millis, Posture.of(degrees));
+            keyframes.set(i, changed);
+            if (alternating) {
+                keyframes.set(
+                        i + joints.size(),
+                        new Keyframe(millis, changed.posture().mirrored()));
+            }
+        }
+        return new Motion(motion.name(), keyframes);
+    }
+
+    private static int millis(int before, double change) {
+        int cycles = (int) Math.round(MILLIS_PER_COORDINATE * change / CYCLE_MILLIS);
+        return cycles == 0 ? before : Math.max(SHORTEST_MILLIS, before + cycles * CYCLE_MILLIS);
+    }
+
+    private static double degrees(Joint joint, double before, double change) {
+        double low = Math.min(before, joint.minDegrees() + MARGIN_DEGREES);
+        double high = Math.max(before, joint.maxDegrees() - MARGIN_DEGREES);
+        double wanted = Math.max(low, Math.min(high, before + DEGREES_PER_COORDINATE * change));
+        return Math.abs(wanted - before) < 0.05 ? before : Math.round(wanted * 10) / 10.0;
+    }
+
+    private static boolean isSymmetric(Posture posture) {
+        return posture.equals(posture.mirrored());
+    }
+
+    private static boolean isAlternating(List<Keyframe> keyframes) {
+        int half = keyframes.size() / 2;
+        boolean alternating = half > 0 && keyframes.size() % 2 == 0;
+        for (int i = 0; i < half && alternating; i++) {
+            Keyframe one = keyframes.get(i);
+            Keyframe other = keyframes.get(i + half);
+            alternating = one.durationMillis() == other.durationMillis()
+                    && one.posture().mirrored().equals(other.posture());
+        }
+        return alternating;
+    }
+}

@@ -1,0 +1,99 @@
+package org.robonewbie.learning.optimise;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.robonewbie.learning.objective.Objective;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.MotionFile;
+
+/** A motion whose keyframes are changed: any motion of the library or of a file. */
+public final class MotionSubject implements Subject {
+
+    private static final double FREE_CHANGE = 3;
+    private static final double COST_OF_CHANGE = 0.05;
+
+    private final String name;
+    private final MotionFile file;
+    private final KeyframeSpace space;
+    private final MotionScene scene;
+
+    /**
+     * Takes a motion as subject.
+     *
+     * @param name what it is called on the command line
+     * @param file the motion with what its file says about it; see {@link MotionScene} for what matters
+     * @param objective what is measured
+     * @throws IllegalArgumentException if the motion has nothing to change or cannot be tried for this objective
+     */
+    public MotionSubject(String name, MotionFile file, Objective objective) {
+        this.name = name;
+        this.file = file;
+        this.space = new KeyframeSpace(file.motion());
+        if (space.dimension() == 0) {
+            throw new IllegalArgumentException(
+                    file.name() + " has less than two keyframes; there is nothing to improve,"
+                            + " since the last keyframe stays as it is.");
+        }
+        this.scene = new MotionScene(file, objective);
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public int dimension() {
+        return space.dimension();
+    }
+
+    @Override
+    public String fingerprint() {
+        return Integer.toHexString(file.text().hashCode());
+    }
+
+    /**
+     * Makes a candidate.
+     *
+     * @param coordinates how far each number is changed
+     * @return the changed motion
+     */
+    public Motion motion(double[] coordinates) {
+        return space.motion(coordinates);
+    }
+
+    @Override
+    public Attempt attempt(double[] coordinates, long seed) {
+        Attempt attempt = scene.attempt(motion(coordinates), seed);
+        double far = Arrays.stream(coordinates)
+                .map(x -> Math.max(0, Math.abs(x) - FREE_CHANGE))
+                .sum();
+        return new Attempt(attempt.value(), attempt.success(), attempt.flaws() + COST_OF_CHANGE * far);
+    }
+
+    @Override
+    public void save(double[] coordinates, Map<String, String> facts, Path target) throws IOException {
+        MotionFile changed = withoutOldNews();
+        int index = 0;
+        for (Keyframe keyframe : motion(coordinates).keyframes()) {
+            changed = changed.withKeyframe(index++, keyframe);
+        }
+        for (Map.Entry<String, String> fact : facts.entrySet()) {
+            changed = changed.withProperty(fact.getKey(), fact.getValue());
+        }
+        changed.save(target);
+    }
+
+    /** Leaves out what the file says about the motion as it was before. */
+    private MotionFile withoutOldNews() {
+        String text = file.text()
+                .lines()
+                .filter(line -> !line.matches("//\\s*(measured|coordinates):.*"))
+                .collect(Collectors.joining("\n", "", "\n"));
+        return MotionFile.parse(file.name(), text);
+    }
+}

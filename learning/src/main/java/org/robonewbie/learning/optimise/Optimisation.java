@@ -1,0 +1,191 @@
+package org.robonewbie.learning.optimise;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import org.robonewbie.learning.objective.Objective;
+import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
+
+/**
+ * Makes a subject better at an objective: candidates around the present state are tried under several circumstances, and the
+ * cloud from which they are drawn moves to the better ones. At the end start and result are compared in trials that the search
+ * has never seen.
+ *
+ * <pre>{@code
+ * Subject kick = new MotionSubject(file, StandardObjective.KICK_DISTANCE);
+ * var optimisation = new Optimisation(kick, StandardObjective.KICK_DISTANCE, plan, output);
+ * OptimisationResult result = optimisation.run(false, System.out::println);
+ * }</pre>
+ */
+public final class Optimisation {
+
+    private static final int TRIALS_OF_COMPARISON = 20;
+    private static final long SEEDS_OF_COMPARISON = 700_000_000;
+    private static final long SEEDS_FOR_EACH_RUN = 1_000_000;
+    private static final int GENERATIONS_WITH_SAME_TRIALS = 2;
+    private static final double LEAST_SCALE = 0.01;
+
+    private final Subject subject;
+    private final Objective objective;
+    private final OptimisationPlan plan;
+    private final Path output;
+
+    /**
+     * Prepares an optimisation.
+     *
+     * @param subject what shall become better
+     * @param objective at what
+     * @param plan how it goes about it
+     * @param output where the result is written; the checkpoint lies beside it
+     */
+    public Optimisation(Subject subject, Objective objective, OptimisationPlan plan, Path output) {
+        this.subject = subject;
+        this.objective = objective;
+        this.plan = plan;
+        this.output = output.toAbsolutePath();
+    }
+
+    /**
+     * Searches, compares, and writes the result if it is better than the start.
+     *
+     * @param resume whether an interrupted run goes on; the result is that of a run that was never interrupted
+     * @param listener is told about each new generation
+     * @return how much better it has become
+     * @throws IOException if a file cannot be read or written
+     */
+    public OptimisationResult run(boolean resume, Consumer<Generation> listener) throws IOException {
+        Checkpoint checkpoint = resume
+                ? Checkpoint.resume(checkpointFile(), question())
+                : Checkpoint.begin(checkpointFile(), question());
+        try (Workers workers = new Workers(plan.threads())) {
+            Attempt before = compared(workers, new double[subject.dimension()]);
+            double[] found = search(workers, checkpoint, scale(before), listener);
+            Attempt after = compared(workers, found);
+            OptimisationResult result = new OptimisationResult(objective, before, after, TRIALS_OF_COMPARISON);
+            if (result.isBetter()) {
+                subject.save(found, facts(result), output);
+            }
+            return result;
+        }
+    }
+
+    /**
+     * Tells where the memory of this optimisation is kept.
+     *
+     * @return the file beside the output
+     */
+    public Path checkpointFile() {
+        return output.resolveSibling(output.getFileName() + ".checkpoint");
+    }
+
+    private double[] search(Workers workers, Checkpoint checkpoint, double scale, Consumer<Generation> listener) {
+        var cloud = new CovarianceMatrixAdaptation(
+                new double[subject.dimension()], plan.step(), plan.population(), plan.seed());
+        List<double[]> known = checkpoint.generations();
+        long begin = System.nanoTime();
+        for (int i = 0; i < plan.generations(); i++) {
+            List<double[]> candidates = cloud.ask();
+            if (i < known.size()) {
+                cloud.tell(known.get(i));
+            } else {
+                List<List<Attempt>> attempts = attempts(workers, candidates, firstSeed(i));
+                double[] costs = attempts.stream()
+                        .mapToDouble(trials -> Attempt.cost(trials, sign(), scale))
+                        .toArray();
+                cloud.tell(costs);
+                checkpoint.add(costs);
+                double perGeneration = (System.nanoTime() - begin) / 1e9 / (i + 1 - known.size());
+                listener.accept(generation(i, attempts, costs, perGeneration));
+            }
+        }
+        return cloud.mean();
+    }
+
+    private Generation generation(int index, List<List<Attempt>> attempts, double[] costs, double secondsEach) {
+        List<Attempt> means = attempts.stream().map(Attempt::mean).toList();
+        int best = IntStream.range(0, costs.length)
+                .reduce((a, b) -> costs[b] < costs[a] ? b : a)
+                .orElseThrow();
+        Attempt all = Attempt.mean(means);
+        return new Generation(
+                index + 1,
+                plan.generations(),
+                means.get(best).value(),
+                all.value(),
+                all.success(),
+                secondsEach * (plan.generations() - index - 1));
+    }
+
+    private List<List<Attempt>> attempts(Workers workers, List<double[]> candidates, long firstSeed) {
+        List<Callable<Attempt>> tasks = new ArrayList<>();
+        for (double[] candidate : candidates) {
+            for (int i = 0; i < plan.trials(); i++) {
+                long seed = firstSeed + i;
+                tasks.add(() -> subject.attempt(candidate, seed));
+            }
+        }
+        List<Attempt> all = workers.all(tasks);
+        return IntStream.range(0, candidates.size())
+                .mapToObj(i -> all.subList(i * plan.trials(), (i + 1) * plan.trials()))
+                .toList();
+    }
+
+    private Attempt compared(Workers workers, double[] coordinates) {
+        List<Callable<Attempt>> tasks = IntStream.range(0, TRIALS_OF_COMPARISON)
+                .<Callable<Attempt>>mapToObj(i -> () -> subject.attempt(coordinates, SEEDS_OF_COMPARISON + i))
+                .toList();
+        return Attempt.mean(workers.all(tasks));
+    }
+
+    private long firstSeed(int generation) {
+        return plan.seed() * SEEDS_FOR_EACH_RUN + generation / GENERATIONS_WITH_SAME_TRIALS * 1000L;
+    }
+
+    private static double scale(Attempt before) {
+        return Math.max(LEAST_SCALE, Math.abs(before.value()));
+    }
+
+    private double sign() {
+        return objective.isLargerBetter() ? -1 : 1;
+    }
+
+    /** Everything that the way of the search depends on, but not how long it is. */
+    private String question() {
+        return String.format(
+                Locale.ROOT,
+                "optimise %s %s --objective %s --population %d --seed %d --seeds %d --step %s",
+                subject.name(),
+                subject.fingerprint(),
+                objective.label(),
+                plan.population(),
+                plan.seed(),
+                plan.trials(),
+                plan.step());
+    }
+
+    private Map<String, String> facts(OptimisationResult result) {
+        Map<String, String> facts = new LinkedHashMap<>();
+        facts.put(
+                "made by",
+                String.format(
+                        Locale.ROOT,
+                        "robonewbie optimise %s --objective %s --generations %d --population %d --seed %d --seeds %d --step %s",
+                        subject.name(),
+                        objective.label(),
+                        plan.generations(),
+                        plan.population(),
+                        plan.seed(),
+                        plan.trials(),
+                        plan.step()));
+        facts.put("before", result.words(result.before()));
+        facts.put("after", result.words(result.after()));
+        return facts;
+    }
+}

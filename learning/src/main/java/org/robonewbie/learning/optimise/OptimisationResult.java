@@ -1,0 +1,42 @@
+package org.robonewbie.learning.optimise;
+
+import java.util.Locale;
+import org.robonewbie.learning.objective.Objective;
+
+/**
+ * Start and result of an optimisation, compared in the same trials, which the search has not seen.
+ *
+ * @param objective what was to become better
+ * @param before how the start did
+ * @param after how the result did
+ * @param trials how many trials each of them had
+ */
+public record OptimisationResult(Objective objective, Attempt before, Attempt after, int trials) {
+
+    /**
+     * Tells whether it was worth it.
+     *
+     * @return whether the result does better without failing more often
+     */
+    public boolean isBetter() {
+        double gain = after.value() - before.value();
+        return after.success() >= before.success() && (objective.isLargerBetter() ? gain > 0 : gain < 0);
+    }
+
+    /**
+     * Says how well something did.
+     *
+     * @param attempt {@link #before} or {@link #after}
+     * @return such as {@code kick-distance 5.612 m, 20 of 20 trials succeed}
+     */
+    public String words(Attempt attempt) {
+        return String.format(
+                Locale.ROOT,
+                "%s %.3f %s, %d of %d trials succeed",
+                objective.label(),
+                attempt.value(),
+                objective.unit(),
+                Math.round(attempt.success() * trials),
+                trials);
+    }
+}

@@ -1,0 +1,65 @@
+package org.robonewbie.learning.optimise;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Pattern;
+import org.robonewbie.learning.trial.BallPlace;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.MotionFile;
+
+/** Makes the left-hand file of a right-hand motion and the other way round. */
+public final class OtherSide {
+
+    private static final Pattern SIDE = Pattern.compile("\\b(left|right)\\b");
+    private static final List<String> WORDS = List.of("does", "start", "end");
+
+    private OtherSide() {}
+
+    /**
+     * Finds where the mirror image of a motion belongs.
+     *
+     * @param file a motion file such as {@code kick-right.txt}
+     * @return the file beside it with the other side in its name, such as {@code kick-left.txt}
+     * @throws IllegalArgumentException if the name does not say which side it is
+     */
+    public static Path of(Path file) {
+        String name = String.valueOf(file.getFileName());
+        if (!SIDE.matcher(name).find()) {
+            throw new IllegalArgumentException(
+                    "--both-sides needs an output with left or right in its name, not " + name + ".");
+        }
+        return file.resolveSibling(exchanged(name));
+    }
+
+    /**
+     * Writes the mirror image of a motion beside it.
+     *
+     * @param file a motion file such as {@code kick-right.txt}
+     * @throws IOException if a file cannot be read or written
+     */
+    public static void write(Path file) throws IOException {
+        MotionFile mirrored = MotionFile.load(file);
+        int index = 0;
+        for (Keyframe keyframe : mirrored.keyframes()) {
+            mirrored = mirrored.withKeyframe(
+                    index++,
+                    new Keyframe(keyframe.durationMillis(), keyframe.posture().mirrored()));
+        }
+        for (String key : WORDS) {
+            if (mirrored.property(key).isPresent()) {
+                mirrored = mirrored.withProperty(
+                        key, exchanged(mirrored.property(key).get()));
+            }
+        }
+        if (mirrored.property("ball").isPresent()) {
+            BallPlace ball = BallPlace.of(mirrored.property("ball").get()).mirrored();
+            mirrored = mirrored.withProperty("ball", ball.toString());
+        }
+        mirrored.save(of(file));
+    }
+
+    private static String exchanged(String text) {
+        return SIDE.matcher(text).replaceAll(side -> side.group().equals("left") ? "right" : "left");
+    }
+}

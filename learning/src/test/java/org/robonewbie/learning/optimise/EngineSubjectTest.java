@@ -1,0 +1,37 @@
+package org.robonewbie.learning.optimise;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.learning.objective.StandardObjective;
+
+class EngineSubjectTest {
+
+    @TempDir
+    private Path folder;
+
+    private final EngineSubject engine = new EngineSubject(StandardObjective.WALK_SPEED);
+
+    @Test
+    void theShippedWalkIsAsFastAsWeSay() {
+        Attempt attempt = engine.attempt(new double[engine.dimension()], 1);
+
+        assertThat(attempt.success()).isEqualTo(1);
+        assertThat(attempt.value()).isCloseTo(0.57, within(0.05));
+    }
+
+    @Test
+    void writesTheNumbersForTheWalksSource() throws IOException {
+        Path file = folder.resolve("walk.txt");
+
+        engine.save(new double[engine.dimension()], Map.of("made by", "test"), file);
+
+        assertThat(Files.readString(file)).startsWith("// made by: test\n2.10, -1.50, 1.10");
+    }
+}

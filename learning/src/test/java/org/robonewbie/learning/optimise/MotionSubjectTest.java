@@ -1,0 +1,122 @@
+package org.robonewbie.learning.optimise;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.robonewbie.learning.objective.StandardObjective;
+import org.robonewbie.learning.trial.Library;
+import org.robonewbie.nao.motion.MotionFile;
+
+class MotionSubjectTest {
+
+    @TempDir
+    private Path folder;
+
+    @ParameterizedTest
+    @CsvSource({
+        "kick-right, kick-distance",
+        "kick-left, time-to-score",
+        "walk-forward, walk-speed",
+        "side-step-left, stability",
+        "stand-up-from-front, energy",
+        "fall-back, energy",
+        "wave, stability"
+    })
+    void motionsOfTheLibrarySucceedAsTheyAre(String name, String objective) {
+        MotionSubject subject = subject(name, StandardObjective.labelled(objective));
+
+        Attempt attempt = subject.attempt(new double[subject.dimension()], 3);
+
+        assertThat(attempt.success()).isEqualTo(1);
+        assertThat(attempt).isEqualTo(subject.attempt(new double[subject.dimension()], 3));
+    }
+
+    @Test
+    void measuresAWalkAsFastAsItIs() {
+        MotionSubject subject = subject("walk-forward-fast", StandardObjective.WALK_SPEED);
+
+        assertThat(subject.attempt(new double[subject.dimension()], 1).value()).isCloseTo(0.31, within(0.03));
+    }
+
+    @Test
+    void aMotionThatShallNeedLessEnergyMustGoOnDoingWhatItDid() {
+        MotionSubject kick = subject("kick-right", StandardObjective.ENERGY);
+        double[] other = new double[kick.dimension()];
+        other[22 * 2] = 8;
+
+        Attempt before = kick.attempt(new double[kick.dimension()], 1);
+        Attempt after = kick.attempt(other, 1);
+
+        assertThat(after.flaws()).isGreaterThan(before.flaws() + 0.2);
+    }
+
+    @Test
+    void refusesToMeasureAKickWithoutBall() {
+        assertThatThrownBy(() -> subject("wave", StandardObjective.KICK_DISTANCE))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage(
+                        "wave.txt does not say where the ball lies, so kick-distance cannot be measured. Add a line such as:"
+                                + " // ball: 0.190 m ahead, -0.055 m to the left");
+    }
+
+    @Test
+    void refusesAMotionOfOneKeyframe() {
+        MotionFile one = MotionFile.parse("one.txt", "200" + " 0".repeat(22) + "\n");
+
+        assertThatThrownBy(() -> new MotionSubject("one.txt", one, StandardObjective.ENERGY))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith("one.txt has less than two keyframes");
+    }
+
+    @Test
+    void keepsTheFilesCommentsButNotItsOldFigures() throws IOException {
+        MotionFile file = MotionFile.parse(
+                "mine.txt",
+                "// measured: long ago\n// my kick\n"
+                        + Library.file("kick-right").text().replace("// measured", "// once measured"));
+        MotionSubject subject = new MotionSubject("mine.txt", file, StandardObjective.KICK_DISTANCE);
+        Path target = folder.resolve("new.txt");
+
+        subject.save(new double[subject.dimension()], Map.of("made by", "test"), target);
+
+        assertThat(Files.readString(target))
+                .contains("// my kick")
+                .contains("// made by: test")
+                .doesNotContain("long ago");
+        assertThat(MotionFile.load(target).keyframes()).isEqualTo(file.keyframes());
+    }
+
+    @Test
+    void writesTheOtherSideToo() throws IOException {
+        Path right = folder.resolve("kick-right.txt");
+        Library.file("kick-right").save(right);
+
+        OtherSide.write(right);
+
+        MotionFile left = MotionFile.load(folder.resolve("kick-left.txt"));
+        assertThat(left.keyframes())
+                .isEqualTo(Library.motion("kick-right").mirrored().keyframes());
+        assertThat(left.property("ball")).isEqualTo(Library.file("kick-left").property("ball"));
+        assertThat(left.property("does")).contains("kicks the ball hard with the left foot");
+    }
+
+    @Test
+    void refusesTheOtherSideOfAMotionWithoutSides() {
+        assertThatThrownBy(() -> OtherSide.of(Path.of("bow.txt")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("--both-sides needs an output with left or right in its name, not bow.txt.");
+    }
+
+    private static MotionSubject subject(String name, StandardObjective objective) {
+        return new MotionSubject(name, Library.file(name), objective);
+    }
+}

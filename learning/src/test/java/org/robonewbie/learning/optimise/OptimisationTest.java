@@ -1,0 +1,128 @@
+package org.robonewbie.learning.optimise;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.learning.objective.StandardObjective;
+
+class OptimisationTest {
+
+    private static final StandardObjective OBJECTIVE = StandardObjective.KICK_DISTANCE;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void makesItsSubjectBetterAndSaysHow() throws IOException {
+        Path file = folder.resolve("hill.txt");
+
+        OptimisationResult result =
+                new Optimisation(new Hill(), OBJECTIVE, plan(30, 2), file).run(false, new ArrayList<>()::add);
+
+        assertThat(result.after().value()).isGreaterThan(result.before().value() + 1);
+        assertThat(Files.readString(file))
+                .contains("made by: robonewbie optimise hill --objective kick-distance --generations 30"
+                        + " --population 8 --seed 5 --seeds 2 --step 0.5")
+                .contains("before: kick-distance ")
+                .contains("after: kick-distance ");
+    }
+
+    @Test
+    void doesNotDependOnTheNumberOfThreads() throws IOException {
+        Path one = folder.resolve("one.txt");
+        Path four = folder.resolve("four.txt");
+
+        new Optimisation(new Hill(), OBJECTIVE, plan(10, 1), one).run(false, new ArrayList<>()::add);
+        new Optimisation(new Hill(), OBJECTIVE, plan(10, 4), four).run(false, new ArrayList<>()::add);
+
+        assertThat(four).hasSameTextualContentAs(one);
+    }
+
+    @Test
+    void goesOnAsIfItHadNeverBeenInterrupted() throws IOException {
+        Path whole = folder.resolve("whole.txt");
+        Path broken = folder.resolve("broken.txt");
+        List<Generation> later = new ArrayList<>();
+        new Optimisation(new Hill(), OBJECTIVE, plan(12, 2), whole).run(false, new ArrayList<>()::add);
+        var interrupted = new Optimisation(new Hill(), OBJECTIVE, plan(12, 2), broken);
+
+        assertThatThrownBy(() -> interrupted.run(false, generation -> {
+                    if (generation.number() == 5) {
+                        throw new IllegalStateException("interrupted");
+                    }
+                }))
+                .hasMessage("interrupted");
+        interrupted.run(true, later::add);
+
+        assertThat(later).hasSize(7);
+        assertThat(later.get(0).number()).isEqualTo(6);
+        assertThat(broken).hasSameTextualContentAs(whole);
+    }
+
+    @Test
+    void refusesToGoOnWithSomethingElse() throws IOException {
+        Path file = folder.resolve("hill.txt");
+        new Optimisation(new Hill(), OBJECTIVE, plan(2, 1), file).run(false, new ArrayList<>()::add);
+        var other = new Optimisation(new Hill(), StandardObjective.ENERGY, plan(2, 1), file);
+
+        assertThatThrownBy(() -> other.run(true, new ArrayList<>()::add))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("hill.txt.checkpoint belongs to another optimisation")
+                .hasMessageContaining("leave out --resume");
+    }
+
+    @Test
+    void refusesToGoOnWithNothing() {
+        var fresh = new Optimisation(new Hill(), OBJECTIVE, plan(2, 1), folder.resolve("hill.txt"));
+
+        assertThatThrownBy(() -> fresh.run(true, new ArrayList<>()::add))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("There is nothing to resume")
+                .hasMessageContaining("does not exist. Leave out --resume.");
+    }
+
+    @Test
+    void refusesACheckpointThatCannotBeRead() throws IOException {
+        Path file = folder.resolve("hill.txt");
+        var optimisation = new Optimisation(new Hill(), OBJECTIVE, plan(2, 1), file);
+        optimisation.run(false, new ArrayList<>()::add);
+        Path checkpoint = optimisation.checkpointFile();
+        Files.writeString(checkpoint, Files.readAllLines(checkpoint).get(0) + "\n1.0 many 2.0\n");
+
+        assertThatThrownBy(() -> optimisation.run(true, new ArrayList<>()::add))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("cannot be understood: \"1.0 many 2.0\"");
+    }
+
+    @Test
+    void writesNothingThatIsNotBetter() throws IOException {
+        Path file = folder.resolve("top.txt");
+
+        OptimisationResult result =
+                new Optimisation(new Hill(0), OBJECTIVE, plan(3, 1), file).run(false, new ArrayList<>()::add);
+
+        assertThat(result.isBetter()).isFalse();
+        assertThat(file).doesNotExist();
+    }
+
+    @Test
+    void refusesPlansThatCannotWork() {
+        assertThatThrownBy(() -> new OptimisationPlan(1, 1, 3, 1, 1, 1))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("--population 3: give at least 4.");
+        assertThatThrownBy(() -> new OptimisationPlan(1, 1, 4, 1, 0, 1))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("--step 0.0: give a number greater than 0, at most 10.");
+    }
+
+    private static OptimisationPlan plan(int generations, int threads) {
+        return new OptimisationPlan(5, generations, 8, 2, 0.5, threads);
+    }
+}
