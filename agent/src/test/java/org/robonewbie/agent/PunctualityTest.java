@@ -24,6 +24,7 @@ class PunctualityTest {
             }
             nao.sense();
             thinkForMilliseconds(30);
+            Dreamer.dreamUntil(server::isPlayed);
             nao.act();
             List<String> lines = nao.log().lines().stream().map(LogLine::text).toList();
             nao.close();
@@ -44,10 +45,10 @@ class PunctualityTest {
             watchdog.thinkBegins();
             Dreamer.dreamUntil(() -> !watchdog.slowPlace().isEmpty());
             String slowPlace = watchdog.slowPlace();
-            watchdog.thinkBegins();
+            boolean forgotten = isForgottenWithTheNextThought(watchdog);
 
             assertThat(slowPlace).matches("Dreamer\\.java:\\d+");
-            assertThat(watchdog.slowPlace()).isEmpty();
+            assertThat(forgotten).isTrue();
         }
     }
 
@@ -65,6 +66,17 @@ class PunctualityTest {
 
             assertThat(nao.mistakes().reported()).isEmpty();
         }
+    }
+
+    /** On a busy computer the next thought may itself be slow before anybody has looked; so there are some of them. */
+    private static boolean isForgottenWithTheNextThought(Watchdog watchdog) {
+        for (int i = 0; i < 100; i++) {
+            watchdog.thinkBegins();
+            if (watchdog.slowPlace().isEmpty()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static Options options(ScriptedServer server) {

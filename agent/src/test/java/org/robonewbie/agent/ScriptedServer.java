@@ -23,6 +23,7 @@ final class ScriptedServer implements AutoCloseable {
     private final List<PerceptorMessage> script;
     private final boolean waiting;
     private final List<String> received = Collections.synchronizedList(new ArrayList<>());
+    private volatile boolean played;
     private final Thread thread = new Thread(this::serve, "scripted server");
 
     ScriptedServer(List<PerceptorMessage> script) throws IOException {
@@ -47,6 +48,11 @@ final class ScriptedServer implements AutoCloseable {
     /** All messages of the client, in their order. */
     List<String> received() {
         return List.copyOf(received);
+    }
+
+    /** Whether the whole script has been sent. */
+    boolean isPlayed() {
+        return played;
     }
 
     /** Waits until the script has been played or the client has left. */
@@ -82,6 +88,7 @@ final class ScriptedServer implements AutoCloseable {
             new PerceptorMessageWriter(buffer).write(message);
             output.write(buffer);
         }
+        played = true;
         boolean open = input.read(buffer);
         while (open) {
             received.add(buffer.toString());

@@ -15,11 +15,11 @@ import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Records robots on a running server, so that {@code fidelity} can tell whether our simulator does the same. */
+/** Records robots and balls on a running server, so that {@code fidelity} can tell whether our simulator does the same. */
 @Command(
         name = "record-reference",
         description = {
-            "Record robots on a running rcssserver3d (or robonewbie simulator), for \"robonewbie fidelity\" to replay.",
+            "Record robots and balls on a running rcssserver3d (or robonewbie simulator), for \"robonewbie fidelity\" to replay.",
             "",
             "The server must wait for its agents and tell monitors each cycle: in a real server's spark.rb"
                     + " $agentSyncMode = true and $monitorStep = 0.02, and $threadedMode = false; for exact numbers no beam noise"
@@ -28,11 +28,12 @@ import picocli.CommandLine.Option;
         footer = {
             "",
             "Examples:",
-            "  robonewbie record-reference                          nine scenarios into the folder reference",
+            "  robonewbie record-reference                          ten scenarios into the folder reference",
             "  robonewbie record-reference --host lab7 --out lab7 --type 3",
             "  robonewbie record-reference --scenario h_squat --scenario d_fall_front",
             "  robonewbie record-reference --commands my/h_squat.jsonl.gz   the commands of another recording again",
-            "  robonewbie simulator --sync --no-noise --monitor-step 0.02    a server of ours to try it with",
+            "  robonewbie simulator --sync --no-noise --monitor-step 0.02 --set BeamNoiseXY=0 --set BeamNoiseAngle=0",
+            "                                                       a server of ours to try it with",
             "  robonewbie fidelity reference                        compare what was recorded"
         })
 final class RecordReferenceCommand implements Callable<Integer> {

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.NaoBody;
 import org.robonewbie.examples.Agent_BetterSoccer;
 import org.robonewbie.examples.Agent_SimpleSoccer;
 import org.robonewbie.examples.Agent_SimpleWalkToBall;
@@ -18,32 +19,40 @@ final class TimedAgents {
 
     private TimedAgents() {}
 
+    /** Ends a run with the robot's first goal and keeps the time. */
+    private static final class FirstGoal {
+
+        private double seconds = Double.NaN;
+
+        boolean isAwaitedBy(NaoBody nao) {
+            boolean scored = nao.getOwnScore() > 0;
+            seconds = scored ? nao.getTime() : Double.NaN;
+            return !scored;
+        }
+    }
+
     static OptionalDouble simpleSoccer(long seed) {
-        double[] scored = {Double.NaN};
+        FirstGoal goal = new FirstGoal();
         Agent agent = new Agent_SimpleSoccer() {
             @Override
             protected boolean sense() {
-                boolean running = super.sense();
-                scored[0] = nao.getOwnScore() > 0 ? nao.getTime() : Double.NaN;
-                return running && nao.getOwnScore() == 0;
+                return super.sense() && goal.isAwaitedBy(nao);
             }
         };
         run(agent, seed, "1200");
-        return optional(scored[0]);
+        return optional(goal.seconds);
     }
 
     static OptionalDouble betterSoccer(long seed) {
-        double[] scored = {Double.NaN};
+        FirstGoal goal = new FirstGoal();
         Agent agent = new Agent_BetterSoccer() {
             @Override
             protected boolean sense() {
-                boolean running = super.sense();
-                scored[0] = nao.getOwnScore() > 0 ? nao.getTime() : Double.NaN;
-                return running && nao.getOwnScore() == 0;
+                return super.sense() && goal.isAwaitedBy(nao);
             }
         };
         run(agent, seed, "300");
-        return optional(scored[0]);
+        return optional(goal.seconds);
     }
 
     /** The agent is there when it stands near the ball, in truth, for two seconds. */

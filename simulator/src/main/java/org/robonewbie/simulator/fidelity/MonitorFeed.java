@@ -5,21 +5,34 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.protocol.monitor.MonitorLink;
+import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.protocol.monitor.MonitoredRobot;
+import org.robonewbie.protocol.monitor.MonitoredWorld;
 import org.robonewbie.protocol.monitor.PlayerNumber;
 import org.robonewbie.protocol.monitor.TrainerCommand;
 import org.robonewbie.protocol.monitor.TransformNode;
 import org.robonewbie.simulator.physics.Pose;
 import org.robonewbie.simulator.physics.Rotation;
 
-/** Listens at a monitor port in a thread of its own and keeps where the torso of one robot was, message by message. */
+/** Listens at a monitor port in a thread of its own and keeps where the ball and one robot's torso were, message by
+ * message. */
 final class MonitorFeed implements AutoCloseable {
 
     /** Said of a server that runs on without its agents. */
     static final String DOES_NOT_WAIT = "The server has not waited for the agent. Let it run in sync mode:"
             + " $agentSyncMode = true in spark.rb, or robonewbie simulator --sync.";
+
+    /**
+     * What one message showed.
+     *
+     * @param torso of the watched robot
+     * @param ball centre of the ball
+     * @param game state of the game
+     */
+    record Sight(Optional<Pose> torso, Optional<Vector3> ball, MonitoredGame game) {}
 
     private static final String FULL_SCENE = "(RSG";
     private static final long LOOKING_NANOSECONDS = 500_000;
@@ -29,7 +42,7 @@ final class MonitorFeed implements AutoCloseable {
     private static final long NANOSECONDS_UNTIL_NEXT = 3_000_000_000L;
 
     private final MonitorLink link;
-    private final List<Optional<Pose>> torsos = new ArrayList<>();
+    private final List<Sight> sights = new ArrayList<>();
     private volatile Optional<PlayerNumber> watched = Optional.empty();
     private String lastText = "";
     private volatile long lastChange;
@@ -92,17 +105,37 @@ final class MonitorFeed implements AutoCloseable {
 
     /** Asks for exact numbers in the next message; otherwise small movements are left out. */
     void requestFullState() throws IOException {
-        link.send(new TrainerCommand.RequestFullState());
+        send(new TrainerCommand.RequestFullState());
+    }
+
+    /** Sends orders of a trainer. */
+    void send(TrainerCommand... commands) throws IOException {
+        link.send(commands);
     }
 
     /** Tells how many messages have come. */
     synchronized int count() {
-        return torsos.size();
+        return sights.size();
     }
 
     /** Gives the torso's pose in one message, counted from 0. */
     synchronized Optional<Pose> torso(int index) {
-        return index >= 0 && index < torsos.size() ? torsos.get(index) : Optional.empty();
+        return index >= 0 && index < sights.size() ? sights.get(index).torso() : Optional.empty();
+    }
+
+    /** Gives the torso's pose in the newest message that tells it exactly. */
+    synchronized Optional<Pose> lastTorso() {
+        for (int i = sights.size() - 1; i >= 0; i--) {
+            if (sights.get(i).torso().isPresent()) {
+                return sights.get(i).torso();
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Gives all messages from one on, counted from 0. */
+    synchronized List<Sight> sightsFrom(int index) {
+        return List.copyOf(sights.subList(index, sights.size()));
     }
 
     @Override
@@ -115,20 +148,26 @@ final class MonitorFeed implements AutoCloseable {
             while (link.receive()) {
                 boolean isRepeated = link.lastMessage().toString().equals(lastText);
                 lastText = link.lastMessage().toString();
-                add(
-                        isRepeated,
-                        watched.flatMap(link.world()::robot)
-                                .flatMap(MonitorFeed::torsoOf)
-                                .filter(torso -> link.world().isCurrent() && lastText.contains(FULL_SCENE)));
+                add(isRepeated, sight());
             }
         } catch (IOException e) {
             // The session ends when the agent's connection breaks too.
         }
     }
 
-    private synchronized void add(boolean isRepeated, Optional<Pose> torso) {
+    /** Only whole scenes have exact numbers. */
+    private Sight sight() {
+        MonitoredWorld world = link.world();
+        boolean exact = world.isCurrent() && lastText.contains(FULL_SCENE);
+        return new Sight(
+                watched.flatMap(world::robot).flatMap(MonitorFeed::torsoOf).filter(torso -> exact),
+                world.ball().map(TransformNode::position).filter(ball -> exact),
+                world.gameState());
+    }
+
+    private synchronized void add(boolean isRepeated, Sight sight) {
         lastChange = isRepeated ? lastChange : System.nanoTime();
-        torsos.add(torso);
+        sights.add(sight);
     }
 
     private static Optional<Pose> torsoOf(MonitoredRobot robot) {

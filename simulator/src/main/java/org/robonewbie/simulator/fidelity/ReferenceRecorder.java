@@ -12,7 +12,7 @@ import java.util.Optional;
 import java.util.zip.GZIPOutputStream;
 
 /**
- * Records robots on a running server, a real rcssserver3d or ours, in the format that {@link FidelityBench} replays.
+ * Records robots and balls on a running server, a real rcssserver3d or ours, in the format that {@link FidelityBench} replays.
  *
  * <p>The server has to wait for its agents (sync mode) and to tell monitors each cycle; without noise of beams and without
  * other robots nearby the recordings are exact.
@@ -56,16 +56,19 @@ public final class ReferenceRecorder {
             ReferenceScenario scenario = scenarios.get(i);
             progress.println("recording " + (i + 1) + " of " + scenarios.size() + ": " + scenario.name() + " ("
                     + scenario.description() + ")");
-            write(directory.resolve(scenario.name() + ".jsonl.gz"), scenario, record(scenario));
+            write(directory.resolve(scenario.name() + ".jsonl.gz"), scenario, take(scenario));
         }
     }
 
-    private List<String> record(ReferenceScenario scenario) throws IOException {
+    private ReferenceSession.Take take(ReferenceScenario scenario) throws IOException {
         for (int attempt = 1; attempt <= ATTEMPTS; attempt++) {
             try (ReferenceSession session = ReferenceSession.open(server)) {
-                Optional<List<String>> lines = session.record(type, scenario.commands());
-                if (lines.isPresent()) {
-                    return lines.get();
+                Optional<ReferenceSession.Take> take = scenario.balls().isEmpty()
+                        ? session.record(type, scenario.commands())
+                        : Optional.of(session.recordBalls(scenario.balls()));
+                if (take.isPresent()) {
+                    tellNoise(take.get());
+                    return take.get();
                 }
             }
             progress.println("  messages to the monitor came late; once more");
@@ -74,13 +77,24 @@ public final class ReferenceRecorder {
                 + " times in a row. Close what else keeps the computer busy, and try again.");
     }
 
-    private void write(Path file, ReferenceScenario scenario, List<String> lines) throws IOException {
+    private void tellNoise(ReferenceSession.Take take) {
+        if (take.isNoisy()) {
+            progress.println(
+                    "  the server beams with noise; set BeamNoiseXY and BeamNoiseAngle to 0, since where a fall ends"
+                            + " depends on the last digit of its start");
+        }
+    }
+
+    private void write(Path file, ReferenceScenario scenario, ReferenceSession.Take take) throws IOException {
         Path draft = file.resolveSibling(file.getFileName() + ".new");
         try (OutputStream packed = new GZIPOutputStream(Files.newOutputStream(draft))) {
-            String base = "recorded by RoboNewbie, robot type " + type
-                    + "; torso from the monitor port (m, deg), the rest as the server sent it";
-            packed.write((RowWriter.header(scenario.description(), base) + "\n").getBytes(StandardCharsets.UTF_8));
-            for (String line : lines) {
+            String base = scenario.balls().isEmpty()
+                    ? "recorded by RoboNewbie, robot type " + type
+                            + "; torso from the monitor port (m, deg), the rest as the server sent it"
+                    : "recorded by RoboNewbie; ball from the monitor port (m), t counts from the trainer's command";
+            packed.write((RowWriter.header(scenario.description(), base, take.way()) + "\n")
+                    .getBytes(StandardCharsets.UTF_8));
+            for (String line : take.lines()) {
                 packed.write((line + "\n").getBytes(StandardCharsets.UTF_8));
             }
         }

@@ -8,26 +8,33 @@ import java.util.function.IntFunction;
 import org.robonewbie.nao.Joint;
 
 /**
- * What a robot does while it is recorded: the commands of each cycle, sent whatever it feels. It begins standing.
+ * What is recorded: either a robot, which begins standing, with the commands of each cycle, sent whatever it feels; or balls
+ * that a trainer sets in motion.
  *
  * @param name name of the recording's file, without its ending
  * @param description what happens, for the header
  * @param commands text for each cycle of 20 ms; may be empty
+ * @param balls the balls to record instead of a robot; may be empty
  */
-public record ReferenceScenario(String name, String description, List<String> commands) {
+public record ReferenceScenario(String name, String description, List<String> commands, List<BallCase> balls) {
 
     private static final double CYCLE_SECONDS = 0.02;
     private static final int CYCLES_OF_REST = 5;
 
-    /** Makes the list unmodifiable. */
+    /** Makes the lists unmodifiable. */
     public ReferenceScenario {
         commands = List.copyOf(commands);
+        balls = List.copyOf(balls);
+    }
+
+    private ReferenceScenario(String name, String description, List<String> commands) {
+        this(name, description, commands, List.of());
     }
 
     /**
      * Lists what is recorded when nobody chooses.
      *
-     * @return standing, falls, squats, marching, single joints and random reaching
+     * @return standing, falls, squats, marching, single joints, random reaching and balls
      */
     public static List<ReferenceScenario> all() {
         return List.of(
@@ -39,7 +46,8 @@ public record ReferenceScenario(String name, String description, List<String> co
                 held("c_shoulder", "left shoulder +10 rad/s for 1.5 s, then 0", 75, "(lae1 10)", 60),
                 moving("h_squat", "squats of 30 degrees, 2 s each, for 8 s", 400, ReferenceScenario::squat),
                 moving("h_march", "marching in place, period 1.2 s, for 8 s", 400, ReferenceScenario::march),
-                reaching("h_reach", 21));
+                reaching("h_reach", 21),
+                new ReferenceScenario("f_ball", "rolling, falling and lobbed balls", List.of(), BallCase.ALL));
     }
 
     /**

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.frame.TcpAgentLink;
@@ -12,6 +13,7 @@ import org.robonewbie.protocol.monitor.PlayerNumber;
 import org.robonewbie.protocol.perceptor.GameState;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
+import org.robonewbie.simulator.physics.Pose;
 
 /**
  * One robot on a server in sync mode, watched through the monitor port at the same time.
@@ -24,9 +26,22 @@ final class ReferenceSession implements AutoCloseable {
 
     private static final int CYCLES_TO_STAND_STILL = 150;
     private static final int CYCLES_TO_JOIN = 60;
+    private static final double BEAM_METRES = 5;
+    private static final double EXACT_METRES = 1e-3;
+    private static final int CYCLES_TO_BE_SEEN = 5;
     private static final double CYCLE_SECONDS = 0.02;
-    private static final String STEP_ADVICE =
-            " Set $monitorStep = 0.02 in spark.rb, or start robonewbie simulator with --monitor-step 0.02.";
+    /** Said of a server that leaves out cycles. */
+    static final String STEP_ADVICE = "The server does not send a message to monitors in each cycle."
+            + " Set $monitorStep = 0.02 in spark.rb, or start robonewbie simulator with --monitor-step 0.02.";
+
+    /**
+     * What was recorded.
+     *
+     * @param lines one for each cycle, without header
+     * @param way how the robot came to where it stood; empty if the ball was recorded
+     * @param isNoisy whether the robot was beamed elsewhere than it wished
+     */
+    record Take(List<String> lines, Optional<JoiningWay> way, boolean isNoisy) {}
 
     private record Felt(PerceptorMessage message, String sent) {}
 
@@ -34,6 +49,8 @@ final class ReferenceSession implements AutoCloseable {
     private final MonitorFeed monitor;
     private final MessageBuffer buffer = new MessageBuffer();
     private final PerceptorMessageReader reader = new PerceptorMessageReader();
+    private int messagesBeforeInit;
+    private int cycles;
 
     private ReferenceSession(AgentLink agent, MonitorFeed monitor) {
         this.agent = agent;
@@ -51,38 +68,50 @@ final class ReferenceSession implements AutoCloseable {
     }
 
     /**
-     * Lets the robot stand still, records it, and gives the lines without header; empty when messages to monitors were
+     * Lets the robot stand still and records it; empty when messages to monitors were
      * delayed, so that it is not known which belong to which cycle.
      *
      * @param type number of the robot's build, 0 to 4
      * @param commands what to send in each cycle
      */
-    Optional<List<String>> record(int type, List<String> commands) throws IOException {
-        send(type == 0 ? "(scene rsg/agent/nao/nao.rsg)" : "(scene rsg/agent/nao/nao_hetero.rsg " + type + ")");
-        receive();
-        monitor.watch(join());
-        exchange("(beam -5 0 0)");
-        for (int i = 0; i < CYCLES_TO_STAND_STILL; i++) {
-            exchange("");
-        }
-        monitor.awaitQuiet();
-        if (agent.isMessageWaiting()) {
-            throw new IOException(MonitorFeed.DOES_NOT_WAIT);
-        }
+    Optional<Take> record(int type, List<String> commands) throws IOException {
+        Vector3 place = takePlace(type);
+        int cyclesToBeam = cycles;
+        standStill();
         List<Felt> rows = new ArrayList<>();
         monitor.requestFullState();
         monitor.awaitQuiet();
         int newest = monitor.awaitRepetition();
+        JoiningWay way = new JoiningWay(messagesBeforeInit + 2, place, cyclesToBeam, cycles - cyclesToBeam);
         for (String command : commands) {
             monitor.requestFullState();
             rows.add(new Felt(exchange(command), command));
             if (!monitor.await(newest + rows.size())) {
-                throw new IOException("The server does not send a message to monitors in each cycle." + STEP_ADVICE);
+                throw new IOException(STEP_ADVICE);
             }
         }
         boolean isDelayed = monitor.hasMoreThan(newest + rows.size());
         checkTime(rows);
-        return isDelayed ? Optional.empty() : Optional.of(lines(rows, newest - 1));
+        return isDelayed
+                ? Optional.empty()
+                : Optional.of(new Take(
+                        lines(rows, newest - 1), Optional.of(way), isBeamedElsewhere(newest - 1, rows.size())));
+    }
+
+    /**
+     * Records balls while a robot stands by.
+     *
+     * @param cases how they are set in motion, one after the other
+     */
+    Take recordBalls(List<BallCase> cases) throws IOException {
+        takePlace(0);
+        standStill();
+        BallSession balls = new BallSession(this, monitor);
+        List<String> lines = new ArrayList<>();
+        for (BallCase ballCase : cases) {
+            lines.addAll(balls.record(ballCase));
+        }
+        return new Take(lines, Optional.empty(), false);
     }
 
     @Override
@@ -91,7 +120,65 @@ final class ReferenceSession implements AutoCloseable {
         monitor.close();
     }
 
+    /**
+     * Lets a robot appear and join, and tells where it was put. A server makes its first cycles with a new agent without
+     * waiting for it.
+     */
+    private Vector3 takePlace(int type) throws IOException {
+        send(type == 0 ? "(scene rsg/agent/nao/nao.rsg)" : "(scene rsg/agent/nao/nao_hetero.rsg " + type + ")");
+        receive();
+        messagesBeforeInit = 1;
+        monitor.awaitQuiet();
+        while (agent.isMessageWaiting()) {
+            receive();
+            messagesBeforeInit++;
+        }
+        monitor.watch(join());
+        Vector3 torso = whereItIs();
+        return new Vector3(millimetres(torso.x()), millimetres(torso.y()), torso.z());
+    }
+
+    private Vector3 whereItIs() throws IOException {
+        for (int i = 0; i < CYCLES_TO_BE_SEEN; i++) {
+            monitor.requestFullState();
+            exchange("");
+            monitor.awaitQuiet();
+            Optional<Pose> torso = monitor.lastTorso();
+            if (torso.isPresent()) {
+                return torso.get().position();
+            }
+        }
+        throw new IOException(STEP_ADVICE);
+    }
+
+    private boolean isBeamedElsewhere(int firstRow, int rows) {
+        for (int i = firstRow; i < firstRow + rows; i++) {
+            Optional<Pose> torso = monitor.torso(i);
+            if (torso.isPresent()) {
+                Vector3 place = torso.get().position();
+                return Math.abs(Math.abs(place.x()) - BEAM_METRES) > EXACT_METRES || Math.abs(place.y()) > EXACT_METRES;
+            }
+        }
+        return false;
+    }
+
+    private static double millimetres(double metres) {
+        return Math.rint(metres * 1e3) / 1e3;
+    }
+
+    private void standStill() throws IOException {
+        exchange("(beam -" + BEAM_METRES + " 0 0)");
+        for (int i = 0; i < CYCLES_TO_STAND_STILL; i++) {
+            exchange("");
+        }
+        monitor.awaitQuiet();
+        if (agent.isMessageWaiting()) {
+            throw new IOException(MonitorFeed.DOES_NOT_WAIT);
+        }
+    }
+
     private PlayerNumber join() throws IOException {
+        cycles = 0;
         PerceptorMessage answer = exchange("(init (unum 0)(teamname Reference))");
         for (int i = 0; i < CYCLES_TO_JOIN; i++) {
             Optional<PlayerNumber> player = answer.gameState().flatMap(ReferenceSession::player);
@@ -129,8 +216,9 @@ final class ReferenceSession implements AutoCloseable {
         return lines;
     }
 
-    private PerceptorMessage exchange(String commands) throws IOException {
+    PerceptorMessage exchange(String commands) throws IOException {
         send(commands);
+        cycles++;
         return receive();
     }
 

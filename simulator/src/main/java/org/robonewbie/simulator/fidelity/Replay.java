@@ -27,35 +27,40 @@ final class Replay {
     private final Recording recording;
     private final AgentRoute route;
     private final RobotType type;
+    private final JoiningWay way;
     private final PhysicsEngine physics;
     private final Comparison comparison = new Comparison(Limits.STANDARD);
 
-    private Replay(Recording recording, AgentRoute route, RobotType type, PhysicsEngine physics) {
+    private Replay(Recording recording, AgentRoute route, RobotType type, JoiningWay way, PhysicsEngine physics) {
         this.recording = recording;
         this.route = route;
         this.type = type;
+        this.way = way;
         this.physics = physics;
     }
 
     /**
-     * Replays one recording. If it does not tell the robot's build, builds are tried until one does the same.
+     * Replays one recording. If it does not tell the robot's build or how it came to its start, builds and ways are tried until
+     * one does the same.
      *
      * @param recording the recording
      * @param route how commands and measurements travel
      * @param physics what computes the motion of all bodies
-     * @return how closely it was followed, by the build that follows best
+     * @return how closely it was followed, by the build and way that follow best
      * @throws IOException if a run shows neither a robot's torso nor a ball that was started in a known way
      */
     static RecordingFidelity of(Recording recording, AgentRoute route, PhysicsEngine physics) throws IOException {
         Optional<RecordingFidelity> best = Optional.empty();
-        for (RobotType type : BuildSearch.candidates(recording)) {
-            RecordingFidelity result = new Replay(recording, route, type, physics).replay();
-            if (best.isEmpty() || CLOSEST.compare(result, best.get()) < 0) {
-                best = Optional.of(result);
-            }
-            if (best.get().firstDivergenceSeconds().isEmpty()
-                    || best.get().torsoMaxMetres().isEmpty()) {
-                break;
+        for (JoiningWay way : JoiningWay.candidates(recording)) {
+            for (RobotType type : BuildSearch.candidates(recording)) {
+                RecordingFidelity result = new Replay(recording, route, type, way, physics).replay();
+                if (best.isEmpty() || CLOSEST.compare(result, best.get()) < 0) {
+                    best = Optional.of(result);
+                }
+                if (best.get().firstDivergenceSeconds().isEmpty()
+                        || best.get().torsoMaxMetres().isEmpty()) {
+                    return best.get();
+                }
             }
         }
         return best.orElseThrow();
@@ -79,8 +84,8 @@ final class Replay {
     }
 
     private void replayRobot(RecordedRun run, Pose start) throws IOException {
-        try (Stage stage = Stage.open(route, type, physics)) {
-            new RobotStart(stage, run).reach(start);
+        try (Stage stage = Stage.open(route, type, physics, way)) {
+            new RobotStart(stage, run, way).reach(start);
             RecordedCommands commands = new RecordedCommands(stage.robot().model());
             List<RecordedRow> rows = run.rows();
             for (int i = 0; i < rows.size(); i++) {

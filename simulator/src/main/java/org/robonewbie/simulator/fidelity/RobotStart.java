@@ -18,20 +18,22 @@ final class RobotStart {
     private static final double BEAM_HEIGHT = RecordedCommands.BEAM_HEIGHT;
     private static final double HIGHEST_STANDING_TORSO = 0.45;
     private static final double GRAVITY = 9.81;
-    private static final Vector3 JOINING_PLACE = new Vector3(-14.2, 9.2, BEAM_HEIGHT);
     private static final double DISTANCE_OF_JOINING_PLACES = 1.2;
     private static final int STEPS_TO_LAND_AND_SLEEP = 60;
+    private static final double PRINTED_METRES = 2e-5;
     private static final double SAME_HEIGHT = 2e-6;
     private static final double WAKING_SPEED = 0.001;
 
     private final Stage stage;
     private final Robot robot;
     private final List<RecordedRow> rows;
+    private final JoiningWay way;
 
-    RobotStart(Stage stage, RecordedRun run) {
+    RobotStart(Stage stage, RecordedRun run, JoiningWay way) {
         this.stage = stage;
         this.robot = stage.robot();
         this.rows = run.rows();
+        this.way = way;
     }
 
     void reach(Pose torso) throws IOException {
@@ -39,23 +41,33 @@ final class RobotStart {
         double yaw = TorsoAngles.yawDegrees(torso.rotation()) - 90;
         Vector3 beam = new Vector3(tenthsOfMillimetres(place.x()), tenthsOfMillimetres(place.y()), BEAM_HEIGHT);
         if (!isJoiningPlace(beam)) {
-            robot.moveUpright(JOINING_PLACE, yaw);
-            step(STEPS_TO_LAND_AND_SLEEP);
+            step(way.cyclesToBeam() - 1);
         }
         robot.moveUpright(beam, yaw);
         robot.wake();
-        if (place.z() > HIGHEST_STANDING_TORSO) {
+        if (way.cyclesToFirstRow() > 0) {
+            step(way.cyclesToFirstRow());
+        } else if (place.z() > HIGHEST_STANDING_TORSO) {
             step(STEPS_TO_LAND_AND_SLEEP);
             lift(place);
         } else {
             land(place.z());
         }
+        shiftTo(place);
+    }
+
+    /** A server with noise beams a robot somewhere near, so that only its place at rest is known. */
+    private void shiftTo(Vector3 place) {
+        Vector3 torso = robot.torso().position();
+        if (robot.isAsleep() && Math.hypot(place.x() - torso.x(), place.y() - torso.y()) > PRINTED_METRES) {
+            robot.moveTo(new Vector3(place.x(), place.y(), torso.z()));
+        }
     }
 
     /** New players appear in a row along the side line of their half, beginning 0.8 m from the corner. */
-    private static boolean isJoiningPlace(Vector3 place) {
-        double index = (JOINING_PLACE.y() - place.y()) / DISTANCE_OF_JOINING_PLACES;
-        return Math.abs(place.x()) == -JOINING_PLACE.x() && index >= 0 && Math.abs(index - Math.rint(index)) < 1e-6;
+    private boolean isJoiningPlace(Vector3 place) {
+        double index = (way.place().y() - place.y()) / DISTANCE_OF_JOINING_PLACES;
+        return Math.abs(place.x()) == -way.place().x() && index > -1e-6 && Math.abs(index - Math.rint(index)) < 1e-6;
     }
 
     /** Steps until the robot is as high and feels the same as in the first row; if that is at rest, lets it sleep. */

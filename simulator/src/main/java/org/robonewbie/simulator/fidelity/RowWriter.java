@@ -9,6 +9,7 @@ import java.math.RoundingMode;
 import java.util.Optional;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
@@ -17,15 +18,17 @@ import org.robonewbie.simulator.physics.Pose;
 /** Writes the lines of a recording. */
 final class RowWriter {
 
+    private static final double CYCLE_SECONDS = 0.02;
     private static final Gson GSON = new Gson();
     private static final MathContext SIX_DIGITS = new MathContext(6, RoundingMode.HALF_EVEN);
 
     private RowWriter() {}
 
-    static String header(String test, String base) {
+    static String header(String test, String base, Optional<JoiningWay> way) {
         JsonObject about = new JsonObject();
         about.addProperty("test", test);
         about.addProperty("base", base);
+        way.ifPresent(known -> known.addTo(about));
         JsonObject line = new JsonObject();
         line.add("header", about);
         return GSON.toJson(line);
@@ -47,6 +50,25 @@ final class RowWriter {
         row.add("frp", footForces(message.footForces()));
         torso.ifPresent(pose -> row.add("torso", torso(pose)));
         row.addProperty("sent", sent);
+        return GSON.toJson(row);
+    }
+
+    /**
+     * Writes one cycle of a ball.
+     *
+     * @param ballCase how it was set in motion
+     * @param index cycles since the first one that shows its motion
+     * @param ball where it was, if the monitor port told exactly
+     * @param game state of the game
+     */
+    static String ballRow(BallCase ballCase, int index, Optional<Vector3> ball, MonitoredGame game) {
+        JsonObject row = new JsonObject();
+        row.addProperty("case", ballCase.name());
+        row.addProperty("i", index);
+        ball.ifPresent(place -> row.add("ball", position(place)));
+        game.playMode().ifPresent(mode -> row.addProperty("pm", mode.simSparkName()));
+        row.addProperty("gt", game.timeSeconds());
+        row.addProperty("t", Math.rint(100 * CYCLE_SECONDS * (index + 1)) / 100);
         return GSON.toJson(row);
     }
 
@@ -84,16 +106,20 @@ final class RowWriter {
     private static JsonObject torso(Pose pose) {
         Vector3 forward = pose.rotation().axisY();
         JsonObject torso = new JsonObject();
-        JsonArray position = new JsonArray();
-        position.add(digits(pose.position().x()));
-        position.add(digits(pose.position().y()));
-        position.add(digits(pose.position().z()));
-        torso.add("pos", position);
+        torso.add("pos", position(pose.position()));
         torso.addProperty("up", digits(pose.rotation().axisZ().z()));
         torso.addProperty("yaw", degrees(Math.atan2(forward.y(), forward.x())));
         torso.addProperty("pitch", degrees(arcSine(forward.z())));
         torso.addProperty("roll", degrees(arcSine(pose.rotation().axisX().z())));
         return torso;
+    }
+
+    private static JsonArray position(Vector3 place) {
+        JsonArray position = new JsonArray();
+        position.add(digits(place.x()));
+        position.add(digits(place.y()));
+        position.add(digits(place.z()));
+        return position;
     }
 
     private static double arcSine(double sine) {

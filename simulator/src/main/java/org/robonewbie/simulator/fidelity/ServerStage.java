@@ -19,6 +19,8 @@ import org.robonewbie.simulator.world.Robot;
 /** A whole server with league rules and without noise; the robot is moved, and felt, by an agent's messages only. */
 final class ServerStage implements Stage {
 
+    private static final int FIRST_MESSAGE = 3;
+
     private final SteppedSimulator simulator;
     private final AgentLink agent;
     private final MessageBuffer message = new MessageBuffer();
@@ -29,12 +31,13 @@ final class ServerStage implements Stage {
         this.agent = agent;
     }
 
-    static ServerStage open(AgentRoute route, RobotType type, PhysicsEngine physics) throws IOException {
+    static ServerStage open(AgentRoute route, RobotType type, PhysicsEngine physics, JoiningWay way)
+            throws IOException {
         SteppedSimulator simulator = SteppedSimulator.start(settings(physics), Console.silent());
         try {
             AgentLink agent = route == AgentRoute.TCP ? simulator.connectOverTcp() : simulator.connect();
             ServerStage stage = new ServerStage(simulator, agent);
-            stage.join(type);
+            stage.join(type, way.cyclesToInit());
             return stage;
         } catch (IOException e) {
             simulator.close();
@@ -78,17 +81,19 @@ final class ServerStage implements Stage {
         simulator.close();
     }
 
-    /** The first two cycles bring no message, since the robot appears in the first one. */
-    private void join(RobotType type) throws IOException {
+    /** The robot appears in the first cycle; its first message comes after the third one. */
+    private void join(RobotType type, int cyclesToInit) throws IOException {
         message.clear();
         new EffectorMessageWriter(message)
                 .createRobot("rsg/agent/nao/nao_hetero.rsg", List.of(String.valueOf(type.ordinal())))
                 .synchronise();
         agent.send(message);
-        simulator.cycle();
-        simulator.cycle();
-        simulator.cycle();
-        receive();
+        for (int cycle = 1; cycle <= cyclesToInit; cycle++) {
+            simulator.cycle();
+            if (cycle >= FIRST_MESSAGE) {
+                receive();
+            }
+        }
         step(List.of(new EffectorCommand.JoinTeam(1, "Recorded")));
     }
 

@@ -16,11 +16,14 @@ interface Stage extends AutoCloseable {
      * @param route how the commands reach the robot
      * @param type the robot's build
      * @param physics what computes the motion of all bodies
-     * @return the stage; its robot is somewhere
+     * @param way how the robot joins its team; a server chooses the place itself
+     * @return the stage; its robot has joined a team in the last cycle
      * @throws IOException if a server cannot be started
      */
-    static Stage open(AgentRoute route, RobotType type, PhysicsEngine physics) throws IOException {
-        return route == AgentRoute.NONE ? new WorldStage(type, physics) : ServerStage.open(route, type, physics);
+    static Stage open(AgentRoute route, RobotType type, PhysicsEngine physics, JoiningWay way) throws IOException {
+        return route == AgentRoute.NONE
+                ? new WorldStage(type, physics, way)
+                : ServerStage.open(route, type, physics, way);
     }
 
     /** Gives the robot, to put it where the run begins and to look at its true pose. */

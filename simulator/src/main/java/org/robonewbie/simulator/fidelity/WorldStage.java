@@ -17,9 +17,10 @@ final class WorldStage implements Stage {
     private final SoccerWorld world;
     private final Robot robot;
 
-    WorldStage(RobotType type, PhysicsEngine physics) {
+    WorldStage(RobotType type, PhysicsEngine physics, JoiningWay way) {
         world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, physics.newWorld());
         robot = world.addRobot(type);
+        join(way);
     }
 
     @Override
@@ -38,6 +39,15 @@ final class WorldStage implements Stage {
     @Override
     public void close() {
         // Nothing outside the memory is in use.
+    }
+
+    /** As on a server: the robot falls for some cycles before it has joined a team. */
+    private void join(JoiningWay way) {
+        for (int i = 0; i < way.cyclesToInit(); i++) {
+            world.step();
+        }
+        robot.moveUpright(way.place(), -90);
+        world.step();
     }
 
     private void apply(EffectorCommand command) {

@@ -8,6 +8,7 @@ import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.frame.TcpAgentLink;
+import org.robonewbie.protocol.perceptor.GameState;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 
@@ -33,6 +34,7 @@ final class LoadPlayer implements Runnable {
     private final PerceptorMessageReader reader = new PerceptorMessageReader();
     private volatile String playMode = "";
     private volatile double playSeconds;
+    private volatile int endedMatches;
 
     /**
      * Connects a player.
@@ -51,9 +53,19 @@ final class LoadPlayer implements Runnable {
         return arrivals;
     }
 
-    /** Tells the play mode that the referee announced last. */
-    String playMode() {
-        return playMode;
+    /** Tells whether the referee has announced a play mode yet. */
+    boolean isInTheGame() {
+        return !playMode.isEmpty();
+    }
+
+    /** Tells whether a match goes on. */
+    boolean isPlaying() {
+        return isInTheGame() && !playMode.equals(PlayMode.GAME_OVER.simSparkName());
+    }
+
+    /** Tells how many matches have ended so far. */
+    int endedMatches() {
+        return endedMatches;
     }
 
     /** Tells the time of play in seconds. */
@@ -86,12 +98,20 @@ final class LoadPlayer implements Runnable {
         if (isTimed) {
             arrivals.add(System.nanoTime(), felt.seconds().orElse(0));
         }
-        felt.gameState().ifPresent(state -> {
-            playMode = state.playModeName();
-            playSeconds = state.playSeconds();
-        });
+        felt.gameState().ifPresent(this::watch);
         message.clear();
         return true;
+    }
+
+    /** The only thread that writes is this player's. */
+    @SuppressWarnings("NonAtomicVolatileUpdate")
+    private void watch(GameState state) {
+        boolean over = state.playModeName().equals(PlayMode.GAME_OVER.simSparkName());
+        playSeconds = state.playSeconds();
+        if (over && !playMode.equals(state.playModeName())) {
+            endedMatches++;
+        }
+        playMode = state.playModeName();
     }
 
     private void send() throws IOException {

@@ -11,7 +11,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
-import org.robonewbie.nao.PlayMode;
+import java.util.function.BooleanSupplier;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
@@ -77,16 +77,16 @@ public final class MatchLoad {
         List<MatchLoadResult> results = new ArrayList<>();
         try (Simulator simulator = Simulator.start(settings(), Console.silent())) {
             List<LoadPlayer> players = connect(simulator.agentPort());
-            Course course = new Course(simulator, players.get(0));
-            awaitMode(players.get(0), true, course, 0);
+            LoadPlayer first = players.get(0);
+            Course course = new Course(simulator, first);
+            await(first::isInTheGame, () -> {});
             for (int match = 1; match <= load.matches(); match++) {
                 course.matchBegins();
-                awaitMode(players.get(0), false, course, match);
+                awaitEnd(first, course, match);
                 simulator.control().pause();
                 results.add(course.result(match));
                 simulator.control().reset();
                 simulator.control().resume();
-                awaitMode(players.get(0), true, course, match);
             }
         }
         return results;
@@ -120,16 +120,26 @@ public final class MatchLoad {
         return players;
     }
 
-    /** Waits until the game is over, or until it is not (any more). */
-    private void awaitMode(LoadPlayer player, boolean playing, Course course, int match) {
-        double told = 0;
-        while (player.playMode().isEmpty() || player.playMode().equals(PlayMode.GAME_OVER.simSparkName()) == playing) {
-            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(LOOKING_MILLISECONDS));
-            if (player.playSeconds() >= told + PROGRESS_SECONDS) {
-                told = player.playSeconds();
+    /** The end is counted by the player, since a short match may begin and end between two looks. */
+    private void awaitEnd(LoadPlayer player, Course course, int match) {
+        double[] told = {0};
+        await(() -> player.endedMatches() >= match, () -> {
+            if (player.isPlaying() && player.playSeconds() >= told[0] + PROGRESS_SECONDS) {
+                told[0] = player.playSeconds();
                 progress.println(String.format(
-                        Locale.ROOT, "match %d: %.0f s played, %d cycles missed", match, told, course.missedCycles()));
+                        Locale.ROOT,
+                        "match %d: %.0f s played, %d cycles missed",
+                        match,
+                        told[0],
+                        course.missedCycles()));
             }
+        });
+    }
+
+    private static void await(BooleanSupplier condition, Runnable meanwhile) {
+        while (!condition.getAsBoolean()) {
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(LOOKING_MILLISECONDS));
+            meanwhile.run();
         }
     }
 

@@ -4,9 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
-import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.world.Robot;
 
 /**
@@ -141,33 +139,5 @@ public final class Teams {
         Team team = new Team(name, side, parameters);
         teams.add(team);
         return team;
-    }
-
-    /** The row of places at the side line; as in the original nobody ever gives a place back. */
-    private static final class StartPlaces {
-
-        private final double radius;
-        private final double halfWidth;
-        private double x;
-        private double y;
-
-        StartPlaces(TeamSide side, SoccerParameters parameters) {
-            SoccerField field = parameters.field();
-            radius = parameters.get(SoccerParameter.AGENT_RADIUS);
-            halfWidth = field.width() / 2;
-            double distance = field.length() / 2 - 2 * radius;
-            x = side == TeamSide.LEFT ? -distance : distance;
-            y = halfWidth - 2 * radius;
-        }
-
-        Vector3 next() {
-            Vector3 place = new Vector3(x, y, radius);
-            y -= 3 * radius;
-            if (y < -halfWidth) {
-                y = halfWidth - 2 * radius;
-                x += 2 * radius;
-            }
-            return place;
-        }
     }
 }

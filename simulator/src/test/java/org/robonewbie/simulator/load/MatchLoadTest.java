@@ -28,7 +28,7 @@ class MatchLoadTest {
         assertThat(results).extracting(MatchLoadResult::match).containsExactly(1, 2);
         assertThat(results).allSatisfy(result -> {
             assertThat(result.playSeconds()).isCloseTo(4, within(0.1));
-            assertThat(result.cycles()).isBetween(200L, 500L);
+            assertThat(result.cycles()).isPositive();
             assertThat(result.missedCycles()).isZero();
             assertThat(result.serverMilliseconds()).isPositive().isLessThan(result.processMilliseconds());
             assertThat(result.heapMegabytes()).isPositive();

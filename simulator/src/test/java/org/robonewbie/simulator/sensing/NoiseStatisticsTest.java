@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -133,6 +134,25 @@ class NoiseStatisticsTest {
                 assertThat(message.gyro()).isEqualTo(first.gyro());
                 assertThat(message.accelerometer()).isEqualTo(first.accelerometer());
                 assertThat(message.footForces()).isEqualTo(first.footForces());
+            });
+        }
+    }
+
+    @Test
+    void voicesComeFromExactlyOneDirectionWhileRobotsRest() throws IOException {
+        for (List<PerceptorMessage> messages :
+                List.of(ours, RecordedMessages.read("a_agent_two_teams_hear_playon_noise"))) {
+            Map<String, List<Double>> directions = messages.stream()
+                    .flatMap(message -> message.heard().stream())
+                    .filter(heard -> !heard.isOwn())
+                    .collect(Collectors.groupingBy(
+                            heard -> heard.team().orElseThrow(),
+                            Collectors.mapping(heard -> heard.directionDegrees().orElseThrow(), Collectors.toList())));
+
+            assertThat(directions).containsOnlyKeys("Alpha", "Beta");
+            assertThat(directions.values()).allSatisfy(values -> {
+                assertThat(values).hasSizeGreaterThan(4);
+                assertThat(values).containsOnly(values.get(0));
             });
         }
     }

@@ -37,7 +37,7 @@ final class NoisyScene {
             List<PerceptorMessage> messages = new ArrayList<>();
             all(simulator, clients, "(syn)", CYCLES_TO_REST);
             for (int i = 0; i < CYCLES; i++) {
-                messages.add(all(simulator, clients, "(syn)", 1));
+                messages.add(all(simulator, clients, "(say hallo)(syn)", 1));
             }
             return messages;
         }

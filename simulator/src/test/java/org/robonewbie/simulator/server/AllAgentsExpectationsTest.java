@@ -10,8 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -34,18 +33,10 @@ class AllAgentsExpectationsTest {
 
     private static final String SCENE = "(scene rsg/agent/nao/nao.rsg)";
 
-    @SuppressWarnings("NullAway.Init")
-    private LeagueServer server;
+    @AutoClose
+    private final LeagueServer server = new LeagueServer();
 
-    @BeforeEach
-    void start() throws IOException {
-        server = new LeagueServer();
-    }
-
-    @AfterEach
-    void close() throws IOException {
-        server.close();
-    }
+    AllAgentsExpectationsTest() throws IOException {}
 
     @Test
     void messagesStartRightAfterSceneAndBeforeInitAndNotBeforeScene() throws IOException {

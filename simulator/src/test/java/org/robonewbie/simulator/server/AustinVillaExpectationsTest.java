@@ -9,8 +9,7 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.PlayMode;
@@ -21,22 +20,12 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 @Timeout(60)
 class AustinVillaExpectationsTest {
 
-    @SuppressWarnings("NullAway.Init")
-    private LeagueServer server;
+    @AutoClose
+    private final LeagueServer server = new LeagueServer();
 
-    @SuppressWarnings("NullAway.Init")
-    private TestAgent agent;
+    private final TestAgent agent = server.join("Stars", 1);
 
-    @BeforeEach
-    void start() throws IOException {
-        server = new LeagueServer();
-        agent = server.join("Stars", 1);
-    }
-
-    @AfterEach
-    void close() throws IOException {
-        server.close();
-    }
+    AustinVillaExpectationsTest() throws IOException {}
 
     @Test
     void trainerThatNeverReadsIsObeyedForLongAndStallsNobody() throws IOException {

@@ -10,8 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.PlayMode;
@@ -66,22 +65,12 @@ class FcPortugalExpectationsTest {
             "lfoot",
             "hear");
 
-    @SuppressWarnings("NullAway.Init")
-    private LeagueServer server;
+    @AutoClose
+    private final LeagueServer server = new LeagueServer();
 
-    @SuppressWarnings("NullAway.Init")
-    private TestAgent agent;
+    private final TestAgent agent = server.join("Stars", 1);
 
-    @BeforeEach
-    void start() throws IOException {
-        server = new LeagueServer();
-        agent = server.join("Stars", 1);
-    }
-
-    @AfterEach
-    void close() throws IOException {
-        server.close();
-    }
+    FcPortugalExpectationsTest() throws IOException {}
 
     @Test
     void numbersHaveTwoDecimalsAndNoExponent() throws IOException {

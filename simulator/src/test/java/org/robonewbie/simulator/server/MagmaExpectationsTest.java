@@ -7,8 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -22,18 +21,10 @@ class MagmaExpectationsTest {
             "\\(GS (\\(unum [0-9]+\\) \\(team (left|right)\\) )?\\(sl [0-9]+\\) \\(sr [0-9]+\\)" + " \\(t " + NUMBER
                     + "\\) \\(pm [A-Za-z_]+\\)\\)";
 
-    @SuppressWarnings("NullAway.Init")
-    private LeagueServer server;
+    @AutoClose
+    private final LeagueServer server = new LeagueServer();
 
-    @BeforeEach
-    void start() throws IOException {
-        server = new LeagueServer();
-    }
-
-    @AfterEach
-    void close() throws IOException {
-        server.close();
-    }
+    MagmaExpectationsTest() throws IOException {}
 
     @Test
     void gameStateHasNoOtherNodesThanThoseOfTheOriginal() throws IOException {

@@ -80,6 +80,21 @@ class PlayModesTest {
     }
 
     @Test
+    void offsideIsNotJudgedWhateverTheParameterSays() {
+        Game strict = new Game(SoccerParameters.league().with("UseOffside=true"));
+        Player striker = strict.join("Stars", 2);
+        strict.put(strict.join("Moons", 2), -5, 3);
+        strict.match.setPlayMode(PlayMode.PLAY_ON);
+        strict.roll(10, 2, 0, 0);
+
+        strict.touch(striker);
+        strict.cycles(1);
+
+        assertThat(strict.playMode()).isEqualTo(PlayMode.PLAY_ON);
+        assertThat(strict.match.fouls()).isEmpty();
+    }
+
+    @Test
     void opponentsLeaveTheCentreCircleAtKickOff() {
         game.join("Stars", 1);
         Player opponent = game.join("Moons", 1);

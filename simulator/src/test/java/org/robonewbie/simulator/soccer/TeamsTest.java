@@ -114,6 +114,20 @@ class TeamsTest {
     }
 
     @Test
+    void aFullTeamMayBeOfOneTypeIfWanted() throws JoinRefusedException {
+        Teams equal = new Teams(SoccerParameters.league()
+                .with("MaxRobotTypeCount=11")
+                .with("MaxSumTwoRobotTypes=11")
+                .with("MinRobotTypesCount=1"));
+
+        for (int i = 1; i <= 11; i++) {
+            equal.join("Stars", i, world.addRobot(RobotType.TYPE_0));
+        }
+
+        assertThat(equal.player(TeamSide.LEFT, 11)).isPresent();
+    }
+
+    @Test
     void robotsAppearAtTheSideLineOfTheirHalf() throws JoinRefusedException {
         Player first = join("Stars", 1);
         Player second = join("Stars", 2);

@@ -12,6 +12,7 @@ import java.util.Arrays;
 final class BlockCholesky {
 
     private EliminationPlan plan = EliminationPlan.EMPTY;
+    private final Room room = new Room(1 << 14);
     private double[] matrix = {};
     private double[] factor = {};
     private double[] inverseDiagonal = {};
@@ -20,9 +21,10 @@ final class BlockCholesky {
     /** Builds the matrix: J M⁻¹ Jᵀ and the softness on the diagonal. */
     void assemble(EliminationPlan newPlan, ConstraintRows rows) {
         plan = newPlan;
-        if (factor.length < plan.size) {
-            matrix = new double[plan.size + plan.size / 2];
-            factor = new double[matrix.length];
+        int length = room.fit(factor.length, plan.size);
+        if (length != factor.length) {
+            matrix = new double[length];
+            factor = new double[length];
         }
         if (inverseDiagonal.length < plan.rows()) {
             inverseDiagonal = new double[2 * plan.rows()];

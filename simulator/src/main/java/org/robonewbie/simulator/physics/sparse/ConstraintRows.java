@@ -17,6 +17,8 @@ final class ConstraintRows {
     /** The row's force is at its upper limit. */
     static final byte HIGH = 2;
 
+    private final Room room = new Room(1 << 9);
+
     int count;
     /** Jacobian against the first body. */
     double[] first = {};
@@ -46,8 +48,9 @@ final class ConstraintRows {
     /** Makes room for rows and clears them: unlimited, at speed 0, with the world's softness. */
     void reset(int rows, double worldSoftness) {
         count = rows;
-        if (state.length < rows) {
-            grow(rows + rows / 2);
+        int length = room.fit(state.length, rows);
+        if (length != state.length) {
+            resize(length);
         }
         Arrays.fill(first, 0, 6 * rows, 0);
         Arrays.fill(second, 0, 6 * rows, 0);
@@ -57,7 +60,7 @@ final class ConstraintRows {
         Arrays.fill(upper, 0, rows, Double.POSITIVE_INFINITY);
     }
 
-    private void grow(int rows) {
+    private void resize(int rows) {
         first = new double[6 * rows];
         second = new double[6 * rows];
         firstResponse = new double[6 * rows];

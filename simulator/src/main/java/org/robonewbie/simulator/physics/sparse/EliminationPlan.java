@@ -40,6 +40,7 @@ final class EliminationPlan {
     final int size;
 
     private final int[] key;
+    private final int numbers;
 
     /**
      * Makes a plan.
@@ -63,11 +64,21 @@ final class EliminationPlan {
         size = placeBlocks();
         updates = planUpdates();
         overlaps = planOverlaps(graph, place);
+        numbers = key.length + 4 * joints + overlaps.length + 2 * count(below) + count(updates);
+    }
+
+    private static int count(int[][] lists) {
+        return Arrays.stream(lists).mapToInt(list -> list.length).sum();
     }
 
     /** Tells whether this plan was made for the same joints between the same bodies. */
     boolean suits(int[] joints, int length) {
         return Arrays.equals(key, 0, key.length, joints, 0, length);
+    }
+
+    /** Tells how much memory the plan takes, in integers. */
+    int numbers() {
+        return numbers;
     }
 
     int joints() {

@@ -4,14 +4,22 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** Remembers elimination plans, since limbs touch the ground in the same few ways again and again. */
+/**
+ * Remembers elimination plans, since limbs touch the ground in the same few ways again and again.
+ *
+ * <p>Piles of robots have large plans that hardly ever fit twice, but for a pile that lies still; so of these only the last
+ * one is kept, and all others together have a limit.
+ */
 final class PlanCache {
 
     private static final int MOST_PLANS = 64;
+    private static final int MOST_NUMBERS = 1 << 18;
+    private static final int LARGE = 1 << 15;
 
     private final List<EliminationPlan> plans = new ArrayList<>();
+    private EliminationPlan large = EliminationPlan.EMPTY;
     private int[] key = {};
-    private int oldest;
+    private int numbers;
 
     EliminationPlan planFor(List<Joint> joints, int bodies) {
         int length = writeKey(joints);
@@ -20,9 +28,17 @@ final class PlanCache {
                 return plans.get(i);
             }
         }
+        if (large.suits(key, length)) {
+            return large;
+        }
         EliminationPlan plan = new EliminationPlan(Arrays.copyOf(key, length), bodies);
         remember(plan);
         return plan;
+    }
+
+    /** Tells how much memory all plans but the large one take, in integers. */
+    int numbers() {
+        return numbers;
     }
 
     private int writeKey(List<Joint> joints) {
@@ -41,11 +57,14 @@ final class PlanCache {
     }
 
     private void remember(EliminationPlan plan) {
-        if (plans.size() < MOST_PLANS) {
-            plans.add(plan);
-        } else {
-            plans.set(oldest, plan);
-            oldest = (oldest + 1) % MOST_PLANS;
+        if (plan.numbers() > LARGE) {
+            large = plan;
+            return;
+        }
+        plans.add(plan);
+        numbers += plan.numbers();
+        while (plans.size() > MOST_PLANS || numbers > MOST_NUMBERS) {
+            numbers -= plans.remove(0).numbers();
         }
     }
 }

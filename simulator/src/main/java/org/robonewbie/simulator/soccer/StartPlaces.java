@@ -1,0 +1,44 @@
+package org.robonewbie.simulator.soccer;
+
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+
+/** The row of places at the side line where new players of a team appear; as in the original nobody ever gives a place back. */
+public final class StartPlaces {
+
+    private final double radius;
+    private final double halfWidth;
+    private double x;
+    private double y;
+
+    /**
+     * Begins with the place of the first player.
+     *
+     * @param side the team's side
+     * @param parameters tell the size of the pitch and the distance between players
+     */
+    public StartPlaces(TeamSide side, SoccerParameters parameters) {
+        SoccerField field = parameters.field();
+        radius = parameters.get(SoccerParameter.AGENT_RADIUS);
+        halfWidth = field.width() / 2;
+        double distance = field.length() / 2 - 2 * radius;
+        x = side == TeamSide.LEFT ? -distance : distance;
+        y = halfWidth - 2 * radius;
+    }
+
+    /**
+     * Gives away the next place.
+     *
+     * @return centre of the torso in the world frame, metres
+     */
+    public Vector3 next() {
+        Vector3 place = new Vector3(x, y, radius);
+        y -= 3 * radius;
+        if (y < -halfWidth) {
+            y = halfWidth - 2 * radius;
+            x += 2 * radius;
+        }
+        return place;
+    }
+}

@@ -1,0 +1,93 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.physics.MassDistribution;
+
+class PlanCacheTest {
+
+    private final PlanCache cache = new PlanCache();
+
+    /** A joint that is known by its bodies and rows only. */
+    private static final class Link extends Joint {
+
+        private final int rows;
+
+        Link(Body first, Body second, int rows) {
+            super(first, second);
+            this.rows = rows;
+        }
+
+        @Override
+        int rowCount() {
+            return rows;
+        }
+
+        @Override
+        void writeRows(ConstraintRows target, double rate) {}
+    }
+
+    @Test
+    void sameJointsHaveTheSamePlan() {
+        EliminationPlan plan = cache.planFor(chain(20, 6), 21);
+        cache.planFor(chain(20, 5), 21);
+
+        assertThat(cache.planFor(chain(20, 6), 21)).isSameAs(plan);
+    }
+
+    @Test
+    void manyPlansTakeNoMoreThanAMegabyte() {
+        for (int length = 1; length <= 400; length++) {
+            cache.planFor(chain(length, 3), length + 1);
+        }
+
+        assertThat(cache.numbers()).isBetween(100_000, 1 << 18);
+    }
+
+    @Test
+    void theLargePlanOfAPileDrivesAwayOnlyTheOneBefore() {
+        EliminationPlan small = cache.planFor(chain(20, 6), 21);
+
+        EliminationPlan pile = cache.planFor(star(80), 81);
+        EliminationPlan pileAtRest = cache.planFor(star(80), 81);
+        EliminationPlan next = cache.planFor(star(81), 82);
+
+        assertThat(pileAtRest).isSameAs(pile);
+        assertThat(next).isNotSameAs(pile);
+        assertThat(cache.planFor(star(80), 81)).isNotSameAs(pile);
+        assertThat(cache.planFor(chain(20, 6), 21)).isSameAs(small);
+    }
+
+    private static List<Joint> chain(int length, int rows) {
+        List<Body> bodies = bodies(length + 1);
+        List<Joint> joints = new ArrayList<>();
+        for (int i = 0; i < length; i++) {
+            joints.add(new Link(bodies.get(i), bodies.get(i + 1), rows));
+        }
+        return joints;
+    }
+
+    /** All joints hold the same body, so that each is coupled with each. */
+    private static List<Joint> star(int size) {
+        List<Body> bodies = bodies(size + 1);
+        List<Joint> joints = new ArrayList<>();
+        for (int i = 0; i < size; i++) {
+            joints.add(new Link(bodies.get(0), bodies.get(i + 1), 3));
+        }
+        return joints;
+    }
+
+    private static List<Body> bodies(int count) {
+        List<Body> bodies = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            Body body = new Body(new MassDistribution(1, new Vector3(1, 1, 1)), Vector3.ZERO, new MoveClock());
+            body.islandIndex = i;
+            bodies.add(body);
+        }
+        return bodies;
+    }
+}
