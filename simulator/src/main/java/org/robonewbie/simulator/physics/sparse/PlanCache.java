@@ -8,27 +8,35 @@ import java.util.List;
  * Remembers elimination plans, since limbs touch the ground in the same few ways again and again.
  *
  * <p>Piles of robots have large plans that hardly ever fit twice, but for a pile that lies still; so of these only the last
- * one is kept, and all others together have a limit.
+ * one is kept, until it has been of no use for some time, and all others together have a limit.
  */
 final class PlanCache {
 
     private static final int MOST_PLANS = 64;
     private static final int MOST_NUMBERS = 1 << 18;
     private static final int LARGE = 1 << 15;
+    private static final int PATIENCE = 50_000;
 
     private final List<EliminationPlan> plans = new ArrayList<>();
     private EliminationPlan large = EliminationPlan.EMPTY;
+    private int useless;
     private int[] key = {};
     private int numbers;
 
     EliminationPlan planFor(List<Joint> joints, int bodies) {
         int length = writeKey(joints);
+        useless++;
+        if (useless > PATIENCE) {
+            large = EliminationPlan.EMPTY;
+            useless = 0;
+        }
         for (int i = 0; i < plans.size(); i++) {
             if (plans.get(i).suits(key, length)) {
                 return plans.get(i);
             }
         }
         if (large.suits(key, length)) {
+            useless = 0;
             return large;
         }
         EliminationPlan plan = new EliminationPlan(Arrays.copyOf(key, length), bodies);
@@ -59,6 +67,7 @@ final class PlanCache {
     private void remember(EliminationPlan plan) {
         if (plan.numbers() > LARGE) {
             large = plan;
+            useless = 0;
             return;
         }
         plans.add(plan);

@@ -62,6 +62,18 @@ class PlanCacheTest {
         assertThat(cache.planFor(chain(20, 6), 21)).isSameAs(small);
     }
 
+    @Test
+    void theLargePlanIsForgottenWhenThePileIsGone() {
+        EliminationPlan pile = cache.planFor(star(80), 81);
+        List<Joint> single = chain(20, 6);
+
+        for (int i = 0; i < 60_000; i++) {
+            cache.planFor(single, 21);
+        }
+
+        assertThat(cache.planFor(star(80), 81)).isNotSameAs(pile);
+    }
+
     private static List<Joint> chain(int length, int rows) {
         List<Body> bodies = bodies(length + 1);
         List<Joint> joints = new ArrayList<>();
