@@ -172,4 +172,39 @@ abstract sealed class Home implements AutoCloseable {
             telemetry.close();
         }
     }
+
+    /** A connection that somebody else has opened, for one robot. */
+    static final class Given extends Home {
+
+        private final AgentLink link;
+
+        Given(AgentLink link) {
+            this.link = link;
+        }
+
+        @Override
+        AgentLink connect() {
+            return link;
+        }
+
+        @Override
+        TelemetrySink telemetry() {
+            return TelemetrySink.NONE;
+        }
+
+        @Override
+        String description() {
+            return "Plays where it was connected";
+        }
+
+        @Override
+        boolean endsByItself() {
+            return true;
+        }
+
+        @Override
+        public void close() {
+            link.close();
+        }
+    }
 }

@@ -92,6 +92,16 @@ public final class Nao extends NaoBody implements AutoCloseable {
     }
 
     /**
+     * Brings a robot into the game that tells nobody about it.
+     *
+     * @throws IOException if the simulator closes the connection
+     * @throws StartUpException if it refuses the robot
+     */
+    static Nao quiet(Options options, Home home) throws IOException {
+        return new Nao(options, home);
+    }
+
+    /**
      * Waits for the next message of the simulator and reads all sensors. If {@link #act} was forgotten, it acts first.
      *
      * @return false if the run is over

@@ -4,76 +4,120 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalLong;
-import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
-import org.robonewbie.protocol.embedded.EmbeddedSimulator;
-import org.robonewbie.protocol.embedded.SimulatorProvider;
-import org.robonewbie.protocol.embedded.SimulatorRequest;
+import org.robonewbie.protocol.telemetry.TelemetryServer;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.Viewer;
+import org.robonewbie.simulator.embedded.Browser;
+import org.robonewbie.simulator.recording.RecordingShelf;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.studio.StudioViewer;
+import org.robonewbie.studio.monitor.MonitoredSimulation;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Opens the studio with a simulator behind it, for agents that are started elsewhere. */
+/** Opens the studio: with a simulator behind it, attached to a server that runs elsewhere, or with a file. */
 @Command(
         name = "studio",
         description = {
-            "Start a simulator with the studio in the browser and wait for agents, on the beginners' pitch.",
-            "It cannot watch a simulator of another process yet, nor open recordings and motion files."
+            "Start the studio in the browser. Without a server to watch it has a simulator of its own, which waits for agents on"
+                    + " the beginners' pitch.",
+            "FILE is opened at once: a recording (.rec), the log of a SimSpark server (.log, also packed), or a motion (.txt)."
         },
         footer = {
             "",
             "Examples:",
             "  robonewbie studio                     then, in another window: robonewbie run Agent_SimpleSoccer",
-            "  robonewbie studio --no-browser"
+            "  robonewbie studio --monitor 127.0.0.1:3200     watch a running rcssserver3d or robonewbie simulator",
+            "  robonewbie studio game.rec            see a recorded run again",
+            "  robonewbie studio sparkmonitor.log    see the log of a server again",
+            "  robonewbie studio motions/wave.txt    shape a motion"
         })
 final class StudioCommand implements Callable<Integer> {
 
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Parameters(arity = "0..1", paramLabel = "FILE", description = "A recording or motion file (not yet possible).")
+    @Parameters(arity = "0..1", paramLabel = "FILE", description = "A recording, a server's log or a motion file.")
     private Optional<Path> file = Optional.empty();
 
-    @Option(names = "--agent-port", paramLabel = "N", description = "Port for agents (3100).")
-    private int agentPort = 3100;
+    @Option(
+            names = "--monitor",
+            paramLabel = "HOST:PORT",
+            description = "Watch the server with this monitor port instead of a simulator of its own.")
+    private Optional<String> monitor = Optional.empty();
+
+    @Option(names = "--agent-port", paramLabel = "N", description = "Port for agents of the own simulator (3100).")
+    private int agentPort = SimulatorSettings.DEFAULT_AGENT_PORT;
+
+    @Option(names = "--port", paramLabel = "N", description = "Port of the studio's pages (3400, or any free one).")
+    private int port;
 
     @Option(names = "--no-browser", description = "Print the studio's address and open no browser.")
     private boolean withoutBrowser;
 
     @Override
     public Integer call() throws IOException, InterruptedException {
-        if (file.isPresent()) {
-            throw new CalledWronglyException(
-                    "The studio cannot open " + file.get()
-                            + " yet: recordings and motion files are still to come. Without a file it shows a running simulation.");
-        }
-        EmbeddedSimulator simulator = start();
-        Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-studio"));
+        OpenedFile opened = OpenedFile.of(file);
+        SimulationControl simulation = monitor.isPresent() ? watch(monitor.get()) : start();
+        Viewer.View view = StudioViewer.open(simulation, port, opened.folders());
+        URI address = URI.create(view.address() + opened.place());
+        Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
+        System.out.println("Studio: " + address);
         System.out.println(
-                "Studio: " + simulator.studioAddress().map(URI::toString).orElse("(none)"));
-        System.out.println("Agents can join at port " + simulator.agentPort() + ". Control-C ends it.");
+                monitor.map(server -> "It watches the server at " + server + ". Control-C ends it.")
+                        .orElse("Agents can join at port " + agentPort + ". Control-C ends it."));
+        hearRobots(view);
+        show(view, address);
         Thread.currentThread().join();
         return ExitCode.OK;
     }
 
-    private EmbeddedSimulator start() throws IOException {
-        SimulatorProvider provider = ServiceLoader.load(SimulatorProvider.class)
-                .findFirst()
-                .orElseThrow(() -> new IllegalStateException("This program has been packed without a simulator."));
-        return provider.start(new SimulatorRequest(
-                agentPort,
-                OptionalLong.empty(),
-                false,
-                OptionalDouble.empty(),
-                false,
-                !withoutBrowser,
-                false,
-                Optional.empty(),
-                Optional.empty(),
-                1));
+    /** Robots of other processes tell what they think at a port beside that of the agents; they play as well without it. */
+    private void hearRobots(Viewer.View view) {
+        try {
+            TelemetryServer telemetry = TelemetryServer.open(TelemetryServer.portFor(agentPort), view.telemetry());
+            Runtime.getRuntime().addShutdownHook(new Thread(telemetry::close, "end-of-telemetry"));
+        } catch (IOException portInUse) {
+            System.out.println("What robots think cannot be shown, since another program listens for it.");
+        }
+    }
+
+    private void show(Viewer.View view, URI address) {
+        if (withoutBrowser) {
+            return;
+        }
+        if (file.isPresent()) {
+            Browser.open(address, Console.standard());
+        } else {
+            Browser.openUnlessWatched(view, Console.standard());
+        }
+    }
+
+    private static MonitoredSimulation watch(String server) throws IOException {
+        MonitorAddress address = MonitorAddress.of(server);
+        return MonitoredSimulation.connect(address.host(), address.port());
+    }
+
+    private SimulationControl start() throws IOException {
+        Optional<Path> recording =
+                file.isPresent() ? Optional.empty() : RecordingShelf.ofUser().flatMap(RecordingShelf::next);
+        Simulator simulator = Simulator.start(
+                SimulatorSettings.beginner()
+                        .agentPort(agentPort)
+                        .synchronous(true)
+                        .awaitedAgents(1)
+                        .seed(System.nanoTime() & 0xfffff)
+                        .recording(recording)
+                        .build(),
+                Console.standard());
+        agentPort = simulator.agentPort();
+        Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));
+        return simulator.control();
     }
 }

@@ -2,7 +2,11 @@ package org.robonewbie.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -75,11 +79,32 @@ class MainTest {
     }
 
     @Test
-    void studioSaysThatItCannotOpenFilesYet() {
-        Printed answer = Printed.by("studio", "run.rec");
+    void studioSaysThatThereIsNoSuchFile() {
+        Printed answer = Printed.by("studio", "nowhere.rec");
 
         assertThat(answer.exitCode()).isEqualTo(2);
-        assertThat(answer.err()).contains("The studio cannot open run.rec yet");
+        assertThat(answer.err()).contains("There is no file").contains("nowhere.rec\". Is its name right?");
+    }
+
+    @Test
+    void studioSaysWhatFilesItOpens(@TempDir Path folder) throws IOException {
+        Path file = Files.writeString(folder.resolve("picture.png"), "no recording");
+
+        Printed answer = Printed.by("studio", file.toString());
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err())
+                .contains("picture.png\" is no log of a SimSpark server: no line of it tells a whole scene.")
+                .contains("It opens recordings (.rec), logs of SimSpark servers and motions (.txt).");
+    }
+
+    @Test
+    void studioSaysHowToNameAMonitorPort() {
+        Printed answer = Printed.by("studio", "--monitor", "127.0.0.1:many");
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err())
+                .contains("\"127.0.0.1:many\" names no monitor port. Write HOST:PORT, such as 127.0.0.1:3200.");
     }
 
     @Test

@@ -5,8 +5,10 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -18,6 +20,7 @@ import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.soccer.MatchEvent;
 
 /**
  * Brings the newest state of the simulation to all pages, about 25 times per second.
@@ -26,7 +29,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  * each spectator that has dealt with its last frame; the others miss it. So no page can slow down the simulation or
  * another page.
  */
-final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable {
+final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCloseable {
 
     /** A little less than two cycles, so that in real time every second cycle is sent. */
     private static final long SEND_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(37);
@@ -36,6 +39,8 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable
     private static final long LATEST_LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
 
     private final SimulationControl simulation;
+    private final PuppetDesk puppets;
+    private final Queue<MatchEvent> events = new ConcurrentLinkedQueue<>();
     private final List<Spectator> spectators = new CopyOnWriteArrayList<>();
     private final BlockingQueue<TelemetryMessage> thoughts = new ArrayBlockingQueue<>(MOST_THOUGHTS);
     private final BlockingQueue<AgentMessages> messages = new ArrayBlockingQueue<>(MOST_MESSAGES);
@@ -54,6 +59,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable
 
     LiveFeed(SimulationControl simulation) {
         this.simulation = simulation;
+        this.puppets = new PuppetDesk(simulation);
         sender.setDaemon(true);
     }
 
@@ -62,8 +68,23 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable
         sender.start();
     }
 
-    SimulationControl simulation() {
+    @Override
+    public SimulationControl simulation() {
         return simulation;
+    }
+
+    @Override
+    public PuppetDesk puppets() {
+        return puppets;
+    }
+
+    @Override
+    public WorldSnapshot now() {
+        WorldSnapshot snapshot = latest;
+        if (snapshot == null) {
+            throw new IllegalStateException("The world has not begun yet. Try again in a moment.");
+        }
+        return snapshot;
     }
 
     int spectators() {
@@ -100,6 +121,13 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable
         messages.offer(exchanged);
     }
 
+    @Override
+    public void happened(MatchEvent event) {
+        if (isWanted()) {
+            events.add(event);
+        }
+    }
+
     /** Takes what a robot tells; what is too much for the pages is left out. */
     @Override
     public void accept(TelemetryMessage message) {
@@ -111,6 +139,13 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable
     @Override
     public boolean isWanted() {
         return !spectators.isEmpty();
+    }
+
+    private void handOnEvents() {
+        for (MatchEvent event = events.poll(); event != null; event = events.poll()) {
+            String json = SceneWriter.event(event);
+            spectators.forEach(spectator -> spectator.tell(json));
+        }
     }
 
     private void handOnThoughts() {
@@ -147,6 +182,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable
     private void send() {
         while (open) {
             handOnThoughts();
+            handOnEvents();
             WorldSnapshot snapshot = latest;
             if (snapshot != null && !spectators.isEmpty()) {
                 write(snapshot);
@@ -163,7 +199,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable
         if (snapshot.equals(written)) {
             return;
         }
-        Scene current = Scene.of(simulation.field(), snapshot);
+        Scene current = Scene.of(simulation, puppets, snapshot);
         if (!current.equals(scene)) {
             scene = current;
             sceneRevision = (sceneRevision + 1) & 0xffff;
@@ -177,6 +213,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, AutoCloseable
     public void close() {
         simulation.removeObserver(this);
         open = false;
+        puppets.close();
         LockSupport.unpark(sender);
         spectators.forEach(Spectator::sayGoodbye);
     }

@@ -6,17 +6,21 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
  * What of the world seldom changes: the pitch, the teams and who plays. Pages get it once and again after each change.
  *
  * @param field the pitch
+ * @param clock whether time can be stopped
+ * @param puppets whether robots can join that people steer
  * @param teamLeft name of the left team, empty before it joined
  * @param teamRight name of the right team, empty before it joined
  * @param robots the robots in the order of the state frames
  */
-record Scene(SoccerField field, String teamLeft, String teamRight, List<Player> robots) {
+record Scene(
+        SoccerField field, boolean clock, boolean puppets, String teamLeft, String teamRight, List<Player> robots) {
 
     /**
      * One robot without its state.
@@ -26,19 +30,22 @@ record Scene(SoccerField field, String teamLeft, String teamRight, List<Player> 
      * @param side its half, empty before it joined a team
      * @param number its number, 0 before it joined a team
      * @param type its build
+     * @param puppet whether people steer it
      */
-    record Player(int id, String team, Optional<TeamSide> side, int number, RobotType type) {
+    record Player(int id, String team, Optional<TeamSide> side, int number, RobotType type, boolean puppet) {
 
-        static Player of(RobotSnapshot robot) {
-            return new Player(robot.id(), robot.team(), robot.side(), robot.number(), robot.type());
+        static Player of(RobotSnapshot robot, boolean puppet) {
+            return new Player(robot.id(), robot.team(), robot.side(), robot.number(), robot.type(), puppet);
         }
     }
 
-    static Scene of(SoccerField field, WorldSnapshot snapshot) {
+    static Scene of(SimulationControl simulation, PuppetDesk desk, WorldSnapshot snapshot) {
         return new Scene(
-                field,
+                simulation.field(),
+                simulation.hasClock(),
+                desk.isOpen(),
                 snapshot.teamLeft(),
                 snapshot.teamRight(),
-                snapshot.robots().stream().map(Player::of).toList());
+                snapshot.robots().stream().map(robot -> Player.of(robot, desk.isPuppet(robot))).toList());
     }
 }

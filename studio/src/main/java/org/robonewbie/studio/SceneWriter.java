@@ -13,6 +13,7 @@ import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.model.Shape;
+import org.robonewbie.simulator.soccer.MatchEvent;
 
 /** Writes a {@link Scene} as JSON for the pages, with the bodies of all robot types that play. */
 final class SceneWriter {
@@ -31,6 +32,8 @@ final class SceneWriter {
         json.addProperty("kind", "scene");
         json.addProperty("revision", revision);
         json.add("field", field(scene.field()));
+        json.addProperty("clock", scene.clock());
+        json.addProperty("puppets", scene.puppets());
         JsonObject teams = new JsonObject();
         teams.addProperty("left", scene.teamLeft());
         teams.addProperty("right", scene.teamRight());
@@ -73,7 +76,21 @@ final class SceneWriter {
                 player.side().map(side -> side.name().toLowerCase(Locale.ROOT)).orElse(""));
         json.addProperty("number", player.number());
         json.addProperty("type", player.type().name());
+        json.addProperty("puppet", player.puppet());
         return json;
+    }
+
+    /**
+     * Writes what has happened in the game.
+     *
+     * @param event the event
+     * @return one JSON object
+     */
+    static String event(MatchEvent event) {
+        JsonObject json = new JsonObject();
+        json.addProperty("kind", "event");
+        json.addProperty("text", event.text());
+        return json.toString();
     }
 
     /**

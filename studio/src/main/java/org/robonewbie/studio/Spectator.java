@@ -15,7 +15,6 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.AgentMessages;
-import org.robonewbie.simulator.SimulationControl;
 
 /**
  * One page that looks at the simulation.
@@ -28,12 +27,13 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
 
     private static final int MOST_LINES = 2000;
     private static final int MOST_MESSAGES = 200;
+    private static final int MOST_NEWS = 100;
     private static final long REPEAT_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final LiveFeed feed;
-    private final SimulationControl simulation;
     private final Deque<String> heard = new ArrayDeque<>();
     private final Deque<AgentMessages> talk = new ArrayDeque<>();
+    private final Deque<String> news = new ArrayDeque<>();
     private volatile String watched = "";
     private volatile boolean begins;
     private long toldCycle = -1;
@@ -42,9 +42,8 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
     private @Nullable ByteBuffer sentFrame;
     private long sentNanos;
 
-    Spectator(LiveFeed feed, SimulationControl simulation) {
+    Spectator(LiveFeed feed) {
         this.feed = feed;
-        this.simulation = simulation;
     }
 
     @Override
@@ -64,7 +63,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
                 watched = Memory.key(watch.team(), watch.number());
                 begins = true;
             } else {
-                command.applyTo(simulation);
+                command.applyTo(feed);
             }
         } catch (RuntimeException e) {
             refuse(e);
@@ -114,6 +113,14 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         }
     }
 
+    /** Keeps what has happened in the game until the page is ready for it. Called by the feed's thread only. */
+    void tell(String json) {
+        news.add(json);
+        if (news.size() > MOST_NEWS) {
+            news.remove();
+        }
+    }
+
     private String thoughts() {
         JsonArray lines = new JsonArray();
         heard.forEach(lines::add);
@@ -153,6 +160,8 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
             sentScene = sceneRevision;
             texts.add(sceneJson);
         }
+        texts.addAll(news);
+        news.clear();
         if (!heard.isEmpty() || !talk.isEmpty()) {
             texts.add(thoughts());
         }

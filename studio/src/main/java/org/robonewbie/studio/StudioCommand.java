@@ -3,22 +3,22 @@ package org.robonewbie.studio;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.protocol.monitor.PlayerNumber;
 
 /** What a page can ask for. */
-sealed interface StudioCommand {
+interface StudioCommand {
 
     /**
      * Does what is asked for.
      *
-     * @param simulation the running simulation
+     * @param stage what can be acted upon
      */
-    void applyTo(SimulationControl simulation);
+    void applyTo(Stage stage);
 
     /** The page has drawn its last frame and is ready for the next. */
     record Seen() implements StudioCommand {
         @Override
-        public void applyTo(SimulationControl simulation) {}
+        public void applyTo(Stage stage) {}
     }
 
     /**
@@ -29,22 +29,22 @@ sealed interface StudioCommand {
      */
     record Watch(String team, int number) implements StudioCommand {
         @Override
-        public void applyTo(SimulationControl simulation) {}
+        public void applyTo(Stage stage) {}
     }
 
     /** Stops the clock. */
     record Pause() implements StudioCommand {
         @Override
-        public void applyTo(SimulationControl simulation) {
-            simulation.pause();
+        public void applyTo(Stage stage) {
+            stage.simulation().pause();
         }
     }
 
     /** Lets the clock run. */
     record Resume() implements StudioCommand {
         @Override
-        public void applyTo(SimulationControl simulation) {
-            simulation.resume();
+        public void applyTo(Stage stage) {
+            stage.simulation().resume();
         }
     }
 
@@ -55,8 +55,8 @@ sealed interface StudioCommand {
      */
     record Step(int cycles) implements StudioCommand {
         @Override
-        public void applyTo(SimulationControl simulation) {
-            simulation.step(cycles);
+        public void applyTo(Stage stage) {
+            stage.simulation().step(cycles);
         }
     }
 
@@ -67,16 +67,16 @@ sealed interface StudioCommand {
      */
     record Speed(double factor) implements StudioCommand {
         @Override
-        public void applyTo(SimulationControl simulation) {
-            simulation.setSpeed(factor);
+        public void applyTo(Stage stage) {
+            stage.simulation().setSpeed(factor);
         }
     }
 
     /** Puts everything back to the start. */
     record Reset() implements StudioCommand {
         @Override
-        public void applyTo(SimulationControl simulation) {
-            simulation.reset();
+        public void applyTo(Stage stage) {
+            stage.simulation().reset();
         }
     }
 
@@ -87,8 +87,8 @@ sealed interface StudioCommand {
      */
     record PlaceBall(Vector3 position) implements StudioCommand {
         @Override
-        public void applyTo(SimulationControl simulation) {
-            simulation.placeBall(position, Vector3.ZERO);
+        public void applyTo(Stage stage) {
+            stage.simulation().placeBall(position, Vector3.ZERO);
         }
     }
 
@@ -102,8 +102,8 @@ sealed interface StudioCommand {
      */
     record PlaceRobot(TeamSide side, int number, Vector3 position, double headingDegrees) implements StudioCommand {
         @Override
-        public void applyTo(SimulationControl simulation) {
-            simulation.placeRobot(side, number, position, headingDegrees);
+        public void applyTo(Stage stage) {
+            stage.simulation().placeRobot(side, number, position, headingDegrees);
         }
     }
 
@@ -114,16 +114,16 @@ sealed interface StudioCommand {
      */
     record KickOff(TeamSide side) implements StudioCommand {
         @Override
-        public void applyTo(SimulationControl simulation) {
-            simulation.kickOff(side);
+        public void applyTo(Stage stage) {
+            stage.simulation().kickOff(side);
         }
     }
 
     /** Gives the ball free. */
     record DropBall() implements StudioCommand {
         @Override
-        public void applyTo(SimulationControl simulation) {
-            simulation.dropBall();
+        public void applyTo(Stage stage) {
+            stage.simulation().dropBall();
         }
     }
 
@@ -134,8 +134,32 @@ sealed interface StudioCommand {
      */
     record SetPlayMode(PlayMode mode) implements StudioCommand {
         @Override
-        public void applyTo(SimulationControl simulation) {
-            simulation.setPlayMode(mode);
+        public void applyTo(Stage stage) {
+            stage.simulation().setPlayMode(mode);
+        }
+    }
+
+    /**
+     * Brings a robot that people steer.
+     *
+     * @param side its team; the first robot of all plays on the left
+     */
+    record AddPuppet(TeamSide side) implements StudioCommand {
+        @Override
+        public void applyTo(Stage stage) {
+            stage.puppets().add(side, stage.now());
+        }
+    }
+
+    /**
+     * Takes a robot away that people steer.
+     *
+     * @param player the robot
+     */
+    record RemovePuppet(PlayerNumber player) implements StudioCommand {
+        @Override
+        public void applyTo(Stage stage) {
+            stage.puppets().remove(player);
         }
     }
 }

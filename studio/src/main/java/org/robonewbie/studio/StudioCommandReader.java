@@ -4,10 +4,13 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
+import java.util.Arrays;
 import java.util.Locale;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.monitor.PlayerNumber;
 import org.robonewbie.simulator.SimulationControl;
 
 /**
@@ -60,6 +63,15 @@ final class StudioCommandReader {
             case "kickOff" -> new StudioCommand.KickOff(side());
             case "dropBall" -> new StudioCommand.DropBall();
             case "playMode" -> new StudioCommand.SetPlayMode(playMode());
+            case "addPuppet" -> new StudioCommand.AddPuppet(side());
+            case "removePuppet" -> new StudioCommand.RemovePuppet(player());
+            case "walk" -> new PuppetOrder.To(player(), new PuppetOrder.Walk(part("forward"), part("left"), part("turn")));
+            case "perform" -> new PuppetOrder.To(player(), new PuppetOrder.Perform(text("motion")));
+            case "look" ->
+                new PuppetOrder.To(
+                        player(), new PuppetOrder.Look(number("yaw", -180, 180), number("pitch", -180, 180)));
+            case "hold" ->
+                new PuppetOrder.To(player(), new PuppetOrder.Hold(joint(), number("degrees", -180, 180)));
             default ->
                 throw new IllegalArgumentException(
                         "The studio does not know the command \"" + name + "\". Load the page again.");
@@ -69,6 +81,22 @@ final class StudioCommandReader {
     private double speed() {
         boolean fastest = json.has("factor") && text("factor").equals("fastest");
         return fastest ? SimulationControl.AS_FAST_AS_POSSIBLE : number("factor", SLOWEST, FASTEST);
+    }
+
+    private PlayerNumber player() {
+        return new PlayerNumber(side(), (int) number("number", 1, PLAYERS));
+    }
+
+    private double part(String key) {
+        return number(key, -1, 1);
+    }
+
+    private Joint joint() {
+        return Arrays.stream(Joint.values())
+                .filter(joint -> joint.name().equals(text("joint")))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "The robot has no joint \"" + text("joint") + "\". Load the page again."));
     }
 
     private Vector3 position() {

@@ -8,9 +8,34 @@ import org.robonewbie.simulator.recording.RecordingShelf;
  * The folders that the studio's pages may use; nothing else of the disk can be reached from a page.
  *
  * @param motions where motion files are read and written; it need not exist
+ * @param scenes where saved scenes are read and written; it need not exist
  * @param recordings where recordings are read; empty if nothing is recorded
+ * @param openedRecording a recording that was opened by its name, wherever it is
  */
-public record StudioFolders(Path motions, Optional<RecordingShelf> recordings) {
+public record StudioFolders(
+        Path motions, Path scenes, Optional<RecordingShelf> recordings, Optional<Path> openedRecording) {
+
+    private static final String SCENES = "scenes";
+
+    /**
+     * Gives folders without an opened recording; scenes are beside the motions.
+     *
+     * @param motions where motion files are read and written; it need not exist
+     * @param recordings where recordings are read; empty if nothing is recorded
+     */
+    public StudioFolders(Path motions, Optional<RecordingShelf> recordings) {
+        this(motions, motions.resolveSibling(SCENES), recordings, Optional.empty());
+    }
+
+    /**
+     * Opens a recording that lies elsewhere.
+     *
+     * @param recording its file
+     * @return the same folders with this recording
+     */
+    public StudioFolders withRecording(Path recording) {
+        return new StudioFolders(motions, scenes, recordings, Optional.of(recording));
+    }
 
     /**
      * Gives the folders of a program that runs in its project.

@@ -105,11 +105,11 @@ public final class StudioServer implements Viewer.View {
             container.setMaxTextMessageSize(MAX_COMMAND_BYTES);
             container.setMaxBinaryMessageSize(MAX_COMMAND_BYTES);
             container.addMapping(
-                    AccessRule.LIVE_PATH, (request, response, callback) -> new Spectator(feed, feed.simulation()));
+                    AccessRule.LIVE_PATH, (request, response, callback) -> new Spectator(feed));
         });
         MotionRoom motionRoom = new MotionRoom(folders.motions(), SceneWriter.model(NaoModel.of(RobotType.TYPE_0)));
         live.setHandler(new Handler.Sequence(
-                new ReplayRoom(folders.recordings(), SceneWriter.allModels()), motionRoom, new WebFiles()));
+                new ReplayRoom(folders.recordings(), folders.openedRecording(), SceneWriter.allModels()), motionRoom, new WebFiles()));
         return live;
     }
 

@@ -16,14 +16,27 @@ public final class StudioViewer implements Viewer {
 
     @Override
     public View open(SimulationControl simulation, int port) throws IOException {
+        return open(simulation, port, StudioFolders.ofWorkingDirectory());
+    }
+
+    /**
+     * Starts to show a simulation and what is in some folders.
+     *
+     * @param simulation what to show and steer
+     * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
+     * @param folders what of the disk the pages may use
+     * @return the open view
+     * @throws IOException if the port cannot be opened
+     */
+    public static View open(SimulationControl simulation, int port, StudioFolders folders) throws IOException {
         AccessToken token = AccessToken.ofUser();
         if (port != 0) {
-            return StudioServer.start(simulation, port, token);
+            return StudioServer.start(simulation, port, token, folders);
         }
         try {
-            return StudioServer.start(simulation, USUAL_PORT, token);
+            return StudioServer.start(simulation, USUAL_PORT, token, folders);
         } catch (IOException e) {
-            return StudioServer.start(simulation, 0, token);
+            return StudioServer.start(simulation, 0, token, folders);
         }
     }
 }

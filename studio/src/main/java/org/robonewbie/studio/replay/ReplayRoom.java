@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.jetty.http.HttpHeader;
@@ -37,16 +38,19 @@ public final class ReplayRoom extends Handler.Abstract {
     private static final long STILL_RUNNING_MILLIS = 4000;
 
     private final Optional<RecordingShelf> shelf;
+    private final Optional<Path> opened;
     private final String models;
 
     /**
      * Opens the room.
      *
      * @param shelf where the recordings are; empty if nothing is recorded
+     * @param opened a recording that lies elsewhere
      * @param models the bodies of all robot types as JSON, by type
      */
-    public ReplayRoom(Optional<RecordingShelf> shelf, JsonObject models) {
+    public ReplayRoom(Optional<RecordingShelf> shelf, Optional<Path> opened, JsonObject models) {
         this.shelf = shelf;
+        this.opened = opened;
         this.models = models.toString();
     }
 
@@ -106,7 +110,11 @@ public final class ReplayRoom extends Handler.Abstract {
     }
 
     private List<Path> files() throws IOException {
-        return shelf.isEmpty() ? List.of() : shelf.get().list();
+        List<Path> files = new ArrayList<>(opened.stream().toList());
+        if (shelf.isPresent()) {
+            files.addAll(shelf.get().list());
+        }
+        return files;
     }
 
     private static String name(Path file) {

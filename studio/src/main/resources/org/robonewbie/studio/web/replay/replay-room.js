@@ -54,7 +54,8 @@ class ReplayRoom {
     const { recordings } = await listRecordings(this.surroundings.token);
     this.list = recordings;
     if (!this.file && recordings.length > 0) {
-      this.choose(recordings[0].name);
+      const wanted = decodeURIComponent(location.hash.split('/')[1] ?? '');
+      this.choose(recordings.find(({ name }) => name === wanted)?.name ?? recordings[0].name);
     }
     this.stale = true;
   }

@@ -1,0 +1,80 @@
+package org.robonewbie.app;
+
+import java.io.IOException;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import org.robonewbie.simulator.recording.RecordingReader;
+import org.robonewbie.simulator.recording.RecordingShelf;
+import org.robonewbie.studio.StudioFolders;
+import org.robonewbie.studio.monitor.MonitorLogReader;
+
+/**
+ * A file with which the studio opens.
+ *
+ * @param folders what the pages may use, with the file
+ * @param place the room that shows the file, as the end of the page's address
+ */
+record OpenedFile(StudioFolders folders, String place) {
+
+    private static final String MOTION = ".txt";
+
+    static OpenedFile of(Optional<Path> file) throws IOException {
+        return file.isPresent()
+                ? of(file.get().toAbsolutePath())
+                : new OpenedFile(StudioFolders.ofWorkingDirectory(), "");
+    }
+
+    private static OpenedFile of(Path file) throws IOException {
+        if (!Files.isRegularFile(file)) {
+            throw new CalledWronglyException("There is no file \"" + file + "\". Is its name right?");
+        }
+        String name = String.valueOf(file.getFileName());
+        if (name.toLowerCase(Locale.ROOT).endsWith(MOTION)) {
+            return motion(file, name.substring(0, name.length() - MOTION.length()));
+        }
+        Path recording = isRecording(file) ? file : converted(file, name);
+        String title = String.valueOf(recording.getFileName()).replace(".part", "");
+        String shown = title.replace(RecordingShelf.ENDING, "");
+        return new OpenedFile(
+                StudioFolders.ofWorkingDirectory().withRecording(recording), "#replay/" + encoded(shown));
+    }
+
+    private static OpenedFile motion(Path file, String name) {
+        Path folder = Optional.ofNullable(file.getParent()).orElse(file);
+        StudioFolders folders = StudioFolders.ofWorkingDirectory();
+        return new OpenedFile(
+                new StudioFolders(folder, folders.scenes(), folders.recordings(), Optional.empty()),
+                "#motion/" + encoded(name));
+    }
+
+    private static boolean isRecording(Path file) {
+        try (RecordingReader reader = RecordingReader.open(file)) {
+            return !reader.header().isEmpty();
+        } catch (IOException isNone) {
+            return false;
+        }
+    }
+
+    /** A log is turned into a recording, which the system's folder for temporary files keeps until the program ends. */
+    private static Path converted(Path log, String name) throws IOException {
+        Path folder = Files.createTempDirectory("robonewbie-log");
+        Path recording = folder.resolve(name.replaceAll("\\.(log|txt|gz)", "") + RecordingShelf.ENDING);
+        recording.toFile().deleteOnExit();
+        folder.toFile().deleteOnExit();
+        try {
+            MonitorLogReader.convert(log, recording);
+        } catch (IOException unreadable) {
+            throw new CalledWronglyException("The studio cannot open it: " + unreadable.getMessage()
+                    + " It opens recordings (.rec), logs of SimSpark servers and motions (.txt).");
+        }
+        return recording;
+    }
+
+    private static String encoded(String text) {
+        return URLEncoder.encode(text, StandardCharsets.UTF_8).replace("+", "%20");
+    }
+}

@@ -1,0 +1,121 @@
+package org.robonewbie.studio;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import java.util.concurrent.ConcurrentHashMap;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.embedded.Puppet;
+import org.robonewbie.protocol.embedded.PuppetProvider;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.WorldSnapshot;
+
+/**
+ * The robots that people steer from the page, before any line of code is written. They join as ordinary agents do; the class that
+ * moves them is found by {@link ServiceLoader}.
+ */
+final class PuppetDesk {
+
+    /** The team of puppets where there is no team yet. */
+    static final String TEAM = "Puppets";
+
+    private static final int PLAYERS = 11;
+
+    private final SimulationControl simulation;
+    private final Optional<PuppetProvider> provider =
+            ServiceLoader.load(PuppetProvider.class).findFirst();
+    private final Map<PlayerNumber, Puppet> puppets = new ConcurrentHashMap<>();
+
+    PuppetDesk(SimulationControl simulation) {
+        this.simulation = simulation;
+    }
+
+    /** Tells whether puppets can join this simulation. */
+    boolean isOpen() {
+        return provider.isPresent() && simulation.hasClock();
+    }
+
+    boolean isPuppet(RobotSnapshot robot) {
+        return robot.side()
+                .map(side -> puppets.containsKey(new PlayerNumber(side, robot.number())))
+                .orElse(false);
+    }
+
+    /**
+     * Adds a puppet with the first free number of a team.
+     *
+     * @throws IllegalStateException if that is not possible; the message says why
+     */
+    synchronized void add(TeamSide wanted, WorldSnapshot now) {
+        TeamSide side = now.teamLeft().isEmpty() ? TeamSide.LEFT : wanted;
+        for (int number = 1; number <= PLAYERS; number++) {
+            PlayerNumber player = new PlayerNumber(side, number);
+            if (!puppets.containsKey(player) && find(now, player).isEmpty()) {
+                start(player, teamName(now, side), RobotType.TYPE_0);
+                return;
+            }
+        }
+        throw new IllegalStateException("This team has eleven robots already. Take one away, or choose the other team.");
+    }
+
+    /** Lets puppets stand in for all robots of a state that do not play now; tells how many are on their way. */
+    synchronized int fillUp(WorldSnapshot state, WorldSnapshot now) {
+        int missing = 0;
+        for (RobotSnapshot robot : state.robots()) {
+            if (robot.side().isPresent() && robot.number() > 0) {
+                PlayerNumber player = new PlayerNumber(robot.side().get(), robot.number());
+                if (find(now, player).isEmpty()) {
+                    missing++;
+                    if (!puppets.containsKey(player) && isOpen()) {
+                        start(player, teamName(now, player.side(), robot.team()), robot.type());
+                    }
+                }
+            }
+        }
+        return missing;
+    }
+
+    void remove(PlayerNumber player) {
+        Optional.ofNullable(puppets.remove(player)).ifPresent(Puppet::close);
+    }
+
+    Puppet puppet(PlayerNumber player) {
+        return Optional.ofNullable(puppets.get(player))
+                .orElseThrow(() -> new IllegalStateException(
+                        "This robot has a program of its own. Only puppets can be steered by hand."));
+    }
+
+    void close() {
+        puppets.values().forEach(Puppet::close);
+        puppets.clear();
+    }
+
+    private void start(PlayerNumber player, String team, RobotType type) {
+        PuppetProvider maker = provider.orElseThrow(() -> new IllegalStateException(
+                "This program has been packed without puppets; robonewbie-agent must be on its class path."));
+        AgentLink link = simulation
+                .connect()
+                .orElseThrow(() -> new IllegalStateException("Puppets cannot join a server of another process."));
+        puppets.put(player, maker.start(link, team, player.number(), type.ordinal()));
+    }
+
+    private static Optional<RobotSnapshot> find(WorldSnapshot now, PlayerNumber player) {
+        return now.robots().stream()
+                .filter(robot -> robot.number() == player.number()
+                        && robot.side().filter(player.side()::equals).isPresent())
+                .findFirst();
+    }
+
+    private static String teamName(WorldSnapshot now, TeamSide side) {
+        return teamName(now, side, side == TeamSide.LEFT || !now.teamLeft().equals(TEAM) ? TEAM : "Other " + TEAM);
+    }
+
+    private static String teamName(WorldSnapshot now, TeamSide side, String otherwise) {
+        String name = side == TeamSide.LEFT ? now.teamLeft() : now.teamRight();
+        return name.isEmpty() ? otherwise.replace(' ', '_') : name;
+    }
+}
