@@ -66,17 +66,22 @@ final class PuppetDesk {
     synchronized int fillUp(WorldSnapshot state, WorldSnapshot now) {
         int missing = 0;
         for (RobotSnapshot robot : state.robots()) {
-            if (robot.side().isPresent() && robot.number() > 0) {
-                PlayerNumber player = new PlayerNumber(robot.side().get(), robot.number());
-                if (find(now, player).isEmpty()) {
-                    missing++;
-                    if (!puppets.containsKey(player) && isOpen()) {
-                        start(player, teamName(now, player.side(), robot.team()), robot.type());
-                    }
-                }
+            Optional<PlayerNumber> player = robot.side()
+                    .filter(side -> robot.number() > 0)
+                    .map(side -> new PlayerNumber(side, robot.number()));
+            if (player.isPresent() && find(now, player.get()).isEmpty()) {
+                missing++;
+                standIn(player.get(), robot, now);
             }
         }
         return missing;
+    }
+
+    private void standIn(PlayerNumber player, RobotSnapshot robot, WorldSnapshot now) {
+        boolean leftComesFirst = player.side() == TeamSide.RIGHT && now.teamLeft().isEmpty();
+        if (isOpen() && !puppets.containsKey(player) && !leftComesFirst) {
+            start(player, teamName(now, player.side(), robot.team()), robot.type());
+        }
     }
 
     void remove(PlayerNumber player) {

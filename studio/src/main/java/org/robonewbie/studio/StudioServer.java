@@ -18,6 +18,7 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.Viewer;
 import org.robonewbie.studio.motion.MotionRoom;
 import org.robonewbie.studio.replay.ReplayRoom;
+import org.robonewbie.studio.scene.SceneRoom;
 
 /**
  * The studio of one running simulation: a web server on 127.0.0.1 with the pages and the live feed on one port.
@@ -108,8 +109,10 @@ public final class StudioServer implements Viewer.View {
                     AccessRule.LIVE_PATH, (request, response, callback) -> new Spectator(feed));
         });
         MotionRoom motionRoom = new MotionRoom(folders.motions(), SceneWriter.model(NaoModel.of(RobotType.TYPE_0)));
-        live.setHandler(new Handler.Sequence(
-                new ReplayRoom(folders.recordings(), folders.openedRecording(), SceneWriter.allModels()), motionRoom, new WebFiles()));
+        ReplayRoom replayRoom =
+                new ReplayRoom(folders.recordings(), folders.openedRecording(), SceneWriter.allModels());
+        SceneRoom sceneRoom = new SceneRoom(folders.scenes(), new Continuation(feed), replayRoom::recording);
+        live.setHandler(new Handler.Sequence(sceneRoom, replayRoom, motionRoom, new WebFiles()));
         return live;
     }
 

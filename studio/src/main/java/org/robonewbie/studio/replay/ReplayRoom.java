@@ -104,6 +104,20 @@ public final class ReplayRoom extends Handler.Abstract {
         }
     }
 
+    /**
+     * Finds a recording.
+     *
+     * @param name its name in the list
+     * @return its file, or empty if there is none of that name
+     */
+    public Optional<Path> recording(String name) {
+        try {
+            return find(name);
+        } catch (IOException unreadable) {
+            return Optional.empty();
+        }
+    }
+
     /** Only what the list names can be read, so no path leads out of the folder; a run that has ended keeps its name. */
     private Optional<Path> find(String name) throws IOException {
         return files().stream().filter(file -> name(file).equals(name)).findFirst();

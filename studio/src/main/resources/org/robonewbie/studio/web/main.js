@@ -6,9 +6,12 @@ import { Connection } from './live/connection.js';
 import { readFrame } from './live/state-frame.js';
 import { byId } from './panels/elements.js';
 import { deeds, FIELD_MOUSE, listenToKeys } from './panels/keys.js';
+import { Happenings } from './panels/happenings.js';
 import { banner, notes, tell } from './panels/messages.js';
+import { PuppetPanel } from './panels/puppet-panel.js';
 import { RoomDesk } from './panels/room-desk.js';
 import { roomsPanel } from './panels/rooms.js';
+import { scenePanel } from './panels/scene-panel.js';
 import { scoreBoardPanel } from './panels/score-board.js';
 import { cameraPanel, trainerPanel } from './panels/side.js';
 import { themeSwitch } from './panels/theme.js';
@@ -80,6 +83,8 @@ const connection = new Connection(`ws://${location.host}/live?token=${encodeURIC
       state = withScene(state, news);
     } else if (news.kind === 'telemetry') {
       rooms.robot?.hear(news);
+    } else if (news.kind === 'event') {
+      happenings.add(news.text, state.scene?.teams ?? { left: '', right: '' });
     } else {
       note(news.text);
     }
@@ -109,22 +114,28 @@ const chooseCamera = (mode) => {
   touch();
 };
 const shadows = options.get('shadows') === 'on';
-/** @param {boolean} on */
-const setShadows = (on) => {
-  view.setShadows(on);
-  touch();
-};
+const setShadows = (/** @type {boolean} */ on) => (view.setShadows(on), touch());
 const draws = [
   scoreBoardPanel(),
   transportPanel(time),
   cameraPanel(desk, { choose: chooseCamera, shadows, setShadows }),
   trainerPanel(send),
+  scenePanel(token, note),
   banner(),
 ];
+const happenings = new Happenings();
 const drawTimeLine = timeLinePanel(cursor, touch);
 const rooms = new RoomDesk({ token, note, quality: () => chooser.quality, robotOfRun, send, goTo: (seconds) => (cursor.goTo(seconds * 50), touch()) });
 const room = roomsPanel(enter);
 setShadows(shadows);
+const puppet = new PuppetPanel({
+  now: () => state,
+  chosen: () => desk.chosen,
+  choose: (index) => (desk.choose(index), touch()),
+  isHere: () => room() === 'field',
+  send,
+});
+draws.push((shown) => puppet.draw(shown));
 new Hand(view, desk, {
   now: () => ({ ...state, ...cursor.shown(state) }),
   send: (command) => room() === 'field' && cursor.shown(state).tense === 'live' && send(command),

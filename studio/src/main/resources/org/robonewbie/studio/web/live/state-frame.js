@@ -27,6 +27,7 @@
  * @property {'left'|'right'|''} side
  * @property {number} number
  * @property {string} type
+ * @property {boolean} [puppet] whether people steer it
  *
  * @typedef {object} Field
  * @property {number} length
@@ -45,6 +46,8 @@
  * @property {Player[]} robots
  * @property {Object<string, RobotModel>} models by robot type
  * @property {string[]} playModes
+ * @property {boolean} [clock] whether time can be stopped
+ * @property {boolean} [puppets] whether robots can join that people steer
  */
 
 const VERSION = 1;

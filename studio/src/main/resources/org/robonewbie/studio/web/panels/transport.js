@@ -56,9 +56,10 @@ export function transportPanel(actions) {
     const shown = transport(state);
     setText(toggle, shown.paused ? '▶ Play' : '❚❚ Pause');
     toggle.title = `${shown.paused ? 'Let time run' : 'Stop the clock'} (space)`;
-    for (const control of [toggle, step, reset, speed]) {
+    for (const control of [toggle, step, speed]) {
       control.disabled = !shown.enabled;
     }
+    reset.disabled = state.connection !== 'live' || !state.frame;
     if (shown.speed !== undefined && document.activeElement !== speed) {
       speed.value = String(shown.speed);
     }

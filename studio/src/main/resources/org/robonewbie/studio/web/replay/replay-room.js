@@ -1,6 +1,7 @@
 /** The room in which runs are seen again: recordings, the time line, and what the picture of the field shows of them. */
 import { button, byId, element, setText } from '../panels/elements.js';
 import { advanced, atMoment, BEGINNING, csvOf, frameOf, looped, MOMENTS_PER_SECOND, neighbourEvent, sceneOf, stepped } from '../state/replay/replay-state.js';
+import { startFrom } from '../panels/scene-panel.js';
 import { eventText, ReplayLine } from './replay-line.js';
 import { listRecordings, loadModels, RecordingFile } from './recordings.js';
 
@@ -184,6 +185,8 @@ class ReplayRoom {
     csv.id = 'export-csv';
     const page = button('HTML', 'Save one file that plays this run in any browser, without network', () => this.#offerPage());
     page.id = 'export-html';
+    const start = button('Start here', 'The simulation goes on from this moment, with the clock stopped; puppets stand in for missing robots', () => this.#startHere());
+    start.id = 'start-here';
     const line = element('div', { class: 'replay-line', id: 'replay-line', title: 'Drag to any moment' });
     const drawing = new ReplayLine(line, (index) => this.#set({ ...atMoment(this.state, index), playing: false }));
     place.append(
@@ -198,6 +201,7 @@ class ReplayRoom {
         make('replay-on', '▸', 'One cycle on', '→'),
         make('event-next', '▸|', 'Next event', ']'),
         loop,
+        start,
         speed,
         reading,
         element('span', { class: 'replay-export' }, csv, page),
@@ -218,11 +222,22 @@ class ReplayRoom {
       speed.value = String(state.speed);
       const seconds = (/** @type {number} */ index) => (Math.max(0, index) / MOMENTS_PER_SECOND).toFixed(2);
       setText(reading, list.length === 0 ? 'Nothing is recorded yet.' : `${seconds(state.index)} of ${seconds(state.count - 1)} s`);
-      for (const control of [csv, page, play]) {
+      for (const control of [csv, page, play, start]) {
         control.disabled = state.count === 0;
       }
       drawing.draw(state, this.file?.reader.events ?? []);
     };
+  }
+
+  async #startHere() {
+    this.#set({ ...this.state, playing: false });
+    try {
+      await startFrom(this.surroundings.token, this.file?.name ?? '', Math.round(this.state.index));
+      location.hash = '#field';
+      this.surroundings.note('The clock stands at this moment. Press play to go on from here.');
+    } catch (error) {
+      this.surroundings.note(/** @type {Error} */ (error).message);
+    }
   }
 
   async #offerPage() {

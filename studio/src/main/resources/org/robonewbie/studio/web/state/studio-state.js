@@ -124,7 +124,7 @@ export function message(state, now) {
     return waiting('Looking for the simulator…', 'If this stays, start the simulator again and open the address that it prints.');
   }
   if (state.scene.robots.length === 0) {
-    return waiting('Waiting for a robot…', 'Run an agent, for example: ./robonewbie run Agent_BasicStructure');
+    return waiting('Waiting for a robot…', 'Add a puppet, or run an agent: ./robonewbie run Agent_BasicStructure');
   }
   if (state.frame && now - state.movedMilliseconds > STANDSTILL_MILLISECONDS) {
     return waiting('The world waits for an agent', 'Is one at a breakpoint? It goes on when the agent does.');
@@ -179,7 +179,7 @@ export function scoreBoard(state, now) {
 export function transport(state) {
   const { frame } = state;
   return {
-    enabled: state.connection === 'live' && frame !== undefined,
+    enabled: state.connection === 'live' && frame !== undefined && state.scene?.clock !== false,
     paused: frame?.paused ?? false,
     speed: frame && nearestSpeed(frame.speed),
     seconds: frame ? `${(frame.cycle * 0.02).toFixed(2)} s` : '',

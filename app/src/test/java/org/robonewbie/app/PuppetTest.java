@@ -1,0 +1,209 @@
+package org.robonewbie.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.net.http.WebSocket;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.recording.RecordingShelf;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.studio.AccessToken;
+import org.robonewbie.studio.StudioFolders;
+import org.robonewbie.studio.StudioServer;
+
+/** A person without any code: puppets, saved scenes and starting again from a recording, through the studio's own port. */
+@Timeout(120)
+class PuppetTest {
+
+    private static final int ARM = NaoModel.of(RobotType.TYPE_0).hingeIndex(Joint.LEFT_SHOULDER_PITCH);
+
+    @TempDir
+    private Path folder;
+
+    private final BlockingQueue<WorldSnapshot> seen = new LinkedBlockingQueue<>();
+    private final HttpClient browser = HttpClient.newHttpClient();
+    private Simulator simulator;
+    private StudioServer studio;
+    private WebSocket page;
+
+    @BeforeEach
+    void open() throws IOException {
+        open(Optional.of(folder.resolve("run.rec")));
+    }
+
+    private void open(Optional<Path> recording) throws IOException {
+        simulator = Simulator.start(
+                SimulatorSettings.beginner()
+                        .agentPort(0)
+                        .synchronous(true)
+                        .awaitedAgents(1)
+                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                        .seed(3)
+                        .recording(recording)
+                        .build(),
+                Console.silent());
+        simulator.control().addObserver(seen::add);
+        RecordingShelf shelf = new RecordingShelf(folder, 1_000_000_000);
+        StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.of(shelf));
+        studio = StudioServer.start(simulator.control(), 0, AccessToken.random(), folders);
+        page = browser.newWebSocketBuilder()
+                .header("Origin", origin())
+                .buildAsync(
+                        URI.create("ws://" + studio.address().getAuthority() + "/live?"
+                                + studio.address().getQuery()),
+                        new WebSocket.Listener() {})
+                .join();
+    }
+
+    @AfterEach
+    void close() {
+        page.abort();
+        studio.close();
+        simulator.close();
+    }
+
+    private String origin() {
+        return "http://" + studio.address().getAuthority();
+    }
+
+    private void order(String command) {
+        page.sendText(command.replace('\'', '"'), true).join();
+    }
+
+    private HttpResponse<String> ask(String method, String path) throws IOException, InterruptedException {
+        String joint = path.contains("?") ? "&" : "?";
+        HttpRequest request = HttpRequest.newBuilder(
+                        URI.create(origin() + path + joint + studio.address().getQuery()))
+                .header("Origin", origin())
+                .method(method, HttpRequest.BodyPublishers.noBody())
+                .build();
+        return browser.send(request, HttpResponse.BodyHandlers.ofString());
+    }
+
+    private WorldSnapshot await(Predicate<WorldSnapshot> condition) throws InterruptedException {
+        seen.clear();
+        WorldSnapshot snapshot = seen.poll(60, TimeUnit.SECONDS);
+        while (snapshot != null && !condition.test(snapshot)) {
+            snapshot = seen.poll(60, TimeUnit.SECONDS);
+        }
+        assertThat(snapshot).as("what should be seen").isNotNull();
+        return snapshot;
+    }
+
+    private static float x(WorldSnapshot snapshot) {
+        return snapshot.robots().get(0).linkPoses()[0];
+    }
+
+    private WorldSnapshot addPuppet() throws InterruptedException {
+        await(now -> true);
+        order("{'do':'addPuppet','side':'left'}");
+        long born = await(now -> now.robots().size() == 1 && now.robots().get(0).number() == 1).cycle();
+        return await(now -> now.cycle() > born + 100);
+    }
+
+    @Test
+    void puppetWalksAndStops() throws InterruptedException {
+        float start = x(addPuppet());
+
+        order("{'do':'walk','side':'left','number':1,'forward':1,'left':0,'turn':0}");
+        WorldSnapshot walked = await(now -> x(now) > start + 0.4);
+        order("{'do':'walk','side':'left','number':1,'forward':0,'left':0,'turn':0}");
+        WorldSnapshot later = await(now -> now.cycle() > walked.cycle() + 200);
+        WorldSnapshot muchLater = await(now -> now.cycle() > later.cycle() + 100);
+
+        assertThat(walked.teamLeft()).isEqualTo("Puppets");
+        assertThat(x(muchLater)).isCloseTo(x(later), within(0.02f));
+    }
+
+    @Test
+    void sliderMovesOneJoint() throws InterruptedException {
+        addPuppet();
+
+        order("{'do':'hold','side':'left','number':1,'joint':'LEFT_SHOULDER_PITCH','degrees':60}");
+
+        WorldSnapshot moved = await(now -> now.robots().get(0).jointDegrees()[ARM] > 59);
+        assertThat(await(now -> now.cycle() > moved.cycle() + 50).robots().get(0).jointDegrees()[ARM])
+                .isCloseTo(60, within(1f));
+    }
+
+    @Test
+    void puppetIsTakenAway() throws InterruptedException {
+        addPuppet();
+
+        order("{'do':'removePuppet','side':'left','number':1}");
+
+        await(now -> now.robots().isEmpty());
+    }
+
+    @Test
+    void savedSceneComesBack() throws Exception {
+        addPuppet();
+        simulator.control().placeBall(new Vector3(1, 2, 0.042), Vector3.ZERO);
+        WorldSnapshot saved = await(now -> now.ballPosition().x() > 0.9);
+        assertThat(ask("PUT", "/api/scenes/Corner%202").statusCode()).isEqualTo(200);
+        simulator.control().reset();
+        await(now -> now.ballPosition().length() < 0.1);
+
+        HttpResponse<String> taken = ask("PUT", "/api/scenes/Corner%202");
+        HttpResponse<String> outside = ask("PUT", "/api/scenes/..%2Fout");
+        assertThat(ask("POST", "/api/scenes/Corner%202").statusCode()).isEqualTo(200);
+
+        WorldSnapshot restored = await(now -> now.paused() && now.ballPosition().x() > 0.9);
+        assertThat(x(restored)).isCloseTo(x(saved), within(0.1f));
+        assertThat(ask("GET", "/api/scenes").body()).contains("\"Corner 2\"");
+        assertThat(folder.resolve("scenes").resolve("Corner 2.rec")).exists();
+        assertThat(taken.statusCode()).isEqualTo(409);
+        assertThat(taken.body()).isEqualTo("There is a scene \"Corner 2\" already. Choose another name.");
+        assertThat(outside.statusCode()).isNotEqualTo(200);
+    }
+
+    @Test
+    void recordedMomentIsGoneOnFromWithPuppets() throws Exception {
+        float start = x(addPuppet());
+        order("{'do':'walk','side':'left','number':1,'forward':1,'left':0,'turn':0}");
+        WorldSnapshot moment = await(now -> x(now) > start + 0.5);
+        await(now -> now.cycle() > moment.cycle() + 120);
+        close();
+        open(Optional.empty());
+        simulator.connect();
+
+        HttpResponse<String> answer = ask("POST", "/api/start/run?moment=" + (moment.cycle() - 1));
+
+        assertThat(answer.body()).isEqualTo("{}");
+        WorldSnapshot restored =
+                await(now -> now.paused() && now.robots().size() == 1 && Math.abs(x(now) - x(moment)) < 0.02);
+        assertThat(restored.teamLeft()).isEqualTo("Puppets");
+        assertThat(restored.gameTime()).isCloseTo(moment.gameTime(), within(0.05));
+    }
+
+    @Test
+    void recordingThatHasGoneCannotBeStartedFrom() throws Exception {
+        HttpResponse<String> answer = ask("POST", "/api/start/nothing?moment=5");
+
+        assertThat(answer.statusCode()).isEqualTo(409);
+        assertThat(answer.body()).isEqualTo("There is no such recording any more. Choose another one.");
+    }
+}

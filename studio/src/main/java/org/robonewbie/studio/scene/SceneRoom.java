@@ -1,0 +1,120 @@
+package org.robonewbie.studio.scene;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.net.URLDecoder;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Function;
+import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.server.Handler;
+import org.eclipse.jetty.server.Request;
+import org.eclipse.jetty.server.Response;
+import org.eclipse.jetty.util.Callback;
+
+/**
+ * Keeps scenes and starts from them, and from any moment of a recording.
+ *
+ * <pre>
+ * GET  /api/scenes                  the names of all scenes
+ * PUT  /api/scenes/NAME             saves the present state; header Replace: yes writes over an older scene
+ * POST /api/scenes/NAME             goes on from it
+ * POST /api/start/RECORDING?moment=N    goes on from the N-th moment of a recording
+ * </pre>
+ */
+public final class SceneRoom extends Handler.Abstract {
+
+    private static final String SCENES = "/api/scenes";
+    private static final String START = "/api/start/";
+
+    private final SceneFolder folder;
+    private final LivingWorld world;
+    private final Function<String, Optional<Path>> recordings;
+
+    /**
+     * Opens the room.
+     *
+     * @param folder where scenes are saved; it need not exist
+     * @param world the running simulation
+     * @param recordings finds recordings by their names
+     */
+    public SceneRoom(Path folder, LivingWorld world, Function<String, Optional<Path>> recordings) {
+        this.folder = new SceneFolder(folder);
+        this.world = world;
+        this.recordings = recordings;
+    }
+
+    @Override
+    public boolean handle(Request request, Response response, Callback callback) {
+        String path = Request.getPathInContext(request);
+        if (!path.startsWith(SCENES) && !path.startsWith(START)) {
+            return false;
+        }
+        try {
+            send(response, callback, 200, "application/json", answer(request, path));
+        } catch (IllegalArgumentException | IllegalStateException refused) {
+            send(response, callback, 409, "text/plain;charset=utf-8", String.valueOf(refused.getMessage()));
+        } catch (IOException problem) {
+            String text = "The scene cannot be used: " + problem.getMessage() + ". Is the folder " + folder.folder()
+                    + " writable, and is there room on the disk?";
+            send(response, callback, 500, "text/plain;charset=utf-8", text);
+        }
+        return true;
+    }
+
+    private String answer(Request request, String path) throws IOException {
+        if (path.startsWith(START) && request.getMethod().equals("POST")) {
+            start(decoded(path.substring(START.length())), moment(request));
+            return "{}";
+        }
+        String name = path.equals(SCENES) ? "" : decoded(path.substring(SCENES.length() + 1));
+        switch (request.getMethod()) {
+            case "PUT" -> folder.save(name, world.field(), world.now(), "yes".equals(request.getHeaders().get("Replace")));
+            case "POST" -> world.goOnFrom(folder.load(name));
+            default -> {
+                return list();
+            }
+        }
+        return "{}";
+    }
+
+    private void start(String name, long moment) throws IOException {
+        Path file = recordings
+                .apply(name)
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "There is no such recording any more. Choose another one."));
+        world.goOnFrom(SceneFolder.moment(file, moment)
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "The recording has no moment " + moment + " on the disk yet. Try again in a second.")));
+    }
+
+    private static long moment(Request request) {
+        try {
+            return Long.parseLong(String.valueOf(Request.extractQueryParameters(request).getValue("moment")));
+        } catch (NumberFormatException noNumber) {
+            throw new IllegalArgumentException("The moment to start from is missing. Load the page again.", noNumber);
+        }
+    }
+
+    private String list() throws IOException {
+        JsonArray names = new JsonArray();
+        folder.names().forEach(names::add);
+        JsonObject json = new JsonObject();
+        json.add("scenes", names);
+        json.addProperty("folder", folder.folder().toAbsolutePath().toString());
+        return json.toString();
+    }
+
+    private static String decoded(String text) {
+        return URLDecoder.decode(text, StandardCharsets.UTF_8);
+    }
+
+    private static void send(Response response, Callback callback, int status, String type, String content) {
+        response.setStatus(status);
+        response.getHeaders().put(HttpHeader.CONTENT_TYPE, type).put(HttpHeader.CACHE_CONTROL, "no-store");
+        response.write(true, ByteBuffer.wrap(content.getBytes(StandardCharsets.UTF_8)), callback);
+    }
+}

@@ -1,0 +1,6 @@
+/**
+ * Lets the simulation go on from a moment that was kept: a saved scene or any cycle of a recording. Read {@link
+ * org.robonewbie.studio.scene.SceneRoom} first.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.studio.scene;

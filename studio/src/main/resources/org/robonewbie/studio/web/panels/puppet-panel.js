@@ -1,0 +1,150 @@
+/** A robot in one's own hands before a line of code is written: keys let it walk and kick, sliders move its joints. */
+import { PUPPET_KEYS, puppetKey, turned, walkOf } from '../state/puppet.js';
+import { button, byId, element, setText } from './elements.js';
+
+/**
+ * @typedef {import('../state/studio-state.js').StudioState} StudioState
+ * @typedef {import('../live/state-frame.js').Player} Player
+ */
+
+export class PuppetPanel {
+  /**
+   * @param {object} world
+   * @param {() => StudioState} world.now
+   * @param {() => number} world.chosen index of the robot that is followed
+   * @param {(index: number) => void} world.choose
+   * @param {() => boolean} world.isHere whether the field is shown
+   * @param {(command: object) => void} world.send
+   */
+  constructor(world) {
+    this.world = world;
+    /** @type {Set<string>} */
+    this.held = new Set();
+    /** @type {[number, number]} */
+    this.gaze = [0, 0];
+    this.waitsForNew = 0;
+    this.add = button('Add a puppet', 'A robot that you steer yourself', () => this.#add());
+    this.add.id = 'add-puppet';
+    this.away = button('Take away', 'Takes this puppet off the pitch', () => this.#order({ do: 'removePuppet' }));
+    this.away.id = 'remove-puppet';
+    this.stand = button('Stand', 'Lets all joints go and stands', () => this.#order({ do: 'perform', motion: 'stand' }));
+    this.hint = element('p', { class: 'faint' });
+    this.keys = element('dl', { class: 'puppet-keys' }, ...PUPPET_KEYS.map(({ shown, text }) => element('div', {}, element('dt', {}, element('kbd', {}, shown)), element('dd', {}, text))));
+    this.sliders = element('div', { class: 'puppet-joints' });
+    /** @type {HTMLInputElement[]} */
+    this.inputs = [];
+    this.joints = element('details', { id: 'puppet-joints' }, element('summary', {}, 'Joints'), this.sliders);
+    this.help = element('details', { id: 'puppet-keys' }, element('summary', {}, 'Keys'), this.keys);
+    this.tools = element('div', { class: 'grid' }, this.stand, this.away);
+    byId('puppet').append(element('h2', {}, 'Puppet'), this.add, this.hint, this.tools, this.help, this.joints);
+    document.addEventListener('keydown', (event) => this.#press(event), { capture: true });
+    document.addEventListener('keyup', (event) => this.#release(event.key.toLowerCase()));
+    window.addEventListener('blur', () => this.#releaseAll());
+  }
+
+  /** @returns {Player | undefined} the puppet that is followed */
+  get player() {
+    const player = this.world.now().scene?.robots[this.world.chosen()];
+    return player?.puppet && player.side ? player : undefined;
+  }
+
+  /** @param {StudioState} state */
+  draw(state) {
+    const { scene, frame } = state;
+    byId('puppet').hidden = !scene?.puppets || !frame || !this.world.isHere();
+    if (!scene || !frame) {
+      return;
+    }
+    this.#chooseNew(scene.robots);
+    const { player } = this;
+    const others = scene.robots.some(({ puppet }) => puppet);
+    setText(this.hint, player ? `You steer ${player.team} ${player.number}: W A S D, F and G kick.` : others ? 'Click a puppet to steer it.' : 'Walk, kick and move joints without any code.');
+    for (const part of [this.tools, this.help, this.joints]) {
+      part.hidden = !player;
+    }
+    if (player && this.joints.open) {
+      this.#drawJoints(scene.models[player.type].hinges, frame.robots[this.world.chosen()].degrees);
+    }
+  }
+
+  #add() {
+    this.waitsForNew = (this.world.now().scene?.robots.filter(({ puppet }) => puppet).length ?? 0) + 1;
+    this.world.send({ do: 'addPuppet', side: 'left' });
+  }
+
+  /** The robot that one has just asked for is the one to steer. @param {Player[]} robots */
+  #chooseNew(robots) {
+    const puppets = robots.map((_, i) => i).filter((i) => robots[i].puppet);
+    if (this.waitsForNew > 0 && puppets.length >= this.waitsForNew) {
+      this.waitsForNew = 0;
+      this.world.choose(puppets[puppets.length - 1]);
+    }
+  }
+
+  /** @param {object} order */
+  #order(order) {
+    const { player } = this;
+    if (player) {
+      this.world.send({ ...order, side: player.side, number: player.number });
+    }
+  }
+
+  /** @param {KeyboardEvent} event */
+  #press(event) {
+    const target = /** @type {HTMLElement} */ (event.target);
+    const typing = ['SELECT', 'TEXTAREA'].includes(target.tagName) || (target.tagName === 'INPUT' && /** @type {HTMLInputElement} */ (target).type !== 'range');
+    const known = puppetKey(event.key);
+    if (!known || !this.player || !this.world.isHere() || typing || event.ctrlKey || event.metaKey || event.altKey || document.querySelector('dialog[open]')) {
+      return;
+    }
+    event.preventDefault();
+    event.stopPropagation();
+    if (known.walk && !this.held.has(known.key)) {
+      this.held.add(known.key);
+      this.#order({ do: 'walk', ...walkOf(this.held) });
+    } else if (known.motion && !event.repeat) {
+      this.#order({ do: 'perform', motion: known.motion });
+    } else if (known.look) {
+      this.gaze = turned(this.gaze, known.look);
+      this.#order({ do: 'look', yaw: this.gaze[0], pitch: this.gaze[1] });
+    }
+  }
+
+  /** @param {string} key */
+  #release(key) {
+    if (this.held.delete(key)) {
+      this.#order({ do: 'walk', ...walkOf(this.held) });
+    }
+  }
+
+  #releaseAll() {
+    if (this.held.size > 0) {
+      this.held.clear();
+      this.#order({ do: 'walk', ...walkOf(this.held) });
+    }
+  }
+
+  /** @param {import('../state/kinematics.js').RobotModel['hinges']} hinges @param {ArrayLike<number>} degrees */
+  #drawJoints(hinges, degrees) {
+    if (this.inputs.length !== hinges.length) {
+      this.inputs = hinges.map((hinge) => this.#slider(hinge));
+      this.sliders.replaceChildren(
+        ...hinges.map((hinge, i) => element('label', {}, element('span', {}, hinge.joint.toLowerCase().replaceAll('_', ' ')), this.inputs[i], element('output'))),
+      );
+    }
+    this.inputs.forEach((input, i) => {
+      if (document.activeElement !== input) {
+        input.value = String(degrees[i]);
+      }
+      setText(/** @type {Element} */ (input.nextElementSibling), `${degrees[i].toFixed(0)}°`);
+    });
+  }
+
+  /** @param {import('../state/kinematics.js').RobotModel['hinges'][number]} hinge */
+  #slider({ joint, minDegrees, maxDegrees }) {
+    const input = element('input', { type: 'range', min: String(minDegrees), max: String(maxDegrees), step: '1', 'data-joint': joint });
+    input.addEventListener('input', () => this.#order({ do: 'hold', joint, degrees: Number(input.value) }));
+    input.addEventListener('pointerup', () => input.blur());
+    return input;
+  }
+}
