@@ -188,7 +188,6 @@ class PuppetTest {
         await(now -> now.cycle() > moment.cycle() + 120);
         close();
         open(Optional.empty());
-        simulator.connect();
 
         HttpResponse<String> answer = ask("POST", "/api/start/run?moment=" + (moment.cycle() - 1));
 
