@@ -151,6 +151,11 @@ public final class StudioServer implements Viewer.View {
         return feed;
     }
 
+    /** Gives what the pages are fed by. */
+    LiveFeed feed() {
+        return feed;
+    }
+
     /**
      * Counts the pages that look.
      *

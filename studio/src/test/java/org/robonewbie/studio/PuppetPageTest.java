@@ -1,0 +1,132 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.protocol.monitor.FoulType;
+import org.robonewbie.simulator.recording.RecordingShelf;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.simulator.soccer.MatchEvent;
+
+/** Somebody without any code: steers a robot by keys and sliders, keeps a scene and goes back to it. */
+class PuppetPageTest {
+
+    @TempDir
+    private Path folder;
+
+    private Chromium browser;
+    private Simulator simulator;
+    private StudioServer studio;
+
+    @BeforeEach
+    void open() throws IOException {
+        Tool.BROWSER.orSkip();
+        RecordedRun.write(folder.resolve("game.rec"));
+        simulator = Simulator.start(
+                SimulatorSettings.beginner()
+                        .agentPort(0)
+                        .synchronous(true)
+                        .awaitedAgents(1)
+                        .speed(2)
+                        .seed(3)
+                        .build(),
+                Console.silent());
+        StudioFolders folders =
+                new StudioFolders(folder.resolve("motions"), Optional.of(new RecordingShelf(folder, 1_000_000_000)));
+        studio = StudioServer.start(simulator.control(), 0, AccessToken.random(), folders);
+        browser = Chromium.open(1366, 768);
+        browser.visit(studio.address() + "&quality=lowest&theme=light");
+        browser.await("studio.state.frame && studio.view.drawCalls > 0");
+    }
+
+    @AfterEach
+    void close() {
+        if (browser != null) {
+            browser.close();
+            studio.close();
+            simulator.close();
+        }
+    }
+
+    private void addPuppet() {
+        browser.await("!document.querySelector('#puppet').hidden");
+        browser.click("#add-puppet");
+        browser.await("studio.state.scene.robots[0]?.puppet && studio.state.frame?.cycle > 80");
+        browser.await("document.querySelector('#puppet').innerText.includes('You steer Puppets 1')");
+    }
+
+    @Test
+    void keyLetsThePuppetWalkWhileItIsHeld() {
+        addPuppet();
+        double start =
+                browser.evaluate("studio.state.frame.robots[0].torso[0]").getAsDouble();
+
+        browser.evaluate("document.dispatchEvent(new KeyboardEvent('keydown', {key: 'w', bubbles: true}))");
+        browser.await("studio.state.frame.robots[0].torso[0] > " + (start + 0.3));
+        browser.evaluate("document.dispatchEvent(new KeyboardEvent('keyup', {key: 'w', bubbles: true}))");
+
+        browser.await("(window.places ??= []).push(studio.state.frame.robots[0].torso[0]) > 60"
+                + " && Math.abs(places.at(-1) - places.at(-20)) < 0.005");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void sliderMovesAnArmAndASceneKeepsIt() throws IOException {
+        addPuppet();
+        browser.evaluate("document.querySelector('#puppet-joints').open = true");
+        String slider = "document.querySelector('#puppet-joints input[data-joint=LEFT_SHOULDER_PITCH]')";
+        browser.await(slider);
+
+        browser.evaluate(slider + ".value = '80'; " + slider + ".dispatchEvent(new Event('input'))");
+        int hinge = browser.evaluate("studio.state.scene.models.TYPE_0.hinges.findIndex(hinge => hinge.joint === "
+                        + "'LEFT_SHOULDER_PITCH')")
+                .getAsInt();
+        String angle = "studio.state.frame.robots[0].degrees[" + hinge + "]";
+        browser.await(angle + " > 78");
+        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
+        Files.write(Files.createDirectories(pictures).resolve("studio-puppet.png"), browser.screenshot());
+        browser.evaluate("document.querySelector('#scene-name').value = 'Arm up'");
+        browser.click("#scene-save");
+        browser.await("document.querySelector('#scene-list').value === 'Arm up'");
+        browser.evaluate(slider + ".value = '0'; " + slider + ".dispatchEvent(new Event('input'))");
+        browser.await(angle + " < 2");
+        browser.click("#scene-restore");
+
+        browser.await("studio.state.frame.paused && " + angle + " > 78");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void recordedRunGoesOnFromTheShownMoment() {
+        browser.evaluate("location.hash = '#replay'");
+        browser.await("studio.replay && studio.replay.state.count > 150");
+        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");
+        browser.await("studio.replay.state.index > 150");
+        browser.click("#start-here");
+
+        browser.await("location.hash === '#field' && studio.state.frame?.paused"
+                + " && studio.state.frame.robots[0]?.torso[2] < 0.25");
+        browser.await("document.querySelector('.team.left').textContent === 'Ada'");
+        browser.await("document.querySelector('.score').textContent.replace(/\\s/g, '') === '1:0'");
+    }
+
+    @Test
+    void foulIsToldBesideTheScore() {
+        addPuppet();
+
+        studio.feed().happened(new MatchEvent.FoulCalled(FoulType.CHARGING, TeamSide.LEFT, 1));
+
+        browser.await("document.querySelector('.happenings').innerText.includes("
+                + "'Foul: Puppets 1 runs into an opponent')");
+    }
+}

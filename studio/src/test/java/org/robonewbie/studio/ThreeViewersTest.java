@@ -1,0 +1,82 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.WebSocket;
+import java.nio.ByteBuffer;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Three people look: one page is frozen, one computer has closed its lid, and the third must not notice. */
+@Timeout(120)
+class ThreeViewersTest {
+
+    private static final int CYCLES = 300;
+
+    @Test
+    void neitherTheSimulationNorTheThirdIsDisturbed() throws Exception {
+        try (SmallSimulation simulation = new SmallSimulation().withRobot();
+                StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
+                TestPage frozen = new TestPage(studio.address());
+                TestPage lively = new TestPage(studio.address());
+                ClosedLid closed = new ClosedLid(studio.address())) {
+            frozen.nextFrame();
+            SmallSimulation.awaitTrue(() -> studio.spectators() == 3);
+            long start = TestPage.cycleOf(lively.nextFrame());
+            lively.seen();
+            int frames = 0;
+            long most = 0;
+            for (long cycle = start; cycle < start + CYCLES; frames++) {
+                cycle = TestPage.cycleOf(lively.nextFrame());
+                lively.seen();
+                most = Math.max(most, simulation.latest().cycle() - cycle);
+            }
+
+            assertThat(frames).as("pictures of six seconds").isGreaterThan(CYCLES / 8);
+            assertThat(most).as("cycles by which the lively page was behind").isLessThan(60);
+            assertThat(frozen.framesWithin(1)).as("the frozen page got no second frame").isFalse();
+            assertThat(closed.frames.get()).isZero();
+            assertThat(studio.spectators()).isEqualTo(3);
+
+            frozen.seen();
+
+            assertThat(TestPage.cycleOf(frozen.nextFrame())).isGreaterThanOrEqualTo(start + CYCLES);
+        }
+    }
+
+    /** Connects and then reads nothing any more, as a computer that sleeps: what is sent piles up in the network. */
+    private static final class ClosedLid implements WebSocket.Listener, AutoCloseable {
+
+        private final AtomicInteger frames = new AtomicInteger();
+        private final WebSocket socket;
+
+        ClosedLid(URI studio) {
+            socket = HttpClient.newHttpClient()
+                    .newWebSocketBuilder()
+                    .header("Origin", "http://" + studio.getAuthority())
+                    .buildAsync(URI.create("ws://" + studio.getAuthority() + "/live?" + studio.getQuery()), this)
+                    .join();
+        }
+
+        @Override
+        public void onOpen(WebSocket webSocket) {
+            // Nothing is asked for.
+        }
+
+        @Override
+        public @Nullable CompletionStage<?> onBinary(WebSocket webSocket, ByteBuffer data, boolean last) {
+            frames.incrementAndGet();
+            return null;
+        }
+
+        @Override
+        public void close() {
+            socket.abort();
+        }
+    }
+}
