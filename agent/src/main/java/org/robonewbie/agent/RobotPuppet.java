@@ -58,7 +58,9 @@ final class RobotPuppet implements Puppet {
             held.clear();
             nao.walk()
                     .towards(
-                            part(forward) * Walk.MOST_FORWARD, part(left) * Walk.MOST_LEFT, part(turn) * Walk.MOST_TURN);
+                            part(forward) * Walk.MOST_FORWARD,
+                            part(left) * Walk.MOST_LEFT,
+                            part(turn) * Walk.MOST_TURN);
         });
     }
 

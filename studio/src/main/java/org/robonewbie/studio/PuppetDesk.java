@@ -59,16 +59,16 @@ final class PuppetDesk {
                 return;
             }
         }
-        throw new IllegalStateException("This team has eleven robots already. Take one away, or choose the other team.");
+        throw new IllegalStateException(
+                "This team has eleven robots already. Take one away, or choose the other team.");
     }
 
     /** Lets puppets stand in for all robots of a state that do not play now; tells how many are on their way. */
     synchronized int fillUp(WorldSnapshot state, WorldSnapshot now) {
         int missing = 0;
         for (RobotSnapshot robot : state.robots()) {
-            Optional<PlayerNumber> player = robot.side()
-                    .filter(side -> robot.number() > 0)
-                    .map(side -> new PlayerNumber(side, robot.number()));
+            Optional<PlayerNumber> player =
+                    robot.side().filter(side -> robot.number() > 0).map(side -> new PlayerNumber(side, robot.number()));
             if (player.isPresent() && find(now, player.get()).isEmpty()) {
                 missing++;
                 standIn(player.get(), robot, now);
@@ -78,7 +78,8 @@ final class PuppetDesk {
     }
 
     private void standIn(PlayerNumber player, RobotSnapshot robot, WorldSnapshot now) {
-        boolean leftComesFirst = player.side() == TeamSide.RIGHT && now.teamLeft().isEmpty();
+        boolean leftComesFirst =
+                player.side() == TeamSide.RIGHT && now.teamLeft().isEmpty();
         if (isOpen() && !puppets.containsKey(player) && !leftComesFirst) {
             start(player, teamName(now, player.side(), robot.team()), robot.type());
         }

@@ -46,6 +46,8 @@ record Scene(
                 desk.isOpen(),
                 snapshot.teamLeft(),
                 snapshot.teamRight(),
-                snapshot.robots().stream().map(robot -> Player.of(robot, desk.isPuppet(robot))).toList());
+                snapshot.robots().stream()
+                        .map(robot -> Player.of(robot, desk.isPuppet(robot)))
+                        .toList());
     }
 }

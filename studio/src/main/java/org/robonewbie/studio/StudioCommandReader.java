@@ -65,13 +65,13 @@ final class StudioCommandReader {
             case "playMode" -> new StudioCommand.SetPlayMode(playMode());
             case "addPuppet" -> new StudioCommand.AddPuppet(side());
             case "removePuppet" -> new StudioCommand.RemovePuppet(player());
-            case "walk" -> new PuppetOrder.To(player(), new PuppetOrder.Walk(part("forward"), part("left"), part("turn")));
+            case "walk" ->
+                new PuppetOrder.To(player(), new PuppetOrder.Walk(part("forward"), part("left"), part("turn")));
             case "perform" -> new PuppetOrder.To(player(), new PuppetOrder.Perform(text("motion")));
             case "look" ->
                 new PuppetOrder.To(
                         player(), new PuppetOrder.Look(number("yaw", -180, 180), number("pitch", -180, 180)));
-            case "hold" ->
-                new PuppetOrder.To(player(), new PuppetOrder.Hold(joint(), number("degrees", -180, 180)));
+            case "hold" -> new PuppetOrder.To(player(), new PuppetOrder.Hold(joint(), number("degrees", -180, 180)));
             default ->
                 throw new IllegalArgumentException(
                         "The studio does not know the command \"" + name + "\". Load the page again.");

@@ -105,8 +105,7 @@ public final class StudioServer implements Viewer.View {
             container.setIdleTimeout(QUIET_LIMIT);
             container.setMaxTextMessageSize(MAX_COMMAND_BYTES);
             container.setMaxBinaryMessageSize(MAX_COMMAND_BYTES);
-            container.addMapping(
-                    AccessRule.LIVE_PATH, (request, response, callback) -> new Spectator(feed));
+            container.addMapping(AccessRule.LIVE_PATH, (request, response, callback) -> new Spectator(feed));
         });
         MotionRoom motionRoom = new MotionRoom(folders.motions(), SceneWriter.model(NaoModel.of(RobotType.TYPE_0)));
         ReplayRoom replayRoom =

@@ -102,7 +102,8 @@ class JavaScriptTest {
                     SimulationControl.AS_FAST_AS_POSSIBLE,
                     3.5);
             Files.writeString(
-                    folder.resolve("scene.json"), SceneWriter.write(Scene.of(simulation, new PuppetDesk(simulation), snapshot), 7));
+                    folder.resolve("scene.json"),
+                    SceneWriter.write(Scene.of(simulation, new PuppetDesk(simulation), snapshot), 7));
             ByteBuffer frame = StateFrame.write(snapshot, 7);
             byte[] bytes = new byte[frame.remaining()];
             frame.get(bytes);

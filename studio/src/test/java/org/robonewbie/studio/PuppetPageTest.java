@@ -68,8 +68,7 @@ class PuppetPageTest {
     @Test
     void keyLetsThePuppetWalkWhileItIsHeld() {
         addPuppet();
-        double start =
-                browser.evaluate("studio.state.frame.robots[0].torso[0]").getAsDouble();
+        double start = browser.evaluate("studio.state.frame.robots[0].torso[0]").getAsDouble();
 
         browser.evaluate("document.dispatchEvent(new KeyboardEvent('keydown', {key: 'w', bubbles: true}))");
         browser.await("studio.state.frame.robots[0].torso[0] > " + (start + 0.3));

@@ -2,6 +2,7 @@ package org.robonewbie.studio;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import java.io.ByteArrayOutputStream;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
@@ -23,6 +24,7 @@ final class TestPage implements AutoCloseable, WebSocket.Listener {
     private final BlockingQueue<JsonObject> messages = new LinkedBlockingQueue<>();
     private final BlockingQueue<ByteBuffer> frames = new LinkedBlockingQueue<>();
     private final CompletableFuture<Integer> closeCode = new CompletableFuture<>();
+    private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     private final StringBuilder text = new StringBuilder();
     private final WebSocket socket;
 
@@ -113,8 +115,13 @@ final class TestPage implements AutoCloseable, WebSocket.Listener {
 
     @Override
     public CompletionStage<?> onBinary(WebSocket webSocket, ByteBuffer data, boolean last) {
-        ByteBuffer copy = ByteBuffer.allocate(data.remaining());
-        frames.add(copy.put(data).flip());
+        byte[] part = new byte[data.remaining()];
+        data.get(part);
+        bytes.writeBytes(part);
+        if (last) {
+            frames.add(ByteBuffer.wrap(bytes.toByteArray()));
+            bytes.reset();
+        }
         webSocket.request(1);
         return CompletableFuture.completedFuture(null);
     }

@@ -39,7 +39,9 @@ class ThreeViewersTest {
 
             assertThat(frames).as("pictures of six seconds").isGreaterThan(CYCLES / 8);
             assertThat(most).as("cycles by which the lively page was behind").isLessThan(60);
-            assertThat(frozen.framesWithin(1)).as("the frozen page got no second frame").isFalse();
+            assertThat(frozen.framesWithin(1))
+                    .as("the frozen page got no second frame")
+                    .isFalse();
             assertThat(closed.frames.get()).isZero();
             assertThat(studio.spectators()).isEqualTo(3);
 

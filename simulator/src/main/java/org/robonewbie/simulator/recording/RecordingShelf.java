@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -15,8 +14,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * The folder in which the runs of this user are recorded. It never holds more than a given number of bytes when a run begins:
- * the oldest recordings make room.
+ * The folder in which the runs of this user are recorded. It never holds more than a given number of bytes: the oldest recordings
+ * make room, also while a run is recorded.
  *
  * @param folder where the recordings are; it need not exist
  * @param mostBytes how much all of them may take
@@ -84,15 +83,40 @@ public record RecordingShelf(Path folder, long mostBytes) {
         }
     }
 
+    /** Removes the oldest recordings if all together take too much; the newest stays. */
     private void makeRoom() throws IOException {
-        List<Path> files = new ArrayList<>(list());
         long bytes = 0;
-        for (Path file : files) {
-            bytes += Files.exists(file) ? Files.size(file) : 0;
-            if (bytes > mostBytes) {
+        for (Path file : list()) {
+            long size = Files.exists(file) ? Files.size(file) : 0;
+            if (bytes > 0 && bytes + size > mostBytes) {
                 Files.deleteIfExists(file);
+            } else {
+                bytes += size;
             }
         }
+    }
+
+    /**
+     * Keeps the limit while a run is recorded: older recordings make room.
+     *
+     * @param file the recording, as {@link #next} has named it
+     * @return whether it may grow; false if it takes all the room alone, or does not lie on this shelf's disk any more
+     */
+    boolean keepLimit(Path file) {
+        try {
+            makeRoom();
+            return Files.size(unfinished(file)) < mostBytes;
+        } catch (IOException gone) {
+            return false;
+        }
+    }
+
+    /** Finds the shelf on which a file lies. */
+    static Optional<RecordingShelf> of(Path file) {
+        return ofUser()
+                .filter(shelf -> shelf.folder()
+                        .toAbsolutePath()
+                        .equals(file.toAbsolutePath().getParent()));
     }
 
     private static boolean isRecording(Path file) {

@@ -20,16 +20,24 @@ import java.util.zip.GZIPOutputStream;
 final class RecordingStream implements AutoCloseable {
 
     private static final int BUFFER_BYTES = 1 << 14;
+    private static final int FLUSHES_PER_TIDYING = 30;
 
     private final MessageDigest digest;
     private final Consumer<String> console;
     private final Optional<Path> file;
+    private final Optional<RecordingShelf> shelf;
     private Optional<OutputStream> out;
+    private long flushes;
 
-    private RecordingStream(Optional<Path> file, Optional<OutputStream> out, Consumer<String> console) {
+    private RecordingStream(
+            Optional<Path> file,
+            Optional<OutputStream> out,
+            Optional<RecordingShelf> shelf,
+            Consumer<String> console) {
         this.file = file;
         this.out = out;
         this.console = console;
+        this.shelf = shelf;
         try {
             digest = MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {
@@ -46,12 +54,18 @@ final class RecordingStream implements AutoCloseable {
      * @throws IOException if the file cannot be written; the message says what to do
      */
     static RecordingStream open(Optional<Path> file, Consumer<String> console) throws IOException {
+        return open(file, file.flatMap(RecordingShelf::of), console);
+    }
+
+    static RecordingStream open(Optional<Path> file, Optional<RecordingShelf> shelf, Consumer<String> console)
+            throws IOException {
         if (file.isEmpty()) {
-            return new RecordingStream(file, Optional.empty(), console);
+            return new RecordingStream(file, Optional.empty(), Optional.empty(), console);
         }
         try {
             OutputStream raw = Files.newOutputStream(part(file.get()));
-            return new RecordingStream(file, Optional.of(new GZIPOutputStream(raw, BUFFER_BYTES, true)), console);
+            OutputStream packed = new GZIPOutputStream(raw, BUFFER_BYTES, true);
+            return new RecordingStream(file, Optional.of(packed), shelf, console);
         } catch (IOException e) {
             throw new IOException(
                     "Recording \"" + file.get() + "\" cannot be written (" + e.getMessage()
@@ -68,6 +82,17 @@ final class RecordingStream implements AutoCloseable {
     /** Brings all that was written into the file. */
     void flush() {
         attempt(OutputStream::flush);
+        flushes++;
+        if (flushes % FLUSHES_PER_TIDYING == 0 && out.isPresent() && !isWithinLimit()) {
+            console.accept("The recording " + file.orElseThrow()
+                    + " ends here because recordings have taken all the room that they may take. The simulation goes on.");
+            close();
+        }
+    }
+
+    private boolean isWithinLimit() {
+        Path target = file.orElseThrow();
+        return shelf.isEmpty() || shelf.get().keepLimit(target);
     }
 
     /** Tells the checksum of all bytes so far. */

@@ -2,6 +2,7 @@ package org.robonewbie.studio.replay;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.net.URLDecoder;
 import java.nio.ByteBuffer;
@@ -13,11 +14,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.zip.GZIPOutputStream;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
+import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.RecordingShelf;
 
 /**
@@ -26,12 +29,14 @@ import org.robonewbie.simulator.recording.RecordingShelf;
  * <pre>
  * GET /api/recordings                 all recordings, the newest first
  * GET /api/recordings/NAME?from=N     its bytes from the N-th on, at most four million at once
+ * GET /api/log/NAME                   the recording as the log of a SimSpark server, packed with gzip
  * GET /api/models                     the bodies of all robot types
  * </pre>
  */
 public final class ReplayRoom extends Handler.Abstract {
 
     private static final String LIST = "/api/recordings";
+    private static final String LOG = "/api/log/";
     private static final String MODELS = "/api/models";
     private static final String UNFINISHED = ".part";
     private static final int MOST_BYTES = 4_000_000;
@@ -57,7 +62,8 @@ public final class ReplayRoom extends Handler.Abstract {
     @Override
     public boolean handle(Request request, Response response, Callback callback) throws Exception {
         String path = Request.getPathInContext(request);
-        if (!request.getMethod().equals("GET") || !(path.startsWith(LIST) || path.equals(MODELS))) {
+        boolean known = path.startsWith(LIST) || path.startsWith(LOG) || path.equals(MODELS);
+        if (!request.getMethod().equals("GET") || !known) {
             return false;
         }
         if (path.equals(MODELS) || path.equals(LIST)) {
@@ -65,10 +71,14 @@ public final class ReplayRoom extends Handler.Abstract {
             send(response, callback, 200, "application/json", ByteBuffer.wrap(json));
             return true;
         }
-        Optional<Path> file = find(URLDecoder.decode(path.substring(LIST.length() + 1), StandardCharsets.UTF_8));
+        boolean isLog = path.startsWith(LOG);
+        String name = path.substring(isLog ? LOG.length() : LIST.length() + 1);
+        Optional<Path> file = find(URLDecoder.decode(name, StandardCharsets.UTF_8));
         if (file.isEmpty()) {
             byte[] text = "There is no such recording any more. Choose another one.".getBytes(StandardCharsets.UTF_8);
             send(response, callback, 404, "text/plain;charset=utf-8", ByteBuffer.wrap(text));
+        } else if (isLog) {
+            send(response, callback, 200, "application/gzip", ByteBuffer.wrap(log(file.get())));
         } else {
             long from = from(request);
             send(response, callback, 200, "application/octet-stream", read(file.get(), from));
@@ -80,6 +90,18 @@ public final class ReplayRoom extends Handler.Abstract {
         response.setStatus(status);
         response.getHeaders().put(HttpHeader.CONTENT_TYPE, type).put(HttpHeader.CACHE_CONTROL, "no-store");
         response.write(true, content, callback);
+    }
+
+    private static byte[] log(Path recording) throws IOException {
+        Path log = Files.createTempFile("robonewbie", ".log");
+        ByteArrayOutputStream packed = new ByteArrayOutputStream();
+        try (GZIPOutputStream out = new GZIPOutputStream(packed)) {
+            RecordedLog.write(recording, log);
+            Files.copy(log, out);
+        } finally {
+            Files.delete(log);
+        }
+        return packed.toByteArray();
     }
 
     private static long from(Request request) {

@@ -72,7 +72,12 @@ public final class SceneRoom extends Handler.Abstract {
         }
         String name = path.equals(SCENES) ? "" : decoded(path.substring(SCENES.length() + 1));
         switch (request.getMethod()) {
-            case "PUT" -> folder.save(name, world.field(), world.now(), "yes".equals(request.getHeaders().get("Replace")));
+            case "PUT" ->
+                folder.save(
+                        name,
+                        world.field(),
+                        world.now(),
+                        "yes".equals(request.getHeaders().get("Replace")));
             case "POST" -> world.goOnFrom(folder.load(name));
             default -> {
                 return list();
@@ -84,8 +89,8 @@ public final class SceneRoom extends Handler.Abstract {
     private void start(String name, long moment) throws IOException {
         Path file = recordings
                 .apply(name)
-                .orElseThrow(() -> new IllegalArgumentException(
-                        "There is no such recording any more. Choose another one."));
+                .orElseThrow(
+                        () -> new IllegalArgumentException("There is no such recording any more. Choose another one."));
         world.goOnFrom(SceneFolder.moment(file, moment)
                 .orElseThrow(() -> new IllegalArgumentException(
                         "The recording has no moment " + moment + " on the disk yet. Try again in a second.")));
@@ -93,7 +98,8 @@ public final class SceneRoom extends Handler.Abstract {
 
     private static long moment(Request request) {
         try {
-            return Long.parseLong(String.valueOf(Request.extractQueryParameters(request).getValue("moment")));
+            return Long.parseLong(
+                    String.valueOf(Request.extractQueryParameters(request).getValue("moment")));
         } catch (NumberFormatException noNumber) {
             throw new IllegalArgumentException("The moment to start from is missing. Load the page again.", noNumber);
         }

@@ -17,14 +17,15 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.RecordedCycle;
 import org.robonewbie.simulator.recording.RecordingReader;
 
 /** Reads what a real rcssserver3d has sent to its monitors. */
 class MonitorLogReaderTest {
 
-    private static final Path ORIGINAL =
-            Path.of("../protocol/src/test/resources/org/robonewbie/protocol/monitor/g_monitor_first_and_50_updates.txt.gz");
+    private static final Path ORIGINAL = Path.of(
+            "../protocol/src/test/resources/org/robonewbie/protocol/monitor/g_monitor_first_and_50_updates.txt.gz");
 
     @TempDir
     private Path folder;
@@ -69,9 +70,8 @@ class MonitorLogReaderTest {
         for (int i = 1; i < yaws.size(); i++) {
             assertThat(yaws.get(i)).isCloseTo(yaws.get(i - 1), within(3f));
         }
-        assertThat(cycles).allMatch(cycle -> Math.abs(
-                        cycle.snapshot().robots().get(0).jointDegrees()[knee])
-                < 2);
+        assertThat(cycles)
+                .allMatch(cycle -> Math.abs(cycle.snapshot().robots().get(0).jointDegrees()[knee]) < 2);
     }
 
     @Test
@@ -84,6 +84,28 @@ class MonitorLogReaderTest {
         Files.write(log, lines);
 
         assertThat(convert(log)).hasSizeGreaterThan(90);
+    }
+
+    @Test
+    void recordingThatBecameALogComesBack() throws IOException {
+        List<RecordedCycle> first = convert(ORIGINAL);
+        Path log = folder.resolve("again.log");
+        RecordedLog.write(folder.resolve("log.rec"), log);
+
+        List<RecordedCycle> again = convert(log);
+
+        WorldSnapshot last = again.get(again.size() - 1).snapshot();
+        WorldSnapshot same = first.stream()
+                .map(RecordedCycle::snapshot)
+                .filter(state -> Math.abs(state.gameTime() - last.gameTime()) < 1e-6)
+                .reduce((one, other) -> other)
+                .orElseThrow();
+        assertThat(last.teamLeft()).isEqualTo("X");
+        assertThat(last.playMode()).isEqualTo(same.playMode());
+        for (int i = 0; i < 22; i++) {
+            assertThat(last.robots().get(0).jointDegrees()[i])
+                    .isCloseTo(same.robots().get(0).jointDegrees()[i], within(1.5f));
+        }
     }
 
     @Test

@@ -76,7 +76,9 @@ class MonitoredSimulationTest implements SimulationObserver {
     /** A robot with toes that bends its left elbow. */
     private static void play(AgentLink link) {
         MessageBuffer message = new MessageBuffer();
-        String[] beginning = {"(scene rsg/agent/nao/nao_hetero.rsg 4)", "(init (unum 7)(teamname Ada))", "(beam -1 0.5 0)"};
+        String[] beginning = {
+            "(scene rsg/agent/nao/nao_hetero.rsg 4)", "(init (unum 7)(teamname Ada))", "(beam -1 0.5 0)"
+        };
         try {
             for (int i = 0; ; i++) {
                 message.clear();
@@ -112,8 +114,8 @@ class MonitoredSimulationTest implements SimulationObserver {
 
     @Test
     void robotIsSeenWithItsJoints() throws InterruptedException {
-        WorldSnapshot snapshot = await(now -> !now.robots().isEmpty()
-                && now.robots().get(0).jointDegrees()[ELBOW] < -45);
+        WorldSnapshot snapshot =
+                await(now -> !now.robots().isEmpty() && now.robots().get(0).jointDegrees()[ELBOW] < -45);
 
         RobotSnapshot seenRobot = snapshot.robots().get(0);
         assertThat(seenRobot.team()).isEqualTo("Ada");
@@ -164,8 +166,7 @@ class MonitoredSimulationTest implements SimulationObserver {
     @Test
     void clockOfAnotherProcessCannotBeStopped() {
         assertThat(watched.hasClock()).isFalse();
-        assertThatThrownBy(watched::pause)
-                .hasMessage("A monitor cannot stop or speed up a server of another process.");
+        assertThatThrownBy(watched::pause).hasMessage("A monitor cannot stop or speed up a server of another process.");
     }
 
     @Test

@@ -15,7 +15,9 @@ final class PackedText {
 
     static List<String> lines(Path file) throws IOException {
         try (GZIPInputStream stream = new GZIPInputStream(new ByteArrayInputStream(Files.readAllBytes(file)))) {
-            return new String(stream.readAllBytes(), StandardCharsets.ISO_8859_1).lines().toList();
+            return new String(stream.readAllBytes(), StandardCharsets.ISO_8859_1)
+                    .lines()
+                    .toList();
         }
     }
 }

@@ -29,6 +29,11 @@ export async function loadModels(token) {
   return (await ask(token, 'models')).json();
 }
 
+/** @param {string} token @param {string} name @returns {Promise<Blob>} the recording as the log of a SimSpark server, packed */
+export async function loadLog(token, name) {
+  return (await ask(token, `log/${encodeURIComponent(name)}`)).blob();
+}
+
 /** One recording that is being read. */
 export class RecordingFile {
   /**

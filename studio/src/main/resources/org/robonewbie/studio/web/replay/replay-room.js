@@ -2,8 +2,9 @@
 import { button, byId, element, setText } from '../panels/elements.js';
 import { advanced, atMoment, BEGINNING, csvOf, frameOf, looped, MOMENTS_PER_SECOND, neighbourEvent, sceneOf, stepped } from '../state/replay/replay-state.js';
 import { startFrom } from '../panels/scene-panel.js';
+import { ComparisonPanel } from './comparison-panel.js';
 import { eventText, ReplayLine } from './replay-line.js';
-import { listRecordings, loadModels, RecordingFile } from './recordings.js';
+import { listRecordings, loadLog, loadModels, RecordingFile } from './recordings.js';
 
 /**
  * @typedef {import('../state/replay/replay-state.js').ReplayState} ReplayState
@@ -42,6 +43,7 @@ class ReplayRoom {
     this.revision = 0;
     /** @type {object | undefined} */
     this.roster = undefined;
+    this.comparison = new ComparisonPanel(surroundings.token, models, { note: surroundings.note, changed: () => this.#set(this.state) });
     this.draw = this.#panel(byId('replay'));
     setInterval(() => {
       if (!byId('replay').hidden && !document.hidden) {
@@ -113,7 +115,8 @@ class ReplayRoom {
       this.roster = roster;
       this.scene = sceneOf(moment, this.file.reader.header, this.models, this.revision);
     }
-    return { scene: this.scene, frame: frameOf(moment, this.scene), name: this.file.name, reader: this.file.reader, running: this.isRunning };
+    const seen = this.comparison.picture({ scene: this.scene, frame: frameOf(moment, this.scene) }, this.state.index);
+    return { ...seen, name: this.file.name, reader: this.file.reader, running: this.isRunning };
   }
 
   /** What keys do here. */
@@ -183,6 +186,8 @@ class ReplayRoom {
     const reading = element('span', { class: 'seconds' });
     const csv = button('CSV', 'Save all cycles as a table', () => this.#offer('csv', csvOf(this.file?.reader.moments ?? [], this.models)));
     csv.id = 'export-csv';
+    const log = button('Log', 'Save the run as the log of a SimSpark server, for RoboViz', () => this.#offerLog());
+    log.id = 'export-log';
     const page = button('HTML', 'Save one file that plays this run in any browser, without network', () => this.#offerPage());
     page.id = 'export-html';
     const start = button('Start here', 'The simulation goes on from this moment, with the clock stopped; puppets stand in for missing robots', () => this.#startHere());
@@ -190,6 +195,7 @@ class ReplayRoom {
     const line = element('div', { class: 'replay-line', id: 'replay-line', title: 'Drag to any moment' });
     const drawing = new ReplayLine(line, (index) => this.#set({ ...atMoment(this.state, index), playing: false }));
     place.append(
+      this.comparison.svg,
       line,
       element(
         'div',
@@ -204,7 +210,9 @@ class ReplayRoom {
         start,
         speed,
         reading,
-        element('span', { class: 'replay-export' }, csv, page),
+        this.comparison.choice,
+        this.comparison.reading,
+        element('span', { class: 'replay-export' }, csv, log, page),
       ),
     );
     let listed = '';
@@ -222,9 +230,11 @@ class ReplayRoom {
       speed.value = String(state.speed);
       const seconds = (/** @type {number} */ index) => (Math.max(0, index) / MOMENTS_PER_SECOND).toFixed(2);
       setText(reading, list.length === 0 ? 'Nothing is recorded yet.' : `${seconds(state.index)} of ${seconds(state.count - 1)} s`);
-      for (const control of [csv, page, play, start]) {
+      for (const control of [csv, log, page, play, start]) {
         control.disabled = state.count === 0;
       }
+      this.comparison.list(list, this.file?.name ?? '');
+      this.comparison.draw(this.file?.reader.moments ?? []);
       drawing.draw(state, this.file?.reader.events ?? []);
     };
   }
@@ -240,6 +250,14 @@ class ReplayRoom {
     }
   }
 
+  async #offerLog() {
+    try {
+      this.#offer('log.gz', await loadLog(this.surroundings.token, this.file?.name ?? ''));
+    } catch (error) {
+      this.surroundings.note(`The file cannot be made: ${/** @type {Error} */ (error).message}`);
+    }
+  }
+
   async #offerPage() {
     try {
       const { standalonePage } = await import('./standalone.js');
@@ -249,9 +267,9 @@ class ReplayRoom {
     }
   }
 
-  /** @param {string} ending @param {string} content */
+  /** @param {string} ending @param {string | Blob} content */
   #offer(ending, content) {
-    const address = URL.createObjectURL(new Blob([content], { type: ending === 'csv' ? 'text/csv' : 'text/html' }));
+    const address = URL.createObjectURL(typeof content === 'string' ? new Blob([content], { type: ending === 'csv' ? 'text/csv' : 'text/html' }) : content);
     element('a', { href: address, download: `${this.file?.name ?? 'run'}.${ending}` }).click();
     setTimeout(() => URL.revokeObjectURL(address), 20_000);
   }

@@ -1,0 +1,123 @@
+package org.robonewbie.simulator.monitor;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.monitor.Foul;
+import org.robonewbie.protocol.monitor.FoulType;
+import org.robonewbie.protocol.monitor.MonitoredGame;
+import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.recording.RecordedCycle;
+import org.robonewbie.simulator.recording.RecordingReader;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+
+/** Turns a recording into a log that RoboViz and rcssmonitor3d replay. */
+public final class RecordedLog {
+
+    private static final int PLACE_SIZE = 16;
+    private static final int NUMBERS_PER_LINK = 7;
+    private static final String FOUL = "foul ";
+
+    private final List<Foul> fouls = new ArrayList<>();
+
+    private RecordedLog() {}
+
+    /**
+     * Writes the log of a recording.
+     *
+     * @param recording the recording
+     * @param log the log; a file of the same name is replaced
+     * @throws IOException if one of the files cannot be used; the message says which
+     */
+    public static void write(Path recording, Path log) throws IOException {
+        RecordedLog converter = new RecordedLog();
+        try (RecordingReader reader = RecordingReader.open(recording);
+                MonitorLog lines = MonitorLog.open(log, settings(reader.header()), problem -> {})) {
+            for (Optional<RecordedCycle> cycle = reader.next(); cycle.isPresent(); cycle = reader.next()) {
+                WorldSnapshot state = cycle.get().snapshot();
+                cycle.get().events().forEach(converter::noteFoul);
+                lines.cycleEnded(state.cycle(), () -> converter.snapshot(state));
+            }
+        }
+    }
+
+    private static MonitorSettings settings(Map<String, String> header) {
+        SoccerParameters parameters = SoccerParameters.league();
+        for (SoccerParameter parameter : SoccerParameter.values()) {
+            String value = header.get(parameter.simSparkName());
+            if (value != null) {
+                parameters = parameters.with(parameter.simSparkName() + "=" + value);
+            }
+        }
+        return new MonitorSettings(
+                "",
+                0,
+                MonitorSettings.STANDARD_STEP_SECONDS,
+                MatchEnvironment.of(parameters),
+                parameters.field(),
+                parameters.get(SoccerParameter.BALL_RADIUS));
+    }
+
+    /** Reads what {@code MatchEvent.FoulCalled} wrote. */
+    private void noteFoul(String event) {
+        String[] words = event.split(" ", -1);
+        if (!event.startsWith(FOUL) || words.length != 4) {
+            return;
+        }
+        TeamSide side = words[2].equals("left") ? TeamSide.LEFT : TeamSide.RIGHT;
+        for (FoulType type : FoulType.values()) {
+            if (type.name().equals(words[1])) {
+                fouls.add(new Foul(fouls.size() + 1, type, new PlayerNumber(side, Integer.parseInt(words[3]))));
+            }
+        }
+    }
+
+    private MonitorSnapshot snapshot(WorldSnapshot state) {
+        float[] ball = new float[PLACE_SIZE];
+        MonitoredRobotState.writePlace(pose(state.ballPosition(), state.ballOrientation(), 0), ball, 0);
+        MonitoredGame game = new MonitoredGame(
+                state.gameTime(),
+                Optional.of(state.teamLeft()).filter(name -> !name.isEmpty()),
+                Optional.of(state.teamRight()).filter(name -> !name.isEmpty()),
+                state.half(),
+                state.scoreLeft(),
+                state.scoreRight(),
+                Optional.of(state.playMode()),
+                0,
+                0);
+        return new MonitorSnapshot(
+                game,
+                List.copyOf(fouls),
+                ball,
+                state.robots().stream().map(RecordedLog::robot).toList());
+    }
+
+    private static MonitoredRobotState robot(RobotSnapshot robot) {
+        float[] poses = robot.linkPoses();
+        int links = poses.length / NUMBERS_PER_LINK;
+        float[] places = new float[PLACE_SIZE * links];
+        for (int i = 0; i < links; i++) {
+            int at = NUMBERS_PER_LINK * i;
+            Pose pose = pose(new Vector3(poses[at], poses[at + 1], poses[at + 2]), poses, at + 3);
+            MonitoredRobotState.writePlace(pose, places, PLACE_SIZE * i);
+        }
+        Optional<PlayerNumber> player = robot.side()
+                .filter(side -> robot.number() > 0)
+                .map(side -> new PlayerNumber(side, robot.number()));
+        return new MonitoredRobotState(robot.id(), robot.type(), player, false, places);
+    }
+
+    private static Pose pose(Vector3 position, float[] turn, int at) {
+        return new Pose(position, Rotation.ofQuaternion(turn[at], turn[at + 1], turn[at + 2], turn[at + 3]));
+    }
+}

@@ -1,0 +1,97 @@
+/** Chooses a second run to compare with, and tells how far the two are apart. */
+import { element, setText } from '../panels/elements.js';
+import { curveOf, differences, withGhosts } from '../state/replay/comparison.js';
+import { frameOf, sceneOf } from '../state/replay/replay-state.js';
+import { RecordingFile } from './recordings.js';
+
+/**
+ * @typedef {import('../state/replay/comparison.js').Picture} Picture
+ * @typedef {import('./recordings.js').RecordingEntry} RecordingEntry
+ */
+
+const POINTS = 200;
+const HEIGHT = 26;
+const SVG = 'http://www.w3.org/2000/svg';
+
+export class ComparisonPanel {
+  /**
+   * @param {string} token
+   * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
+   * @param {{changed: () => void, note: (text: string) => void}} listener
+   */
+  constructor(token, models, listener) {
+    this.token = token;
+    this.models = models;
+    this.listener = listener;
+    /** @type {RecordingFile | undefined} */
+    this.file = undefined;
+    this.choice = element('select', { id: 'compare-with', 'aria-label': 'Compare with', title: 'Shows a second run as grey ghosts' });
+    this.choice.addEventListener('change', () => this.#choose(this.choice.value));
+    this.reading = element('span', { class: 'faint', id: 'compare-reading' });
+    this.svg = document.createElementNS(SVG, 'svg');
+    this.svg.setAttribute('class', 'compare-curve');
+    this.svg.setAttribute('viewBox', `0 0 ${POINTS} ${HEIGHT}`);
+    this.svg.setAttribute('preserveAspectRatio', 'none');
+    this.line = document.createElementNS(SVG, 'polyline');
+    this.svg.append(this.line);
+    this.listed = '';
+    this.drawn = '';
+    /** @type {{own: unknown, other: unknown, picture: Picture} | undefined} */
+    this.last = undefined;
+  }
+
+  /** @param {readonly RecordingEntry[]} entries @param {string} own name of the run that is shown */
+  list(entries, own) {
+    const names = entries.map(({ name }) => name).filter((name) => name !== own);
+    const key = names.join('\n');
+    if (key !== this.listed) {
+      this.listed = key;
+      this.choice.replaceChildren(element('option', { value: '' }, 'Compare with…'), ...names.map((name) => element('option', { value: name }, name)));
+    }
+    this.choice.value = this.file?.name ?? '';
+    this.choice.hidden = names.length === 0;
+  }
+
+  /** @param {string} name */
+  #choose(name) {
+    this.file?.close();
+    this.file = undefined;
+    this.last = undefined;
+    if (name) {
+      const file = new RecordingFile(this.token, name, this.models, this.listener.changed);
+      this.file = file;
+      file.load(false).catch((error) => this.listener.note(error.message));
+    }
+    this.listener.changed();
+  }
+
+  /** @param {Picture} own @param {number} index @returns {Picture} what is to be seen, with ghosts if there is a second run */
+  picture(own, index) {
+    const moment = this.file?.reader.moments[Math.round(index)];
+    if (!moment || !this.file) {
+      return own;
+    }
+    const scene = sceneOf(moment, this.file.reader.header, this.models, 0);
+    const other = { scene, frame: frameOf(moment, scene) };
+    const both = withGhosts(own, other);
+    const same = this.last?.own === own.scene && this.last.other === moment.robots;
+    const picture = { scene: same && this.last ? this.last.picture.scene : both.scene, frame: both.frame };
+    this.last = { own: own.scene, other: moment.robots, picture };
+    setText(this.reading, `Apart: ${differences(own, other).map(({ name, metres }) => `${name} ${metres.toFixed(2)} m`).slice(0, 4).join(' · ')}`);
+    return picture;
+  }
+
+  /** @param {readonly import('../state/replay/recording-reader.js').Moment[]} own */
+  draw(own) {
+    const other = this.file?.reader.moments;
+    this.svg.toggleAttribute('hidden', !other);
+    this.reading.hidden = !other;
+    const key = `${own.length} ${other?.length} ${this.file?.name}`;
+    if (other && key !== this.drawn) {
+      this.drawn = key;
+      const curve = curveOf(own, other, POINTS);
+      const most = Math.max(0.05, ...curve);
+      this.line.setAttribute('points', curve.map((metres, i) => `${i},${(HEIGHT - 1 - ((HEIGHT - 2) * metres) / most).toFixed(1)}`).join(' '));
+    }
+  }
+}
