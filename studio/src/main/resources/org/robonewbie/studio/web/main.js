@@ -128,13 +128,7 @@ const drawTimeLine = timeLinePanel(cursor, touch);
 const rooms = new RoomDesk({ token, note, quality: () => chooser.quality, robotOfRun, send, goTo: (seconds) => (cursor.goTo(seconds * 50), touch()) });
 const room = roomsPanel(enter);
 setShadows(shadows);
-const puppet = new PuppetPanel({
-  now: () => state,
-  chosen: () => desk.chosen,
-  choose: (index) => (desk.choose(index), touch()),
-  isHere: () => room() === 'field',
-  send,
-});
+const puppet = new PuppetPanel({ now: () => state, chosen: () => desk.chosen, choose: (index) => (desk.choose(index), touch()), isHere: () => room() === 'field', send });
 draws.push((shown) => puppet.draw(shown));
 new Hand(view, desk, {
   now: () => ({ ...state, ...cursor.shown(state) }),
