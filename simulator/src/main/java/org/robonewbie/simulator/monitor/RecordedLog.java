@@ -111,9 +111,8 @@ public final class RecordedLog {
             Pose pose = pose(new Vector3(poses[at], poses[at + 1], poses[at + 2]), poses, at + 3);
             MonitoredRobotState.writePlace(pose, places, PLACE_SIZE * i);
         }
-        Optional<PlayerNumber> player = robot.side()
-                .filter(side -> robot.number() > 0)
-                .map(side -> new PlayerNumber(side, robot.number()));
+        Optional<PlayerNumber> player =
+                robot.side().filter(side -> robot.number() > 0).map(side -> new PlayerNumber(side, robot.number()));
         return new MonitoredRobotState(robot.id(), robot.type(), player, false, places);
     }
 

@@ -113,10 +113,8 @@ public record RecordingShelf(Path folder, long mostBytes) {
 
     /** Finds the shelf on which a file lies. */
     static Optional<RecordingShelf> of(Path file) {
-        return ofUser()
-                .filter(shelf -> shelf.folder()
-                        .toAbsolutePath()
-                        .equals(file.toAbsolutePath().getParent()));
+        return ofUser().filter(shelf ->
+                shelf.folder().toAbsolutePath().equals(file.toAbsolutePath().getParent()));
     }
 
     private static boolean isRecording(Path file) {

@@ -30,10 +30,7 @@ final class RecordingStream implements AutoCloseable {
     private long flushes;
 
     private RecordingStream(
-            Optional<Path> file,
-            Optional<OutputStream> out,
-            Optional<RecordingShelf> shelf,
-            Consumer<String> console) {
+            Optional<Path> file, Optional<OutputStream> out, Optional<RecordingShelf> shelf, Consumer<String> console) {
         this.file = file;
         this.out = out;
         this.console = console;
@@ -84,8 +81,9 @@ final class RecordingStream implements AutoCloseable {
         attempt(OutputStream::flush);
         flushes++;
         if (flushes % FLUSHES_PER_TIDYING == 0 && out.isPresent() && !isWithinLimit()) {
-            console.accept("The recording " + file.orElseThrow()
-                    + " ends here because recordings have taken all the room that they may take. The simulation goes on.");
+            console.accept(
+                    "The recording " + file.orElseThrow()
+                            + " ends here because recordings have taken all the room that they may take. The simulation goes on.");
             close();
         }
     }
