@@ -18,7 +18,7 @@ public final class GoalkeeperTask implements Task {
 
     private static final Place KEEPER = new Place(-5.75, 0, 0);
     private static final double SHOT_SECONDS = 2;
-    private static final double METRES_PER_SECOND = 5.5;
+    private static final double METRES_PER_SECOND = 6.6;
 
     private double aim;
     private boolean shot;
@@ -33,7 +33,7 @@ public final class GoalkeeperTask implements Task {
         Player player = stage.add(robot, "Students", 1, KEEPER);
         stage.placeBall(new Vector3(-1.75, stage.between(-0.5, 0.5), 0));
         stage.prelude(player, robot, "stand");
-        aim = (stage.random().nextBoolean() ? 1 : -1) * stage.between(0.22, 0.36);
+        aim = (stage.random().nextBoolean() ? 1 : -1) * stage.between(0.27, 0.35);
     }
 
     @Override
