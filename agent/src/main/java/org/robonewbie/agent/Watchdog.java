@@ -75,10 +75,12 @@ final class Watchdog implements AutoCloseable {
                 slowPlace = place();
             }
             if (ticks == TICKS_TO_REPORT) {
-                report("think() has not returned for 1 s; the robot waits for it. Is this an endless loop, or does it wait for something?");
+                report(
+                        "think() has not returned for 1 s; the robot waits for it. Is this an endless loop, or does it wait for something?");
             }
             if (ticks == TICKS_TO_GIVE_UP && giveUp.isPresent()) {
-                report("think() has not returned for 5 s; the run ends here. Is this an endless loop, or does it wait for something?");
+                report(
+                        "think() has not returned for 5 s; the run ends here. Is this an endless loop, or does it wait for something?");
                 giveUp.get().run();
                 return;
             }

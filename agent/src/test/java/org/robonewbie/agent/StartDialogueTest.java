@@ -137,8 +137,9 @@ class StartDialogueTest {
             assertThat(nao.mistakes().reported())
                     .singleElement()
                     .asString()
-                    .contains("act() sends nothing, since the last message is answered already: call sense() before each"
-                            + " act().");
+                    .contains(
+                            "act() sends nothing, since the last message is answered already: call sense() before each"
+                                    + " act().");
         }
     }
 
@@ -164,7 +165,8 @@ class StartDialogueTest {
 
         assertThatThrownBy(() -> Game.play(List.of(), List.of(agent, agent)))
                 .isInstanceOf(StartUpException.class)
-                .hasMessage("The same agent shall play twice, but a robot has only one body: make each of them with new.");
+                .hasMessage(
+                        "The same agent shall play twice, but a robot has only one body: make each of them with new.");
     }
 
     @Test

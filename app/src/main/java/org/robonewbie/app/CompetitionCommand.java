@@ -40,7 +40,7 @@ import picocli.CommandLine.Parameters;
             "walk, kick, stand, gymnastics   small contests for one robot",
             "",
             "Each program runs in a process of its own. What it does wrong costs its team the trial and nothing else."
-                + " The same seed and programs give the same table. Broken off? The same command goes on where it was."
+                    + " The same seed and programs give the same table. Broken off? The same command goes on where it was."
         },
         sortOptions = false,
         footer = {
@@ -54,8 +54,8 @@ import picocli.CommandLine.Parameters;
             "  robonewbie competition scoring \"Green=python3 green.py --port {port} --team {team}\"",
             "",
             "A team is NAME=PROGRAM; a program is a folder with Java files, a jar, a .java file, an example, or a"
-                + " command. In a file of teams stands one on each line. docs/competition.md tells all, with the rules"
-                + " to hand out."
+                    + " command. In a file of teams stands one on each line. docs/competition.md tells all, with the rules"
+                    + " to hand out."
         })
 final class CompetitionCommand implements Callable<Integer> {
 

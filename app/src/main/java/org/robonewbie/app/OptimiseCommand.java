@@ -66,7 +66,11 @@ final class OptimiseCommand implements Callable<Integer> {
             description = "Candidates in each round (default: 12).")
     private int population;
 
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Chooses candidates and trials (default: 1).")
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Chooses candidates and trials (default: 1).")
     private long seed;
 
     @Option(
@@ -83,7 +87,10 @@ final class OptimiseCommand implements Callable<Integer> {
             description = "Spread of the first candidates; 1 is 5 degrees and 60 ms in each keyframe (default: 0.15).")
     private double step;
 
-    @Option(names = "--threads", paramLabel = "N", description = "Trials at the same time (default: one for each core).")
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            description = "Trials at the same time (default: one for each core).")
     private int threads = Runtime.getRuntime().availableProcessors();
 
     @Option(
@@ -124,8 +131,8 @@ final class OptimiseCommand implements Callable<Integer> {
 
     private int optimise() throws IOException {
         if (objective.isEmpty()) {
-            throw new CalledWronglyException("Say at what " + name + " shall become better: --objective NAME. There are: "
-                    + StandardObjective.labels() + ".");
+            throw new CalledWronglyException("Say at what " + name
+                    + " shall become better: --objective NAME. There are: " + StandardObjective.labels() + ".");
         }
         StandardObjective wanted = StandardObjective.labelled(objective);
         Subject subject = subject(wanted);
@@ -178,7 +185,8 @@ final class OptimiseCommand implements Callable<Integer> {
         }
         MotionFile file = MotionFile.load(path);
         if (!file.errors().isEmpty()) {
-            throw new CalledWronglyException(path + " cannot be read: " + file.errors().get(0));
+            throw new CalledWronglyException(
+                    path + " cannot be read: " + file.errors().get(0));
         }
         return file;
     }

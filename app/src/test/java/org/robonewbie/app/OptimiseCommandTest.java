@@ -29,8 +29,17 @@ class OptimiseCommandTest {
     void leavesACheckpointAndCanGoOn() throws IOException {
         Path output = folder.resolve("kick-right.txt");
         String[] options = {
-            "kick-right", "--objective", "kick-distance", "--population", "4", "--seeds", "1", "--generations", "1",
-            "--output", output.toString()
+            "kick-right",
+            "--objective",
+            "kick-distance",
+            "--population",
+            "4",
+            "--seeds",
+            "1",
+            "--generations",
+            "1",
+            "--output",
+            output.toString()
         };
 
         command(options).call();
@@ -39,7 +48,8 @@ class OptimiseCommandTest {
         more[options.length] = "--resume";
         command(more).call();
 
-        assertThat(Files.readAllLines(folder.resolve("kick-right.txt.checkpoint"))).hasSize(3);
+        assertThat(Files.readAllLines(folder.resolve("kick-right.txt.checkpoint")))
+                .hasSize(3);
     }
 
     @Test
@@ -72,7 +82,8 @@ class OptimiseCommandTest {
     void refusesMotionFilesThatCannotBeRead() throws IOException {
         Path file = Files.writeString(folder.resolve("broken.txt"), "200 1 2 3\n");
 
-        assertThatThrownBy(() -> command(file.toString(), "--objective", "energy").call())
+        assertThatThrownBy(
+                        () -> command(file.toString(), "--objective", "energy").call())
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessageContaining("broken.txt cannot be read");
     }
