@@ -39,8 +39,7 @@ record OpenedFile(StudioFolders folders, String place) {
         Path recording = isRecording(file) ? file : converted(file, name);
         String title = String.valueOf(recording.getFileName()).replace(".part", "");
         String shown = title.replace(RecordingShelf.ENDING, "");
-        return new OpenedFile(
-                StudioFolders.ofWorkingDirectory().withRecording(recording), "#replay/" + encoded(shown));
+        return new OpenedFile(StudioFolders.ofWorkingDirectory().withRecording(recording), "#replay/" + encoded(shown));
     }
 
     private static OpenedFile motion(Path file, String name) {

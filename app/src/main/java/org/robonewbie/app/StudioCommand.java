@@ -69,9 +69,8 @@ final class StudioCommand implements Callable<Integer> {
         URI address = URI.create(view.address() + opened.place());
         Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
         System.out.println("Studio: " + address);
-        System.out.println(
-                monitor.map(server -> "It watches the server at " + server + ". Control-C ends it.")
-                        .orElse("Agents can join at port " + agentPort + ". Control-C ends it."));
+        System.out.println(monitor.map(server -> "It watches the server at " + server + ". Control-C ends it.")
+                .orElse("Agents can join at port " + agentPort + ". Control-C ends it."));
         hearRobots(view);
         show(view, address);
         Thread.currentThread().join();

@@ -120,7 +120,8 @@ class PuppetTest {
     private WorldSnapshot addPuppet() throws InterruptedException {
         await(now -> true);
         order("{'do':'addPuppet','side':'left'}");
-        long born = await(now -> now.robots().size() == 1 && now.robots().get(0).number() == 1).cycle();
+        long born = await(now -> now.robots().size() == 1 && now.robots().get(0).number() == 1)
+                .cycle();
         return await(now -> now.cycle() > born + 100);
     }
 
@@ -145,7 +146,10 @@ class PuppetTest {
         order("{'do':'hold','side':'left','number':1,'joint':'LEFT_SHOULDER_PITCH','degrees':60}");
 
         WorldSnapshot moved = await(now -> now.robots().get(0).jointDegrees()[ARM] > 59);
-        assertThat(await(now -> now.cycle() > moved.cycle() + 50).robots().get(0).jointDegrees()[ARM])
+        assertThat(await(now -> now.cycle() > moved.cycle() + 50)
+                        .robots()
+                        .get(0)
+                        .jointDegrees()[ARM])
                 .isCloseTo(60, within(1f));
     }
 
