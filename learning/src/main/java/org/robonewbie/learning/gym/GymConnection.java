@@ -1,0 +1,171 @@
+package org.robonewbie.learning.gym;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.robonewbie.learning.experiment.ObservedQuantity;
+import org.robonewbie.nao.Joint;
+
+/** Serves one program: makes its environments and lets them act, see docs/gym-protocol.md. */
+final class GymConnection {
+
+    private static final int LARGEST_MESSAGE = 64 << 20;
+    private static final int MOST_ENVIRONMENTS = 1024;
+    private static final byte MAKE = 'M';
+    private static final byte ACT = 'A';
+    private static final byte STEP = 1;
+    private static final byte RESET = 2;
+    private static final byte WELL = 0;
+    private static final byte WRONG = 1;
+
+    private final DataInputStream input;
+    private final DataOutputStream output;
+    private List<GymEnvironment> environments = List.of();
+
+    GymConnection(DataInputStream input, DataOutputStream output) {
+        this.input = input;
+        this.output = output;
+    }
+
+    /** Answers requests until the other side leaves. */
+    void serve() throws IOException {
+        try {
+            while (true) {
+                answer(readMessage());
+            }
+        } catch (EOFException left) {
+            environments = List.of();
+        }
+    }
+
+    private ByteBuffer readMessage() throws IOException {
+        int length = Integer.reverseBytes(input.readInt());
+        if (length < 1 || length > LARGEST_MESSAGE) {
+            throw new IOException("A learning program sent a message of " + length
+                    + " bytes. Do both sides have the same version of RoboNewbie?");
+        }
+        byte[] bytes = new byte[length];
+        input.readFully(bytes);
+        return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private void answer(ByteBuffer request) throws IOException {
+        try {
+            byte kind = request.get();
+            switch (kind) {
+                case MAKE -> reply(WELL, make(request));
+                case ACT -> reply(WELL, act(request));
+                default -> throw new IllegalArgumentException("There is no request of kind " + kind + ".");
+            }
+        } catch (IllegalArgumentException | java.nio.BufferUnderflowException wrong) {
+            reply(WRONG, String.valueOf(wrong.getMessage()).getBytes(StandardCharsets.UTF_8));
+        }
+    }
+
+    private void reply(byte status, byte[] content) throws IOException {
+        ByteBuffer frame = ByteBuffer.allocate(5 + content.length).order(ByteOrder.LITTLE_ENDIAN);
+        frame.putInt(1 + content.length).put(status).put(content);
+        output.write(frame.array());
+        output.flush();
+    }
+
+    private byte[] make(ByteBuffer request) {
+        int count = request.getInt();
+        if (count < 1 || count > MOST_ENVIRONMENTS) {
+            throw new IllegalArgumentException(
+                    count + " environments were asked for; there can be 1 to " + MOST_ENVIRONMENTS + ".");
+        }
+        Task task = Tasks.named(StandardCharsets.UTF_8.decode(request).toString());
+        environments = IntStream.range(0, count)
+                .mapToObj(i -> new GymEnvironment(task))
+                .toList();
+        return description(environments.get(0)).toString().getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static JsonObject description(GymEnvironment environment) {
+        JsonArray observation = new JsonArray();
+        for (ObservedQuantity quantity : environment.quantities()) {
+            JsonObject entry = new JsonObject();
+            entry.addProperty("name", quantity.name());
+            entry.addProperty("unit", quantity.unit());
+            entry.addProperty("least", quantity.least());
+            entry.addProperty("greatest", quantity.greatest());
+            observation.add(entry);
+        }
+        JsonArray action = new JsonArray();
+        environment.task().joints().stream().map(Joint::name).forEach(action::add);
+        JsonObject all = new JsonObject();
+        all.addProperty("task", environment.task().name());
+        all.addProperty("longestCycles", environment.task().longestCycles());
+        all.addProperty("rangeDegrees", environment.task().rangeDegrees());
+        all.add("observation", observation);
+        all.add("action", action);
+        return all;
+    }
+
+    private byte[] act(ByteBuffer request) {
+        int actions =
+                environments.isEmpty() ? 0 : environments.get(0).task().joints().size();
+        int size = 9 + Double.BYTES * actions;
+        if (environments.isEmpty() || request.remaining() != environments.size() * size) {
+            throw new IllegalArgumentException("Orders of " + request.remaining() + " bytes for " + environments.size()
+                    + " environments with " + actions + " actions each; " + environments.size() * size
+                    + " bytes were expected.");
+        }
+        int start = request.position();
+        byte[][] answers = IntStream.range(0, environments.size())
+                .parallel()
+                .mapToObj(i -> act(
+                        environments.get(i),
+                        request.duplicate().order(ByteOrder.LITTLE_ENDIAN).position(start + i * size),
+                        actions))
+                .toArray(byte[][]::new);
+        return joined(answers);
+    }
+
+    private static byte[] act(GymEnvironment environment, ByteBuffer order, int actions) {
+        byte what = order.get();
+        long seed = order.getLong();
+        double[] action = new double[actions];
+        order.asDoubleBuffer().get(action);
+        if (what == RESET) {
+            environment.reset(seed);
+        } else if (what == STEP) {
+            check(action);
+            environment.step(action);
+        }
+        double[] observation = environment.observation();
+        ByteBuffer answer =
+                ByteBuffer.allocate(Double.BYTES * (observation.length + 1) + 1).order(ByteOrder.LITTLE_ENDIAN);
+        for (double number : observation) {
+            answer.putDouble(number);
+        }
+        answer.putDouble(environment.reward()).put((byte) (environment.isOver() ? 1 : 0));
+        return answer.array();
+    }
+
+    private static void check(double[] action) {
+        for (double number : action) {
+            if (Double.isNaN(number)) {
+                throw new IllegalArgumentException(
+                        "An action holds a number that is none (NaN). Was something divided by zero?");
+            }
+        }
+    }
+
+    private static byte[] joined(byte[][] parts) {
+        ByteBuffer all = ByteBuffer.allocate(parts.length * parts[0].length);
+        for (byte[] part : parts) {
+            all.put(part);
+        }
+        return all.array();
+    }
+}

@@ -1,0 +1,120 @@
+package org.robonewbie.learning.gym;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.Joint;
+
+class GymServerTest {
+
+    private final List<String> console = Collections.synchronizedList(new ArrayList<>());
+    private GymServer server;
+    private Socket socket;
+
+    @BeforeEach
+    void connect() throws IOException {
+        server = GymServer.open(0, console::add);
+        socket = new Socket("127.0.0.1", server.port());
+    }
+
+    @AfterEach
+    void close() throws IOException {
+        socket.close();
+        server.close();
+    }
+
+    @Test
+    void taskIsDescribedWithNamesUnitsAndRanges() throws IOException {
+        String description = text(make("Reach", 1));
+
+        assertThat(description)
+                .startsWith("\0{")
+                .contains("\"name\":\"joint.NECK_YAW\",\"unit\":\"degrees\"")
+                .contains("\"action\":[\"LEFT_SHOULDER_PITCH\"")
+                .contains("\"longestCycles\":100");
+    }
+
+    @Test
+    void actionLeadsTheJointToItsAngle() throws IOException {
+        make("Reach", 1);
+        act(order(2, 1, 0, 0, 0, 0));
+
+        ByteBuffer answer = act(order(1, 0, 0.1, 0, 0, 0));
+        for (int i = 0; i < 50; i++) {
+            answer = act(order(1, 0, 0.1, 0, 0, 0));
+        }
+
+        double shoulder = answer.getDouble(1 + Double.BYTES * Joint.LEFT_SHOULDER_PITCH.ordinal());
+        assertThat(shoulder).isCloseTo(-95 + 12, within(0.5));
+    }
+
+    @Test
+    void oldTaskIsKeptWhenAnUnknownOneIsAskedFor() throws IOException {
+        make("Reach", 1);
+
+        assertThat(text(make("Fly", 1)))
+                .isEqualTo("\1There is no task \"Fly\". The tasks are: Stand, Walk, Kick, Reach.");
+        assertThat(text(make("Walk", 0))).isEqualTo("\1" + "0 environments were asked for; there can be 1 to 1024.");
+        assertThat(act(order(2, 1, 0, 0, 0, 0)).get(0)).isZero();
+    }
+
+    @Test
+    void ordersOfAWrongSizeAreRefused() throws IOException {
+        make("Reach", 2);
+
+        assertThat(text(act(order(1, 0, 0, 0, 0, 0))))
+                .isEqualTo("\1Orders of 41 bytes for 2 environments with 4 actions each; 82 bytes were expected.");
+        assertThat(text(ask(new byte[] {'?'}))).isEqualTo("\1There is no request of kind 63.");
+    }
+
+    private ByteBuffer make(String task, int count) throws IOException {
+        byte[] name = task.getBytes(StandardCharsets.UTF_8);
+        return ask(
+                little(5 + name.length).put((byte) 'M').putInt(count).put(name).array());
+    }
+
+    private ByteBuffer act(byte[] order) throws IOException {
+        return ask(little(1 + order.length).put((byte) 'A').put(order).array());
+    }
+
+    private static byte[] order(int what, long seed, double... action) {
+        ByteBuffer order =
+                little(9 + Double.BYTES * action.length).put((byte) what).putLong(seed);
+        for (double part : action) {
+            order.putDouble(part);
+        }
+        return order.array();
+    }
+
+    private ByteBuffer ask(byte[] message) throws IOException {
+        socket.getOutputStream()
+                .write(little(4 + message.length)
+                        .putInt(message.length)
+                        .put(message)
+                        .array());
+        DataInputStream input = new DataInputStream(socket.getInputStream());
+        byte[] answer = new byte[Integer.reverseBytes(input.readInt())];
+        input.readFully(answer);
+        return ByteBuffer.wrap(answer).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private static ByteBuffer little(int size) {
+        return ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private static String text(ByteBuffer answer) {
+        return StandardCharsets.UTF_8.decode(answer).toString();
+    }
+}

@@ -1,0 +1,26 @@
+"""Tasks for a simulated NAO humanoid with the interface of Gymnasium.
+
+>>> import gymnasium, robonewbie
+>>> env = gymnasium.make("RoboNewbie/Walk-v0")
+>>> observation, info = env.reset(seed=1)
+>>> observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
+"""
+
+import gymnasium
+
+from robonewbie.environment import RoboNewbieEnv
+from robonewbie.simulator import RoboNewbieError
+from robonewbie.vector import RoboNewbieVectorEnv
+
+__all__ = ["RoboNewbieEnv", "RoboNewbieError", "RoboNewbieVectorEnv"]
+
+_LONGEST_CYCLES = {"Stand": 500, "Walk": 500, "Kick": 250, "Reach": 100}
+
+for _task, _cycles in _LONGEST_CYCLES.items():
+    gymnasium.register(
+        id=f"RoboNewbie/{_task}-v0",
+        entry_point="robonewbie.environment:RoboNewbieEnv",
+        vector_entry_point="robonewbie.vector:RoboNewbieVectorEnv",
+        max_episode_steps=_cycles,
+        kwargs={"task": _task},
+    )
