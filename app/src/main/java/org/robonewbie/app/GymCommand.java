@@ -27,7 +27,11 @@ final class GymCommand implements Callable<Integer> {
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Option(names = "--port", paramLabel = "PORT", defaultValue = "0", description = "TCP port (default: any free one).")
+    @Option(
+            names = "--port",
+            paramLabel = "PORT",
+            defaultValue = "0",
+            description = "TCP port (default: any free one).")
     private int port;
 
     @Override

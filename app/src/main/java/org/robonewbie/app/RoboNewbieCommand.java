@@ -25,6 +25,7 @@ import picocli.CommandLine.IVersionProvider;
             GradeCommand.class,
             NewCommand.class,
             EvaluationCommand.class,
+            ExperimentCommand.class,
             GymCommand.class,
             DoctorCommand.class
         },

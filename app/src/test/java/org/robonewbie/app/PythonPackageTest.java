@@ -48,7 +48,8 @@ class PythonPackageTest {
             // It is told below.
         }
         if (!usable && System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null) {
-            throw new AssertionError("Python 3 with gymnasium is not installed, but ROBONEWBIE_REQUIRE_TOOLS asks for it.");
+            throw new AssertionError(
+                    "Python 3 with gymnasium is not installed, but ROBONEWBIE_REQUIRE_TOOLS asks for it.");
         }
         if (!usable) {
             System.out.println("SKIPPED: Python 3 with gymnasium is not installed, so the Python tests do not run.");

@@ -17,6 +17,8 @@ import java.util.function.Consumer;
  */
 public final class GymServer implements AutoCloseable {
 
+    private static final byte[] LOOPBACK = {127, 0, 0, 1};
+
     private final ServerSocket socket;
     private final Consumer<String> console;
 
@@ -34,7 +36,7 @@ public final class GymServer implements AutoCloseable {
      * @throws IOException if the port is in use
      */
     public static GymServer open(int port, Consumer<String> console) throws IOException {
-        GymServer server = new GymServer(new ServerSocket(port, 50, InetAddress.getByName("127.0.0.1")), console);
+        GymServer server = new GymServer(new ServerSocket(port, 50, InetAddress.getByAddress(LOOPBACK)), console);
         daemon("gym server", server::accept);
         return server;
     }

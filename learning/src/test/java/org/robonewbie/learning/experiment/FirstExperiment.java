@@ -3,11 +3,7 @@ package org.robonewbie.learning.experiment;
 import org.robonewbie.nao.Joint;
 
 /** The example of docs/experiments.md: how long does a robot stand that raises its arms? */
-final class FirstExperiment {
-
-    private FirstExperiment() {}
-
-    /** Runs five trials and prints a line about each. */
+public class FirstExperiment {
     public static void main(String[] arguments) {
         Trial trial = new SoccerTrial(TrialSetting.standing());
         for (long seed = 1; seed <= 5; seed++) {

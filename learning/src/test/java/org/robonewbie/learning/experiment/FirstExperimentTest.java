@@ -39,7 +39,8 @@ class FirstExperimentTest {
         String source =
                 Files.readString(Path.of("src/test/java/org/robonewbie/learning/experiment/FirstExperiment.java"));
 
-        String shown = document.substring(document.indexOf("```java\n") + 8, document.indexOf("\n```\n"));
+        String shown =
+                document.substring(document.indexOf("public class FirstExperiment"), document.indexOf("\n```\n"));
 
         assertThat(source.replaceAll("\\s+", "")).contains(shown.replaceAll("\\s+", ""));
     }

@@ -1,0 +1,63 @@
+package org.robonewbie.learning.series;
+
+import java.util.List;
+import java.util.Map;
+
+/**
+ * What is done in each trial of a series. A class that implements it has a public constructor without parameters. Trials run
+ * in many threads and on other computers, and again after a failure, so the result may depend on parameters and seed only.
+ *
+ * <pre>{@code
+ * public class Nod implements Experiment {
+ *     public List<String> columns() { return List.of("fallen"); }
+ *
+ *     public double[] run(Map<String, Double> parameters, long seed) {
+ *         Trial trial = new SoccerTrial(TrialSetting.standing());
+ *         trial.reset(seed);
+ *         return new double[] {trial.state().robot().isFallen() ? 1 : 0};
+ *     }
+ * }
+ * }</pre>
+ */
+public interface Experiment {
+
+    /**
+     * Names what a trial measures.
+     *
+     * @return names of the columns of the table, with units
+     */
+    List<String> columns();
+
+    /**
+     * Carries out one trial.
+     *
+     * @param parameters the values of the plan for this trial
+     * @param seed chooses all that is random in it
+     * @return one number for each of the {@link #columns}
+     * @throws Exception if the trial failed; it is tried again some times
+     */
+    double[] run(Map<String, Double> parameters, long seed) throws Exception;
+
+    /**
+     * Makes an experiment from the name of its class.
+     *
+     * @param className full name of a class that the current thread's class loader knows
+     * @return the experiment
+     * @throws IllegalArgumentException if that is not an experiment; the message says what to do
+     */
+    static Experiment of(String className) {
+        try {
+            ClassLoader loader = Thread.currentThread().getContextClassLoader();
+            return Class.forName(className, true, loader)
+                    .asSubclass(Experiment.class)
+                    .getConstructor()
+                    .newInstance();
+        } catch (ReflectiveOperationException | ClassCastException wrong) {
+            throw new IllegalArgumentException(
+                    className + " is not an experiment (" + wrong
+                            + "). Give the full name of a public class that implements Experiment and has a public"
+                            + " constructor without parameters, and its folder or jar with --class-path.",
+                    wrong);
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package org.robonewbie.learning.series;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+
+/**
+ * Which experiment is carried out how often and with which parameters: all combinations of the values, one after the other,
+ * as often as needed.
+ *
+ * @param experiment full name of a class that implements {@link Experiment}
+ * @param trials how many trials
+ * @param seed chooses the seeds of all trials
+ * @param values for each parameter the values to be tried, in the order of the file
+ */
+public record ExperimentPlan(String experiment, int trials, long seed, LinkedHashMap<String, List<Double>> values) {
+
+    private static final int MOST_TRIALS = 100_000_000;
+
+    /**
+     * Reads a plan: a text file with lines {@code name=value}; {@code experiment}, {@code trials} and {@code seed} are known,
+     * each other name is a parameter with values between commas. What follows {@code #} is a comment.
+     *
+     * @param file the file
+     * @return the plan
+     * @throws IOException if it cannot be read
+     * @throws IllegalArgumentException if it cannot be understood; the message names the line
+     */
+    public static ExperimentPlan read(Path file) throws IOException {
+        String experiment = "";
+        int trials = 1;
+        long seed = 1;
+        LinkedHashMap<String, List<Double>> values = new LinkedHashMap<>();
+        List<String> lines = Files.readAllLines(file);
+        for (int i = 0; i < lines.size(); i++) {
+            String line = lines.get(i).replaceFirst("#.*", "").trim();
+            int equals = line.indexOf('=');
+            if (line.isEmpty()) {
+                continue;
+            }
+            String name = line.substring(0, Math.max(0, equals)).trim();
+            String value = line.substring(equals + 1).trim();
+            try {
+                switch (name) {
+                    case "" -> throw new NumberFormatException();
+                    case "experiment" -> experiment = value;
+                    case "trials" -> trials = Integer.parseInt(value);
+                    case "seed" -> seed = Long.parseLong(value);
+                    default -> values.put(name, numbers(value));
+                }
+            } catch (NumberFormatException wrong) {
+                throw new IllegalArgumentException(
+                        file + ", line " + (i + 1) + ": \"" + line
+                                + "\" is not understood. Write name=number, or name=number,number,… for a parameter.",
+                        wrong);
+            }
+        }
+        if (experiment.isEmpty() || trials < 1 || trials > MOST_TRIALS) {
+            throw new IllegalArgumentException(
+                    file + ": a plan needs a line experiment=NAME.OF.A.CLASS and trials from 1 to " + MOST_TRIALS
+                            + "; it has \"" + experiment + "\" and " + trials + ".");
+        }
+        return new ExperimentPlan(experiment, trials, seed, values);
+    }
+
+    private static List<Double> numbers(String text) {
+        List<Double> numbers = new ArrayList<>();
+        for (String part : text.split(",", -1)) {
+            numbers.add(Double.valueOf(part.trim()));
+        }
+        return List.copyOf(numbers);
+    }
+
+    /**
+     * Lists the trials. The seed of a trial depends on the plan's seed and the trial's number only.
+     *
+     * @return all trials in their order
+     */
+    public List<PlannedTrial> all() {
+        SplittableRandom seeds = new SplittableRandom(seed);
+        List<PlannedTrial> all = new ArrayList<>(trials);
+        for (int i = 0; i < trials; i++) {
+            all.add(new PlannedTrial(i, seeds.nextLong() >>> 1, parameters(i)));
+        }
+        return all;
+    }
+
+    private LinkedHashMap<String, Double> parameters(int number) {
+        LinkedHashMap<String, Double> chosen = new LinkedHashMap<>();
+        int rest = number;
+        for (Map.Entry<String, List<Double>> parameter : values.entrySet()) {
+            List<Double> choices = parameter.getValue();
+            chosen.put(parameter.getKey(), choices.get(rest % choices.size()));
+            rest /= choices.size();
+        }
+        return chosen;
+    }
+}

@@ -1,0 +1,95 @@
+package org.robonewbie.learning.series;
+
+import com.google.gson.stream.JsonWriter;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What a series has measured: for each trial its number, its seed, its parameters and its results.
+ *
+ * @param columns names of the measured numbers
+ * @param trials the trials in their order
+ * @param measured what each of them has measured; not to be changed
+ */
+public record ResultTable(List<String> columns, List<PlannedTrial> trials, List<double[]> measured) {
+
+    /**
+     * Writes the table to a file, as JSON if its name ends with .json, else as CSV.
+     *
+     * @param file where to; an existing file is replaced when all is written
+     * @throws IOException if that fails
+     */
+    public void write(Path file) throws IOException {
+        Path part = file.resolveSibling(file.getFileName() + ".part");
+        Files.writeString(part, file.toString().endsWith(".json") ? json() : csv());
+        Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    /**
+     * Gives the table as comma-separated values.
+     *
+     * @return a line of names and a line for each trial
+     */
+    public String csv() {
+        StringBuilder text = new StringBuilder(String.join(",", names())).append('\n');
+        for (int i = 0; i < trials.size(); i++) {
+            PlannedTrial trial = trials.get(i);
+            text.append(trial.number()).append(',').append(trial.seed());
+            trial.parameters().values().forEach(value -> text.append(',').append(value));
+            for (double number : measured.get(i)) {
+                text.append(',').append(number);
+            }
+            text.append('\n');
+        }
+        return text.toString();
+    }
+
+    private List<String> names() {
+        List<String> names = new ArrayList<>(List.of("trial", "seed"));
+        if (!trials.isEmpty()) {
+            names.addAll(trials.get(0).parameters().keySet());
+        }
+        names.addAll(columns);
+        return names.stream().map(ResultTable::quoted).toList();
+    }
+
+    private static String quoted(String name) {
+        return name.matches("[^,\"\\n]*") ? name : '"' + name.replace("\"", "\"\"") + '"';
+    }
+
+    /**
+     * Gives the table as JSON.
+     *
+     * @return a list with an object for each trial
+     * @throws IOException never
+     */
+    public String json() throws IOException {
+        StringWriter text = new StringWriter();
+        try (JsonWriter writer = new JsonWriter(text)) {
+            writer.setIndent(" ");
+            writer.setStrictness(com.google.gson.Strictness.LENIENT);
+            writer.beginArray();
+            for (int i = 0; i < trials.size(); i++) {
+                write(writer, trials.get(i), measured.get(i));
+            }
+            writer.endArray();
+        }
+        return text.append('\n').toString();
+    }
+
+    private void write(JsonWriter writer, PlannedTrial trial, double[] numbers) throws IOException {
+        writer.beginObject().name("trial").value(trial.number()).name("seed").value(trial.seed());
+        for (var parameter : trial.parameters().entrySet()) {
+            writer.name(parameter.getKey()).value(parameter.getValue());
+        }
+        for (int i = 0; i < numbers.length; i++) {
+            writer.name(columns.get(i)).value(numbers[i]);
+        }
+        writer.endObject();
+    }
+}

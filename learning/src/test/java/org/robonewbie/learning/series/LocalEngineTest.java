@@ -1,0 +1,140 @@
+package org.robonewbie.learning.series;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class LocalEngineTest {
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void tableIsTheSameForAnyNumberOfThreads() throws IOException {
+        ExperimentPlan plan = plan("experiment=" + PushExperiment.class.getName(), "trials=12", "newtons=5, 150");
+
+        String one = table(plan, new LocalEngine(1)).csv();
+
+        assertThat(table(plan, new LocalEngine(3)).csv()).isEqualTo(one);
+        assertThat(one).startsWith("trial,seed,newtons,side_degrees,fallen,largest_tilt_degrees\n0,");
+        assertThat(one.lines()).hasSize(13);
+    }
+
+    @Test
+    void strongPushesThrowRobotsAndWeakOnesDoNot() throws IOException {
+        ExperimentPlan plan = plan("experiment=" + PushExperiment.class.getName(), "trials=8", "newtons=5,150");
+
+        ResultTable table = table(plan, new LocalEngine());
+
+        for (int i = 0; i < 8; i++) {
+            assertThat(table.measured().get(i)[1]).isEqualTo(i % 2);
+        }
+    }
+
+    @Test
+    void parametersGoThroughAllCombinations() throws IOException {
+        ExperimentPlan plan = plan("experiment=x # a comment", "", "trials=5", "seed=7", "a=1,2", "b=10,20");
+
+        assertThat(plan.all().stream().map(PlannedTrial::parameters).map(Map::toString))
+                .containsExactly(
+                        "{a=1.0, b=10.0}", "{a=2.0, b=10.0}", "{a=1.0, b=20.0}", "{a=2.0, b=20.0}", "{a=1.0, b=10.0}");
+        assertThat(plan.all().stream().map(PlannedTrial::seed)).doesNotHaveDuplicates();
+        assertThat(plan.all()).isEqualTo(plan.all());
+    }
+
+    @Test
+    void trialThatFailsOnceIsTriedAgain() throws IOException {
+        ExperimentPlan plan = plan("experiment=" + Shaky.class.getName(), "trials=20");
+        List<Integer> done = Collections.synchronizedList(new ArrayList<>());
+
+        List<double[]> measured = new LocalEngine(2).run(plan.experiment(), plan.all(), "", done::add);
+
+        assertThat(measured).hasSize(20).allMatch(row -> row[0] >= 0);
+        assertThat(done).hasSize(20).contains(20);
+    }
+
+    @Test
+    void trialThatFailsAlwaysIsNamed() throws IOException {
+        ExperimentPlan plan = plan("experiment=" + Broken.class.getName(), "trials=2", "seed=3", "a=4");
+
+        assertThatThrownBy(() -> table(plan, new LocalEngine(1)))
+                .hasMessageMatching(
+                        "Trial 0 \\(seed \\d+, \\{a=4.0}\\) failed 3 times: .*it gave 0 numbers for 1 columns");
+    }
+
+    @Test
+    void mistakesInAPlanAreTold() {
+        assertThatThrownBy(() -> plan("experiment=x", "newtons=a lot"))
+                .hasMessageEndingWith("line 2: \"newtons=a lot\" is not understood. "
+                        + "Write name=number, or name=number,number,… for a parameter.");
+        assertThatThrownBy(() -> plan("trials=3"))
+                .hasMessageEndingWith("a plan needs a line experiment=NAME.OF.A.CLASS and trials from 1 to 100000000; "
+                        + "it has \"\" and 3.");
+        assertThatThrownBy(() -> Experiment.of("java.lang.String")).hasMessageContaining("is not an experiment");
+    }
+
+    @Test
+    void tableIsWrittenAsJsonToo() throws IOException {
+        ExperimentPlan plan = plan("experiment=" + Shaky.class.getName(), "trials=2", "a=4");
+        Path file = folder.resolve("table.json");
+
+        table(plan, new LocalEngine(1)).write(file);
+
+        assertThat(Files.readString(file))
+                .startsWith("[\n {\n  \"trial\": 0,\n  \"seed\": ")
+                .contains("\"a\": 4.0");
+    }
+
+    private ExperimentPlan plan(String... lines) throws IOException {
+        return ExperimentPlan.read(Files.write(folder.resolve("plan.txt"), List.of(lines)));
+    }
+
+    private static ResultTable table(ExperimentPlan plan, LocalEngine engine) {
+        List<double[]> measured = engine.run(plan.experiment(), plan.all(), "", count -> {});
+        return new ResultTable(Experiment.of(plan.experiment()).columns(), plan.all(), measured);
+    }
+
+    /** Fails in the first attempt of each trial. */
+    public static final class Shaky implements Experiment {
+
+        private static final Set<Long> TRIED = ConcurrentHashMap.newKeySet();
+
+        @Override
+        public List<String> columns() {
+            return List.of("x, \"y\"");
+        }
+
+        @Override
+        public double[] run(Map<String, Double> parameters, long seed) {
+            if (TRIED.add(seed)) {
+                throw new IllegalStateException("not yet");
+            }
+            return new double[] {seed};
+        }
+    }
+
+    /** Gives too few numbers. */
+    public static final class Broken implements Experiment {
+
+        @Override
+        public List<String> columns() {
+            return List.of("x");
+        }
+
+        @Override
+        public double[] run(Map<String, Double> parameters, long seed) {
+            return new double[0];
+        }
+    }
+}
