@@ -39,7 +39,7 @@ final class GymCommand implements Callable<Integer> {
         if (port < 0 || port > 65535) {
             throw new CalledWronglyException("--port " + port + ": give a number from 0 to 65535.");
         }
-        try (GymServer server = GymServer.open(port, System.err::println)) {
+        try (GymServer server = server()) {
             System.out.println("gym " + server.port());
             System.out.flush();
             while (System.in.read() >= 0) {
@@ -47,5 +47,9 @@ final class GymCommand implements Callable<Integer> {
             }
         }
         return ExitCode.OK;
+    }
+
+    private GymServer server() throws IOException {
+        return GymServer.open(port, System.err::println);
     }
 }

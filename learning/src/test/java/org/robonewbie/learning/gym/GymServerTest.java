@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.DataInputStream;
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -26,7 +27,7 @@ class GymServerTest {
     @BeforeEach
     void connect() throws IOException {
         server = GymServer.open(0, console::add);
-        socket = new Socket("127.0.0.1", server.port());
+        socket = new Socket(InetAddress.getLoopbackAddress(), server.port());
     }
 
     @AfterEach
@@ -86,7 +87,7 @@ class GymServerTest {
     }
 
     private ByteBuffer act(byte[] order) throws IOException {
-        return ask(little(1 + order.length).put((byte) 'A').put(order).array());
+        return ask(bytes(little(1 + order.length).put((byte) 'A').put(order)));
     }
 
     private static byte[] order(int what, long seed, double... action) {
@@ -95,7 +96,7 @@ class GymServerTest {
         for (double part : action) {
             order.putDouble(part);
         }
-        return order.array();
+        return bytes(order);
     }
 
     private ByteBuffer ask(byte[] message) throws IOException {
@@ -108,6 +109,12 @@ class GymServerTest {
         byte[] answer = new byte[Integer.reverseBytes(input.readInt())];
         input.readFully(answer);
         return ByteBuffer.wrap(answer).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private static byte[] bytes(ByteBuffer buffer) {
+        byte[] bytes = new byte[buffer.flip().remaining()];
+        buffer.get(bytes);
+        return bytes;
     }
 
     private static ByteBuffer little(int size) {
