@@ -13,7 +13,7 @@ const { atTime, documentOf, framesOf, initialEditor, isUnsaved, judgeDisk, playe
 const { parse, textOf } = await import(`${WEB}/motion-text.js`);
 const { STANDING, readPostures, usualPostures, writePostures } = await import(`${WEB}/poses.js`);
 const { copiedSide, mirrored, postureFrom, symmetric } = await import(`${WEB}/posture.js`);
-const { chainJoints, ownJoints, pulled, torsoMoved } = await import(`${WEB}/reach.js`);
+const { chainJoints, followed, ownJoints, pulled, torsoMoved } = await import(`${WEB}/reach.js`);
 
 const file = join(process.env.STUDIO_FRAME_FOLDER ?? '', 'robot.json');
 const body = existsSync(file) ? bodyOf(JSON.parse(readFileSync(file, 'utf8'))) : undefined;
@@ -77,6 +77,26 @@ withBody('a pulled hand is reached with the whole arm, and only the elbow turns 
     assert.ok(own[i] === stand[i] || /LEFT_ARM/.test(name), name);
     assert.ok(own[i] >= minDegrees && own[i] <= maxDegrees);
   });
+});
+
+withBody('a far jump of the hand comes as near as many small moves do', () => {
+  const torso = placed(body, stand, 'soles');
+  const link = linkIndex(body, 'llowerarm');
+  const local = [0, 0.05, 0];
+  const joints = chainJoints(body, link);
+  const from = pointOf(posesOf(body, stand, torso), link, local);
+  for (const way of [[0.3, 0.2, 0.3], [-0.5, -0.1, 0.4], [0.1, -0.6, 0], [0, 0.2, -0.9]]) {
+    const at = (/** @type {number} */ part) => from.map((/** @type {number} */ value, /** @type {number} */ axis) => value + part * way[axis]);
+    const strides = Math.min(25, Math.ceil(Math.hypot(...way) / 0.02));
+    let slowly = stand;
+    for (let step = 1; step <= strides; step++) {
+      slowly = followed(body, slowly, torso, { link, local, target: at(step / strides), joints });
+    }
+    const atOnce = followed(body, stand, torso, { link, local, target: at(1), joints });
+    const distance = (/** @type {number[]} */ posture) => Math.hypot(...pointOf(posesOf(body, posture, torso), link, local).map((/** @type {number} */ value, /** @type {number} */ i) => value - at(1)[i]));
+    assert.ok(distance(atOnce) < distance(slowly) + 0.03, `${way}: ${distance(atOnce)} instead of ${distance(slowly)}`);
+    body.joints.forEach((/** @type {any} */ { minDegrees, maxDegrees }, /** @type {number} */ i) => assert.ok(atOnce[i] >= minDegrees && atOnce[i] <= maxDegrees));
+  }
 });
 
 withBody('the feet stay while the torso goes down', () => {

@@ -182,6 +182,11 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
     }
 
     void mouse(String type, double x, double y) {
+        mouse(type, x, y, 0);
+    }
+
+    /** Moves or presses the mouse while keys are held: 8 is Shift. */
+    void mouse(String type, double x, double y, int modifiers) {
         JsonObject event = new JsonObject();
         event.addProperty("type", type);
         event.addProperty("x", x);
@@ -189,6 +194,7 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
         event.addProperty("button", "left");
         event.addProperty("buttons", type.equals("mouseReleased") ? 0 : 1);
         event.addProperty("clickCount", 1);
+        event.addProperty("modifiers", modifiers);
         call("Input.dispatchMouseEvent", event);
     }
 

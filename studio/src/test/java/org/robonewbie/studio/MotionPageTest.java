@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -133,6 +135,66 @@ class MotionPageTest {
             if (joint != Joint.LEFT_ARM_ROLL && joint != Joint.LEFT_ARM_YAW) {
                 assertThat(degrees).isEqualTo(Double.parseDouble(STANDING.split(" ", -1)[joint.ordinal()]));
             }
+        }
+    }
+
+    @Test
+    void draggedHandTakesTheWholeArmAlongWhileShiftIsHeld() throws IOException {
+        openFile("500 " + STANDING + "\n");
+        double[] hand = pageAt("llowerarm");
+
+        browser.mouse("mousePressed", hand[0], hand[1], 8);
+        browser.mouse("mouseMoved", hand[0] + 30, hand[1] - 90, 8);
+        browser.mouse("mouseReleased", hand[0] + 30, hand[1] - 90, 8);
+
+        String posture = FRAMES + "[0].degrees";
+        browser.await(posture + "[2] !== -90 && " + posture + "[5] !== -25");
+        for (Joint joint : Joint.values()) {
+            double degrees = number(posture + "[" + joint.ordinal() + "]");
+            assertThat(degrees).isBetween(joint.minDegrees(), joint.maxDegrees());
+            if (!joint.name().matches("LEFT_(SHOULDER|ARM).*")) {
+                assertThat(degrees).isEqualTo(Double.parseDouble(STANDING.split(" ", -1)[joint.ordinal()]));
+            }
+        }
+    }
+
+    @Test
+    void copiedKeyframesArePastedIntoAnotherMotion() throws IOException {
+        Files.writeString(folder.resolve("other.txt"), "700 " + STANDING.replaceFirst("0 0 -90", "33 0 -90") + "\n");
+        open("other");
+        browser.click("#copy");
+        browser.await("document.querySelector('#toast').textContent.startsWith('1 keyframe copied')");
+        Files.writeString(folder.resolve("mine.txt"), WITH_COMMENTS);
+        browser.await("document.querySelector('#own-motions [data-motion=mine]')");
+
+        browser.click("#own-motions [data-motion=mine]");
+        browser.await(STATE + ".name === 'mine' && !document.querySelector('#paste').disabled");
+        browser.click("#paste");
+
+        browser.await(FRAMES + ".length === 3 && " + FRAMES + "[1].degrees[0] === 33");
+    }
+
+    @Test
+    void keptPostureIsInTheLibraryAndOnTheDisk() throws IOException {
+        openFile("500 " + STANDING.replaceFirst("0 0 -90", "21 0 -90") + "\n");
+
+        browser.click("#keep-posture");
+        browser.await("document.querySelector('#answer')");
+        type("#answer", "look-left");
+        browser.click("#accept");
+
+        browser.await("document.querySelector('#motion-room').textContent.includes('look-left')");
+        try (Stream<Path> files = Files.walk(folder)) {
+            assertThat(files.filter(Files::isRegularFile).map(MotionPageTest::read))
+                    .anyMatch(text -> text.contains("look-left"));
+        }
+    }
+
+    private static String read(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 

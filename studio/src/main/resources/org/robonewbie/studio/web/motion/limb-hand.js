@@ -2,7 +2,7 @@
 import * as THREE from 'three';
 import { POSE, rotated } from '../state/kinematics.js';
 import { pointOf, posesOf } from '../state/motion/body.js';
-import { chainJoints, limbOf, ownJoints, pulled, torsoMoved } from '../state/motion/reach.js';
+import { chainJoints, limbOf, ownJoints, followed, torsoMoved } from '../state/motion/reach.js';
 
 /**
  * @typedef {import('./motion-stage.js').MotionStage} MotionStage
@@ -13,7 +13,7 @@ import { chainJoints, limbOf, ownJoints, pulled, torsoMoved } from '../state/mot
  * @property {number} y
  * @property {number} link
  * @property {number[]} local the grabbed point in the limb's frame
- * @property {THREE.Plane} plane in which the point is pulled
+ * @property {THREE.Plane} plane in which the point is followed
  * @property {number[]} from where the point was
  * @property {number[]} posture at the beginning
  * @property {number[]} reached posture to which the hand has led it
@@ -148,7 +148,7 @@ export class LimbHand {
     const joints = whole ? chainJoints(body, link) : ownJoints(body, link);
     const isFoot = body.model.links[link].name.endsWith('foot');
     const up = whole && isFoot ? rotated(posesOf(body, grip.posture, grip.torso), link, [0, 0, 1]) : undefined;
-    const posture = pulled(body, grip.reached, grip.torso, { link, local, target, up, joints });
+    const posture = followed(body, grip.reached, grip.torso, { link, local, target, up, joints });
     grip.reached = posture;
     this.editor.pose(tenths(posture, grip.posture), grip.gesture, grip.torso);
   }

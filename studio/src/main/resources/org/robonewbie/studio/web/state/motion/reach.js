@@ -21,6 +21,9 @@ const STEP_DEGREES = 0.5;
 const MOST_DEGREES = 12;
 const DAMPING = 2e-8;
 const GOOD_METRES = 2e-4;
+const STRIDE_METRES = 0.02;
+const MOST_STRIDES = 25;
+const STRIDE_DEGREES = 15;
 const METRES_PER_UP = 0.12;
 const LIMBS = /^(body|head|[lr](upperarm|lowerarm|thigh|shank|foot))$/;
 
@@ -99,6 +102,29 @@ export function pulled(body, posture, torso, pull) {
     }
   }
   return best;
+}
+
+/**
+ * Pulls in small strides along the straight way, so that a hand that jumps far does not make the joints snap over.
+ *
+ * @param {Body} body
+ * @param {Posture} posture
+ * @param {ArrayLike<number>} torso pose of the torso, which stays
+ * @param {Pull} pull
+ * @returns {number[]} the posture at the end of the way
+ */
+export function followed(body, posture, torso, pull) {
+  const from = pointOf(posesOf(body, posture, torso), pull.link, pull.local);
+  const way = pull.target.map((value, axis) => value - from[axis]);
+  const strides = Math.max(1, Math.min(MOST_STRIDES, Math.ceil(Math.hypot(...way) / STRIDE_METRES)));
+  let reached = [...posture];
+  for (let stride = 1; stride <= strides; stride++) {
+    const before = reached;
+    const target = from.map((value, axis) => value + (way[axis] * stride) / strides);
+    const next = pulled(body, before, torso, { ...pull, target });
+    reached = next.map((angle, i) => before[i] + Math.max(-STRIDE_DEGREES, Math.min(STRIDE_DEGREES, angle - before[i])));
+  }
+  return reached;
 }
 
 /**
