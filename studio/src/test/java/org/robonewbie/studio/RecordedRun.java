@@ -23,6 +23,7 @@ final class RecordedRun implements AutoCloseable {
                 SimulatorSettings.beginner()
                         .agentPort(0)
                         .synchronous(true)
+                        .awaitedAgents(1)
                         .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
                         .seed(1)
                         .recording(Optional.of(file))
