@@ -344,7 +344,12 @@ class StudioPageTest {
     private static final String PANELS_THAT_DO_NOT_FIT = """
             (() => {
               const panels = [...document.querySelectorAll('.panel, .bar')].filter((panel) => panel.offsetParent);
-              const boxes = panels.map((panel) => [panel.id, panel.getBoundingClientRect()]);
+              const seen = (panel) => {
+                const box = panel.getBoundingClientRect();
+                const frame = panel.closest('#side')?.getBoundingClientRect() ?? box;
+                return { left: box.left, right: box.right, top: box.top, bottom: Math.min(box.bottom, frame.bottom) };
+              };
+              const boxes = panels.map((panel) => [panel.id, seen(panel)]).filter(([, box]) => box.bottom > box.top);
               const bad = [];
               for (const [id, box] of boxes) {
                 if (box.left < 0 || box.top < 0 || box.right > innerWidth || box.bottom > innerHeight) bad.push(id);
