@@ -113,6 +113,13 @@ class PuppetTest {
         return snapshot;
     }
 
+    /** After some reports the studio, which is told after this test, has seen the world too. */
+    private void awaitSightOfTheStudio() throws InterruptedException {
+        for (int reports = 0; reports < 3; reports++) {
+            await(now -> true);
+        }
+    }
+
     private static float x(WorldSnapshot snapshot) {
         return snapshot.robots().get(0).linkPoses()[0];
     }
@@ -192,6 +199,7 @@ class PuppetTest {
         await(now -> now.cycle() > moment.cycle() + 120);
         close();
         open(Optional.empty());
+        awaitSightOfTheStudio();
 
         HttpResponse<String> answer = ask("POST", "/api/start/run?moment=" + (moment.cycle() - 1));
 
