@@ -165,8 +165,11 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
         call("Page.removeScriptToEvaluateOnNewDocument", script);
     }
 
+    /** Clicks as soon as the element is there and can be used, as a person would; a disabled one swallows the click. */
     void click(String selector) {
-        evaluate("document.querySelector(" + quoted(selector) + ").click()");
+        String element = "document.querySelector(" + quoted(selector) + ")";
+        await(element + " && !" + element + ".disabled");
+        evaluate(element + ".click()");
     }
 
     void press(String key) {
