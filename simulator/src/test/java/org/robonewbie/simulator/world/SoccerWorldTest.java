@@ -2,6 +2,7 @@ package org.robonewbie.simulator.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -40,6 +41,22 @@ class SoccerWorldTest {
         world.removeRobot(second);
 
         assertThat(world.robots()).containsExactly(first, third);
+    }
+
+    @Test
+    void robotThatHasLeftIsForgottenAlthoughItTouchedTheGround() {
+        List<WeakReference<Robot>> gone = new ArrayList<>();
+        for (int i = 0; i < 3; i++) {
+            Robot robot = standing(RobotType.TYPE_0, -3, 0);
+            step(20);
+            world.removeRobot(robot);
+            gone.add(new WeakReference<>(robot));
+        }
+        step(2);
+
+        System.gc();
+
+        assertThat(gone).extracting(WeakReference::get).containsOnlyNulls();
     }
 
     @ParameterizedTest

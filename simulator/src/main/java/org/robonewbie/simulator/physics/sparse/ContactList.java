@@ -20,6 +20,7 @@ final class ContactList implements OdeCollisions.Listener {
     private final List<ContactPoint> spentPoints = new ArrayList<>();
     private final List<ContactJoint> joints = new ArrayList<>();
     private final List<ContactJoint> spentJoints = new ArrayList<>();
+    private boolean mayPointAtRemoved;
 
     ContactList(Surfaces surfaces) {
         this.surfaces = surfaces;
@@ -32,10 +33,19 @@ final class ContactList implements OdeCollisions.Listener {
     /** Forgets the contacts of the last step. */
     void begin() {
         dissolve();
-        for (int i = 0; i < points.size(); i++) {
+        for (int i = 0; i < points.size() && !mayPointAtRemoved; i++) {
             spentPoints.add((ContactPoint) points.get(i));
         }
         points.clear();
+        mayPointAtRemoved = false;
+    }
+
+    /** Lets go of all that may still refer to bodies that have left the world; the points can still be read. */
+    void bodiesLeft() {
+        dissolve();
+        spentJoints.clear();
+        spentPoints.clear();
+        mayPointAtRemoved = true;
     }
 
     /** Takes the joints off the bodies; the points can still be read. */

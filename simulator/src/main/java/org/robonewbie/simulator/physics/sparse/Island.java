@@ -20,8 +20,7 @@ final class Island {
 
     /** Gathers all that is connected with a body, and wakes it; in ODE's order ({@code BuildIslands...}). */
     void gather(Body start) {
-        bodies.clear();
-        joints.clear();
+        clear();
         start.visited = true;
         stack.add(start);
         while (!stack.isEmpty()) {
@@ -32,6 +31,12 @@ final class Island {
                 visit(body.joints.get(i), body);
             }
         }
+    }
+
+    /** Lets go of everything. */
+    void clear() {
+        bodies.clear();
+        joints.clear();
     }
 
     private void visit(Joint joint, Body from) {

@@ -42,7 +42,8 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
     }
 
     void remove(Collection<Body> removed) {
-        contacts.dissolve();
+        contacts.bodiesLeft();
+        island.clear();
         bodies.removeAll(removed);
     }
 
