@@ -2,6 +2,7 @@ package org.robonewbie.competition.contest;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.Function;
 
 /**
  * The table of a league: three points for a victory, one for a draw; among equal points the difference of goals decides, then the
@@ -9,7 +10,7 @@ import java.util.List;
  */
 final class LeagueTable {
 
-    static final List<String> COLUMNS = List.of("Played", "Won", "Drawn", "Lost", "Goals", "Points");
+    private static final List<String> COLUMNS = List.of("Played", "Won", "Drawn", "Lost", "Goals", "Points");
 
     private LeagueTable() {}
 
@@ -43,6 +44,26 @@ final class LeagueTable {
                     goals + own,
                     against + other);
         }
+    }
+
+    /**
+     * Makes the table of a contest.
+     *
+     * @param contest whose title and rule it carries
+     * @param teams all teams
+     * @param fixtures the meetings that are over
+     * @param trialsOf gives the names of a team's trials
+     */
+    static Table table(
+            Contest contest, List<String> teams, List<Fixture> fixtures, Function<String, List<String>> trialsOf) {
+        List<Table.Row> rows = of(teams, fixtures).stream()
+                .map(place -> new Table.Row(
+                        place.rank(),
+                        place.who().team(),
+                        place.who().cells(),
+                        trialsOf.apply(place.who().team())))
+                .toList();
+        return new Table(contest.title(), contest.rule(), COLUMNS, rows);
     }
 
     /** Ranks teams by the meetings that are over. */

@@ -71,14 +71,7 @@ public record MatchContest(int players, double seconds, Conditions conditions) i
                 .flatMap(pair -> results.find(id(pair)).map(result -> fixture(pair, result)).stream())
                 .flatMap(Optional::stream)
                 .toList();
-        List<Table.Row> rows = LeagueTable.of(teams, fixtures).stream()
-                .map(place -> new Table.Row(
-                        place.rank(),
-                        place.who().team(),
-                        place.who().cells(),
-                        idsOf(pairs, place.who().team(), results)))
-                .toList();
-        return new Table(title(), rule(), LeagueTable.COLUMNS, rows);
+        return LeagueTable.table(this, teams, fixtures, team -> idsOf(pairs, team, results));
     }
 
     /** The result that counts; empty if both teams have failed. */

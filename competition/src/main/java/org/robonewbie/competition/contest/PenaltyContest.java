@@ -71,14 +71,7 @@ record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) 
                 .filter(pair -> shootOut.isOver(played(pair, results)))
                 .map(pair -> fixture(pair, played(pair, results)))
                 .toList();
-        List<Table.Row> rows = LeagueTable.of(teams, fixtures).stream()
-                .map(place -> new Table.Row(
-                        place.rank(),
-                        place.who().team(),
-                        place.who().cells(),
-                        idsOf(pairs, place.who().team(), results)))
-                .toList();
-        return new Table(title(), rule(), LeagueTable.COLUMNS, rows);
+        return LeagueTable.table(this, teams, fixtures, team -> idsOf(pairs, team, results));
     }
 
     private static Fixture fixture(Fixture.Pair pair, List<ShootOut.Round> played) {
