@@ -19,12 +19,17 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 
 /**
- * Serves the pages, scripts and pictures of the studio from the class path, and nothing else: a path is made of plain
- * names, so that it cannot climb out of the folder {@code web}.
+ * Serves the pages, scripts and pictures of the studio and of the documentation from the class path, and nothing else: a path
+ * is made of plain names, so that it cannot climb out of the folder {@code web}.
  */
 final class WebFiles extends Handler.Abstract {
 
     private static final String START_PAGE = "index.html";
+
+    /** Folder of the addresses of the documentation, and where the build has put its pages. */
+    private static final String DOCUMENTATION = "docs/";
+
+    private static final String DOCUMENTATION_PAGES = "/org/robonewbie/site/pages/";
     private static final Pattern PATH = Pattern.compile("/((?:[a-z0-9-]+/)*[a-z0-9-]+(?:\\.[a-z0-9]+)*\\.([a-z]+))");
     private static final Pattern IMPORT_MAP =
             Pattern.compile("<script type=\"importmap\">(.*?)</script>", Pattern.DOTALL);
@@ -38,7 +43,7 @@ final class WebFiles extends Handler.Abstract {
     @Override
     public boolean handle(Request request, Response response, Callback callback) throws Exception {
         String path = Request.getPathInContext(request);
-        Matcher matcher = PATH.matcher(path.equals("/") ? "/" + START_PAGE : path);
+        Matcher matcher = PATH.matcher(path.endsWith("/") ? path + START_PAGE : path);
         if (!matcher.matches() || !TYPES.containsKey(matcher.group(2))) {
             return false;
         }
@@ -86,7 +91,10 @@ final class WebFiles extends Handler.Abstract {
     }
 
     private static Optional<byte[]> read(String name) {
-        try (InputStream stream = WebFiles.class.getResourceAsStream("web/" + name)) {
+        String resource = name.startsWith(DOCUMENTATION)
+                ? DOCUMENTATION_PAGES + name.substring(DOCUMENTATION.length())
+                : "web/" + name;
+        try (InputStream stream = WebFiles.class.getResourceAsStream(resource)) {
             return stream == null ? Optional.empty() : Optional.of(stream.readAllBytes());
         } catch (IOException e) {
             throw new UncheckedIOException(e);

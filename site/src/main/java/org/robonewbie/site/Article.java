@@ -1,0 +1,135 @@
+package org.robonewbie.site;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.commonmark.ext.gfm.tables.TablesExtension;
+import org.commonmark.node.AbstractVisitor;
+import org.commonmark.node.Heading;
+import org.commonmark.node.Node;
+import org.commonmark.parser.Parser;
+import org.commonmark.renderer.html.HtmlRenderer;
+import org.commonmark.renderer.text.TextContentRenderer;
+
+/**
+ * A page in Markdown, read and taken apart. Its headings get the same anchors as on the code hosts, so that a link works in both
+ * places.
+ */
+final class Article {
+
+    private static final List<TablesExtension> TABLES = List.of((TablesExtension) TablesExtension.create());
+    private static final Parser PARSER = Parser.builder().extensions(TABLES).build();
+    private static final TextContentRenderer TEXT =
+            TextContentRenderer.builder().extensions(TABLES).build();
+
+    private final Path source;
+    private final String address;
+    private final Node document;
+    private final Map<Heading, Section> sections;
+
+    private Article(Path source, String address, Node document, Map<Heading, Section> sections) {
+        this.source = source;
+        this.address = address;
+        this.document = document;
+        this.sections = sections;
+    }
+
+    /**
+     * What stands below a heading.
+     *
+     * @param level of the heading, 1 for the title
+     * @param anchor how a link names it
+     * @param title the heading
+     * @param text all words up to the next heading
+     */
+    record Section(int level, String anchor, String title, String text) {}
+
+    static Article read(Path source, String address) throws IOException {
+        Node document = PARSER.parse(Files.readString(source));
+        return new Article(source, address, document, sections(document));
+    }
+
+    Path source() {
+        return source;
+    }
+
+    String address() {
+        return address;
+    }
+
+    Node document() {
+        return document;
+    }
+
+    /** The text of the first heading. */
+    String title() {
+        return sections().stream().findFirst().map(Section::title).orElse(address);
+    }
+
+    /** All sections in their order. */
+    List<Section> sections() {
+        List<Section> ordered = new ArrayList<>();
+        document.accept(new AbstractVisitor() {
+            @Override
+            public void visit(Heading heading) {
+                Optional.ofNullable(sections.get(heading)).ifPresent(ordered::add);
+            }
+        });
+        return ordered;
+    }
+
+    boolean hasAnchor(String anchor) {
+        return sections.values().stream().anyMatch(section -> section.anchor().equals(anchor));
+    }
+
+    /** The page as HTML, with its links as they are now. */
+    String html() {
+        return HtmlRenderer.builder()
+                .extensions(TABLES)
+                .attributeProviderFactory(context -> (node, tag, attributes) -> {
+                    if (node instanceof Heading heading && sections.containsKey(heading)) {
+                        attributes.put("id", sections.get(heading).anchor());
+                    }
+                })
+                .build()
+                .render(document);
+    }
+
+    private static Map<Heading, Section> sections(Node document) {
+        Map<Heading, Section> sections = new HashMap<>();
+        Map<String, Integer> used = new HashMap<>();
+        for (Node node = document.getFirstChild(); node != null; node = node.getNext()) {
+            if (node instanceof Heading heading) {
+                String title = text(heading);
+                sections.put(heading, new Section(heading.getLevel(), anchor(title, used), title, textBelow(heading)));
+            }
+        }
+        return sections;
+    }
+
+    private static String textBelow(Heading heading) {
+        StringBuilder text = new StringBuilder();
+        for (Node node = heading.getNext(); node != null && !(node instanceof Heading); node = node.getNext()) {
+            text.append(text(node)).append(' ');
+        }
+        return text.toString().replaceAll("\\s+", " ").trim();
+    }
+
+    private static String text(Node node) {
+        return TEXT.render(node).trim();
+    }
+
+    private static String anchor(String title, Map<String, Integer> used) {
+        String plain = title.toLowerCase(Locale.ROOT)
+                .replaceAll("[^\\p{L}\\p{N} _-]", "")
+                .replace(' ', '-');
+        int before = used.merge(plain, 1, Integer::sum) - 1;
+        return before == 0 ? plain : plain + "-" + before;
+    }
+}

@@ -1,0 +1,101 @@
+package org.robonewbie.site;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import org.commonmark.node.AbstractVisitor;
+import org.commonmark.node.Image;
+import org.commonmark.node.Link;
+
+/** Turns the links between files into links between pages, and collects what they need and which of them lead nowhere. */
+final class Links {
+
+    private final Addresses addresses;
+    private final Map<Path, Article> articles;
+    private final TreeSet<Path> pictures = new TreeSet<>();
+    private final TreeSet<Path> files = new TreeSet<>();
+    private final List<String> broken = new ArrayList<>();
+
+    /**
+     * Knows where everything is.
+     *
+     * @param addresses of all files
+     * @param articles by their source
+     */
+    Links(Addresses addresses, Map<Path, Article> articles) {
+        this.addresses = addresses;
+        this.articles = articles;
+    }
+
+    /** Pictures that pages show. */
+    List<Path> pictures() {
+        return List.copyOf(pictures);
+    }
+
+    /** Files and folders of the project that pages point to, and that are no pages themselves. */
+    List<Path> files() {
+        return List.copyOf(files);
+    }
+
+    /** A sentence for each link that leads nowhere. */
+    List<String> broken() {
+        return List.copyOf(broken);
+    }
+
+    /** Changes all links of a page. */
+    void translate(Article article) {
+        article.document().accept(new AbstractVisitor() {
+            @Override
+            public void visit(Link link) {
+                link.setDestination(translated(article, link.getDestination()));
+                visitChildren(link);
+            }
+
+            @Override
+            public void visit(Image image) {
+                image.setDestination(translated(article, image.getDestination()));
+                visitChildren(image);
+            }
+        });
+    }
+
+    private String translated(Article from, String destination) {
+        if (destination.contains("://") || destination.startsWith("mailto:")) {
+            return destination;
+        }
+        int hash = destination.indexOf('#');
+        String path = hash < 0 ? destination : destination.substring(0, hash);
+        String anchor = hash < 0 ? "" : destination.substring(hash + 1);
+        Path target = path.isEmpty()
+                ? from.source()
+                : from.source().resolveSibling(path).normalize();
+        if (!Files.exists(target)) {
+            broken.add(addresses.name(from.source()) + ": there is no " + destination);
+            return destination;
+        }
+        if (!anchor.isEmpty() && !hasAnchor(target, anchor)) {
+            broken.add(addresses.name(from.source()) + ": there is no heading for " + destination);
+        }
+        collect(target);
+        String address = path.isEmpty() ? "" : Addresses.relative(from.address(), addresses.of(target));
+        return anchor.isEmpty() ? address : address + "#" + anchor;
+    }
+
+    private boolean hasAnchor(Path target, String anchor) {
+        return articles.containsKey(target) && articles.get(target).hasAnchor(anchor);
+    }
+
+    private void collect(Path target) {
+        if (articles.containsKey(target)) {
+            return;
+        }
+        if (target.toString().matches(".*\\.(png|svg)")) {
+            pictures.add(target);
+        } else {
+            files.add(target);
+        }
+    }
+}

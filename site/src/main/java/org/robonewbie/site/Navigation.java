@@ -1,0 +1,108 @@
+package org.robonewbie.site;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.commonmark.node.AbstractVisitor;
+import org.commonmark.node.Heading;
+import org.commonmark.node.Link;
+import org.commonmark.node.Node;
+import org.commonmark.renderer.text.TextContentRenderer;
+
+/**
+ * The order of the pages: the start page names chapters by its headings and pages by its links; pages of the same folder stand
+ * below the first page of that folder.
+ */
+final class Navigation {
+
+    private final List<Chapter> chapters;
+
+    private Navigation(List<Chapter> chapters) {
+        this.chapters = chapters;
+    }
+
+    /**
+     * Some pages under one heading.
+     *
+     * @param title the heading
+     * @param entries the pages
+     */
+    record Chapter(String title, List<Entry> entries) {}
+
+    /**
+     * A page in the list.
+     *
+     * @param article the page
+     * @param below pages of its folder, in their order
+     */
+    record Entry(Article article, List<Article> below) {}
+
+    /** Reads the order from the start page, whose links still name files. */
+    static Navigation of(Article start, Map<Path, Article> articles) {
+        List<Chapter> chapters = new ArrayList<>();
+        for (Node node = start.document().getFirstChild(); node != null; node = node.getNext()) {
+            if (node instanceof Heading heading && heading.getLevel() == 2) {
+                chapters.add(new Chapter(title(heading), new ArrayList<>()));
+            } else if (!chapters.isEmpty()) {
+                List<Entry> entries = chapters.get(chapters.size() - 1).entries();
+                linked(node, start, articles)
+                        .forEach(article -> entries.add(new Entry(article, below(article, articles))));
+            }
+        }
+        return new Navigation(chapters);
+    }
+
+    /** All chapters. */
+    List<Chapter> chapters() {
+        return chapters;
+    }
+
+    /** All pages in the order in which one would read them. */
+    List<Article> order() {
+        return chapters.stream()
+                .flatMap(chapter -> chapter.entries().stream())
+                .flatMap(entry -> Stream.concat(Stream.of(entry.article()), entry.below().stream()))
+                .distinct()
+                .toList();
+    }
+
+    /** The page that follows or precedes another one. */
+    Optional<Article> neighbour(Article article, int steps) {
+        List<Article> order = order();
+        int index = order.indexOf(article) + steps;
+        boolean exists = order.contains(article) && index >= 0 && index < order.size();
+        return exists ? Optional.of(order.get(index)) : Optional.empty();
+    }
+
+    private static List<Article> linked(Node node, Article start, Map<Path, Article> articles) {
+        List<Article> linked = new ArrayList<>();
+        node.accept(new AbstractVisitor() {
+            @Override
+            public void visit(Link link) {
+                Path target =
+                        start.source().resolveSibling(link.getDestination()).normalize();
+                Optional.ofNullable(articles.get(target)).ifPresent(linked::add);
+            }
+        });
+        return linked;
+    }
+
+    private static List<Article> below(Article first, Map<Path, Article> articles) {
+        if (!first.address().endsWith("/index.html")) {
+            return List.of();
+        }
+        String folder = first.address().replaceFirst("index\\.html$", "");
+        return articles.values().stream()
+                .filter(article -> article.address().startsWith(folder) && article != first)
+                .sorted(Comparator.comparing(Article::address))
+                .toList();
+    }
+
+    private static String title(Heading heading) {
+        return TextContentRenderer.builder().build().render(heading).trim();
+    }
+}

@@ -1,0 +1,113 @@
+package org.robonewbie.site;
+
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** What all pages have around their text: name, version, search, list of pages, and the way to the pages before and after. */
+final class PageFrame {
+
+    private static final String START = "index.html";
+
+    private final String template;
+    private final String version;
+    private final Navigation navigation;
+
+    /**
+     * Prepares the frame.
+     *
+     * @param template a page with places to be filled, such as {@code {{title}}}
+     * @param version of the project
+     * @param navigation order of the pages
+     */
+    PageFrame(String template, String version, Navigation navigation) {
+        this.template = template;
+        this.version = version;
+        this.navigation = navigation;
+    }
+
+    /** A page of text. */
+    String around(Article article) {
+        return fill(article.address(), article.title(), article.html(), onThisPage(article), neighbours(article));
+    }
+
+    /** A page that shows something else. */
+    String around(String address, String title, String html) {
+        return fill(address, title, html, "", "");
+    }
+
+    /** Makes a text harmless inside a page. */
+    static String escape(String text) {
+        return text.replace("&", "&amp;")
+                .replace("<", "&lt;")
+                .replace(">", "&gt;")
+                .replace("\"", "&quot;");
+    }
+
+    private String fill(String address, String title, String html, String contents, String neighbours) {
+        String top = Addresses.relative(address, START).replaceFirst("index\\.html$", "");
+        return template.replace("{{title}}", escape(title))
+                .replace("{{version}}", escape(version))
+                .replace("{{top}}", top)
+                .replace("{{navigation}}", list(address))
+                .replace("{{contents}}", contents)
+                .replace("{{neighbours}}", neighbours)
+                .replace("{{text}}", html);
+    }
+
+    private String list(String address) {
+        return navigation.chapters().stream()
+                .map(chapter -> "<h2>" + escape(chapter.title()) + "</h2>\n<ul>\n"
+                        + chapter.entries().stream()
+                                .map(entry -> entry(address, entry))
+                                .collect(Collectors.joining())
+                        + "</ul>\n")
+                .collect(Collectors.joining());
+    }
+
+    private static String entry(String address, Navigation.Entry entry) {
+        String folder = entry.article().address().replaceFirst("index\\.html$", "");
+        boolean open = !entry.below().isEmpty() && address.startsWith(folder);
+        String below = open
+                ? "<ul>"
+                        + entry.below().stream()
+                                .map(article -> item(address, article, ""))
+                                .collect(Collectors.joining())
+                        + "</ul>"
+                : "";
+        return item(address, entry.article(), below);
+    }
+
+    private static String item(String address, Article article, String below) {
+        return "<li>" + link(address, article, article.address().equals(address) ? " aria-current=\"page\"" : "")
+                + below + "</li>\n";
+    }
+
+    private static String link(String address, Article article, String attributes) {
+        return "<a href=\"" + Addresses.relative(address, article.address()) + "\"" + attributes + ">"
+                + escape(article.title()) + "</a>";
+    }
+
+    private static String onThisPage(Article article) {
+        List<Article.Section> sections = article.sections().stream()
+                .filter(section -> section.level() == 2)
+                .toList();
+        return sections.size() < 2
+                ? ""
+                : sections.stream()
+                        .map(section ->
+                                "<li><a href=\"#" + section.anchor() + "\">" + escape(section.title()) + "</a></li>")
+                        .collect(Collectors.joining("\n", "<h2>On this page</h2>\n<ul>\n", "\n</ul>"));
+    }
+
+    private String neighbours(Article article) {
+        String before = navigation
+                .neighbour(article, -1)
+                .map(other -> "<span>← " + link(article.address(), other, " rel=\"prev\"") + "</span>")
+                .orElse("<span></span>");
+        String after = navigation
+                .neighbour(article, 1)
+                .map(other -> "<span>" + link(article.address(), other, " rel=\"next\"") + " →</span>")
+                .orElse("");
+        return before + after;
+    }
+}

@@ -1,0 +1,74 @@
+package org.robonewbie.site;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** Shows files of the project to which a page points, such as an example's source, so that the site is complete without it. */
+final class SourcePages {
+
+    private final Addresses addresses;
+
+    /**
+     * Knows where files go.
+     *
+     * @param addresses of all files
+     */
+    SourcePages(Addresses addresses) {
+        this.addresses = addresses;
+    }
+
+    /**
+     * The content of a page for a file.
+     *
+     * @param title what it shows
+     * @param html the text
+     */
+    record Content(String title, String html) {}
+
+    /** Makes the pages of a file, or of a folder and all text files in it. */
+    Map<String, Content> of(Path target) throws IOException {
+        Map<String, Content> pages = new TreeMap<>();
+        if (!Files.isDirectory(target)) {
+            show(target).ifPresent(content -> pages.put(addresses.of(target), content));
+            return pages;
+        }
+        List<Path> files;
+        try (Stream<Path> below = Files.walk(target)) {
+            files = below.filter(Files::isRegularFile).sorted().toList();
+        }
+        for (Path file : files) {
+            show(file).ifPresent(content -> pages.put(addresses.of(file), content));
+        }
+        pages.put(addresses.of(target), list(target, files));
+        return pages;
+    }
+
+    private Content list(Path folder, List<Path> files) {
+        String from = addresses.of(folder);
+        String items = files.stream()
+                .map(file -> "<li><a href=\"" + Addresses.relative(from, addresses.of(file)) + "\">"
+                        + PageFrame.escape(folder.relativize(file).toString()) + "</a></li>")
+                .collect(Collectors.joining("\n"));
+        String name = addresses.name(folder);
+        return new Content(name, "<h1>" + PageFrame.escape(name) + "</h1>\n<ul>\n" + items + "\n</ul>\n");
+    }
+
+    private Optional<Content> show(Path file) throws IOException {
+        try {
+            String name = addresses.name(file);
+            String html = "<h1>" + PageFrame.escape(name) + "</h1>\n<pre><code>"
+                    + PageFrame.escape(Files.readString(file)) + "</code></pre>\n";
+            return Optional.of(new Content(name, html));
+        } catch (CharacterCodingException noText) {
+            return Optional.empty();
+        }
+    }
+}
