@@ -13,11 +13,14 @@ if defined JAVA_HOME call :try_java "%JAVA_HOME%\bin\java.exe"
 if not defined JAVA for %%j in (java.exe) do call :try_java "%%~$PATH:j"
 if not defined JAVA goto no_java
 
+set "JAR=%HOME_FOLDER%\lib\robonewbie.jar"
+if exist "%JAR%" goto start
 call :find_jar
 call :is_fresh
 if errorlevel 1 call :build
 if errorlevel 1 exit /b 1
 call :find_jar
+:start
 "%JAVA%" -XX:+UseSerialGC -Xshare:auto "-Drobonewbie.home=%HOME_FOLDER%" -jar "%JAR%" %*
 exit /b %ERRORLEVEL%
 
@@ -48,7 +51,7 @@ exit /b 0
 
 :is_fresh
 if not defined JAR exit /b 1
-powershell -NoProfile -Command "Set-Location -LiteralPath $env:HOME_FOLDER; $built = (Get-Item -LiteralPath $env:JAR).LastWriteTimeUtc; $newer = Get-ChildItem -Path pom.xml, */pom.xml, */src/main -Recurse -File | Where-Object { $_.LastWriteTimeUtc -gt $built } | Select-Object -First 1; if ($newer) { exit 1 }"
+powershell -NoProfile -Command "Set-Location -LiteralPath $env:HOME_FOLDER; $built = (Get-Item -LiteralPath $env:JAR).LastWriteTimeUtc; $newer = Get-ChildItem -Path pom.xml, */pom.xml, */src/main, docs -Recurse -File | Where-Object { $_.LastWriteTimeUtc -gt $built } | Select-Object -First 1; if ($newer) { exit 1 }"
 exit /b %ERRORLEVEL%
 
 rem One window builds, the others wait, at most five minutes: the folder "lock" can be made only once.
