@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryType;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,6 +13,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
@@ -34,6 +36,8 @@ public final class MatchLoad {
     private static final double SECONDS_BEFORE_KICK_OFF = 2;
     private static final long LOOKING_MILLISECONDS = 100;
     private static final double PROGRESS_SECONDS = 30;
+    private static final double SECONDS_UNTIL_APART = 10;
+    private static final int COLLECTIONS = 4;
     private static final int WARM_UP_ROBOTS = 22;
     private static final double WARM_UP_SECONDS = 10;
     private static final double SILENT_AGENT_SECONDS = 600;
@@ -74,6 +78,7 @@ public final class MatchLoad {
         if (load.realTime()) {
             warmUp(load.physics());
         }
+        double secondsUntilApart = Math.min(SECONDS_UNTIL_APART, load.secondsOfPlay() / 4);
         List<MatchLoadResult> results = new ArrayList<>();
         try (Simulator simulator = Simulator.start(settings(), Console.silent())) {
             List<LoadPlayer> players = connect(simulator.agentPort());
@@ -83,9 +88,11 @@ public final class MatchLoad {
             for (int match = 1; match <= load.matches(); match++) {
                 course.matchBegins();
                 awaitEnd(first, course, match);
-                simulator.control().pause();
-                results.add(course.result(match));
+                MatchLoadResult played = course.result(match);
                 simulator.control().reset();
+                await(() -> first.isPlaying() && first.playSeconds() > secondsUntilApart, () -> {});
+                simulator.control().pause();
+                results.add(played.withHeap(heapMegabytes()));
                 simulator.control().resume();
             }
         }
@@ -143,6 +150,23 @@ public final class MatchLoad {
         }
     }
 
+    /** What is really in use: a single collection may leave dead objects where moving the living ones is not worth the time. */
+    private static double heapMegabytes() {
+        return IntStream.range(0, COLLECTIONS)
+                .mapToDouble(i -> heapMegabytesAfterCollection())
+                .min()
+                .orElseThrow();
+    }
+
+    /** The pieces that threads have reserved for new objects since the collection do not count. */
+    private static double heapMegabytesAfterCollection() {
+        ManagementFactory.getMemoryMXBean().gc();
+        return ManagementFactory.getMemoryPoolMXBeans().stream()
+                .filter(pool -> pool.getType() == MemoryType.HEAP && pool.getCollectionUsage() != null)
+                .mapToDouble(pool -> pool.getCollectionUsage().getUsed() / 1e6)
+                .sum();
+    }
+
     /** Takes the times at the beginning and the end of a match. */
     private static final class Course {
 
@@ -183,7 +207,7 @@ public final class MatchLoad {
                     1000 * process / cycles,
                     1000 * player.arrivals().deviationSeconds(0.99),
                     1000 * player.arrivals().deviationSeconds(1),
-                    heapMegabytes());
+                    Double.NaN);
         }
 
         private static double processSeconds() {
@@ -191,11 +215,6 @@ public final class MatchLoad {
                             instanceof com.sun.management.OperatingSystemMXBean system
                     ? system.getProcessCpuTime() / 1e9
                     : Double.NaN;
-        }
-
-        private static double heapMegabytes() {
-            ManagementFactory.getMemoryMXBean().gc();
-            return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed() / 1e6;
         }
     }
 }

@@ -14,7 +14,8 @@ import java.util.Locale;
  * @param usualJitterMilliseconds how far the time between two messages to an agent is from 20 ms at most, in 99 % of all
  *     cycles
  * @param worstJitterMilliseconds the same in all cycles
- * @param heapMegabytes memory that is in use after the match and a collection of garbage
+ * @param heapMegabytes memory that is in use, after a collection of garbage, when the robots stand for the next kick-off: always
+ *     the same state of the world
  */
 public record MatchLoadResult(
         int match,
@@ -30,6 +31,25 @@ public record MatchLoadResult(
     /** The table's first line, which fits to {@link #toLine}. */
     public static final String TITLE =
             "match  cycles   play s  missed  server ms  process ms  jitter 99 % ms  worst ms  heap MB";
+
+    /**
+     * Adds the memory, which is measured later.
+     *
+     * @param megabytes memory in use
+     * @return this result with that
+     */
+    MatchLoadResult withHeap(double megabytes) {
+        return new MatchLoadResult(
+                match,
+                cycles,
+                playSeconds,
+                missedCycles,
+                serverMilliseconds,
+                processMilliseconds,
+                usualJitterMilliseconds,
+                worstJitterMilliseconds,
+                megabytes);
+    }
 
     /**
      * Writes the result for people.

@@ -15,7 +15,7 @@ final class PlanCache {
     private static final int MOST_PLANS = 64;
     private static final int MOST_NUMBERS = 1 << 18;
     private static final int LARGE = 1 << 15;
-    private static final int PATIENCE = 5_000;
+    private static final int PATIENCE = 2_000;
 
     private final List<EliminationPlan> plans = new ArrayList<>();
     private EliminationPlan large = EliminationPlan.EMPTY;

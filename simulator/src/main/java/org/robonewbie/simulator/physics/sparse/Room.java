@@ -6,7 +6,7 @@ package org.robonewbie.simulator.physics.sparse;
  */
 final class Room {
 
-    private static final int PATIENCE = 5_000;
+    private static final int PATIENCE = 2_000;
     private static final int FAR_TOO_LONG = 4;
 
     private final int least;
