@@ -87,6 +87,17 @@ class LauncherTest {
     }
 
     @Test
+    void programThatLiesReadyIsRunWithoutBuilding() throws Exception {
+        write(home.resolve("lib/robonewbie.jar"), "jar");
+
+        Ended start = start("--help");
+
+        assertThat(start.err()).isEmpty();
+        assertThat(start.out()).contains("lib/robonewbie.jar");
+        assertThat(temporaryFolder.resolve("builds.txt")).doesNotExist();
+    }
+
+    @Test
     void changedSourceIsBuilt() throws Exception {
         start("--help");
         changeSource();

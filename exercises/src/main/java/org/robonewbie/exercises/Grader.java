@@ -18,13 +18,15 @@ import org.robonewbie.agent.Agent;
  * Grades solutions of exercises in this process, on the truth of the simulated world. The same grader works behind {@code
  * robonewbie grade} and in tests.
  *
- * <p>A program that throws or never returns fails its trial and nothing else. It waits by counting its own ticks, so a debugger that
- * holds all threads does not make a program late.
+ * <p>A program that throws or never returns fails its trial and nothing else. What counts against a
+ * program is the time of the processor that it uses and the time that it sleeps: neither a debugger nor a busy computer makes it
+ * late.
  */
 public final class Grader {
 
     private static final int TICK_MILLISECONDS = 20;
-    private static final int TICKS_OF_PATIENCE = 200;
+    private static final double TICK_SECONDS = TICK_MILLISECONDS / 1000.0;
+    private static final double SECONDS_OF_PATIENCE = 4;
 
     private final int tasksAtOnce;
 
@@ -84,13 +86,19 @@ public final class Grader {
     /** Waits for a score as long as the trial makes progress. */
     private static Score await(Trial trial, Future<Score> score) {
         long progress = 0;
-        int ticks = 0;
-        while (ticks < TICKS_OF_PATIENCE) {
+        double workedBefore = 0;
+        int ticksAsleep = 0;
+        while (trial.processorSeconds() - workedBefore + ticksAsleep * TICK_SECONDS < SECONDS_OF_PATIENCE) {
             try {
                 return score.get(TICK_MILLISECONDS, TimeUnit.MILLISECONDS);
             } catch (TimeoutException notYet) {
-                ticks = trial.progress() == progress ? ticks + 1 : 0;
-                progress = trial.progress();
+                if (trial.progress() != progress) {
+                    progress = trial.progress();
+                    workedBefore = trial.processorSeconds();
+                    ticksAsleep = 0;
+                } else if (progress == 0 || trial.isWaiting()) {
+                    ticksAsleep++;
+                }
             } catch (ExecutionException exhausted) {
                 return Score.failed(
                         0, "The program ended with " + exhausted.getCause() + ".", "Does it keep too much?");
@@ -109,7 +117,7 @@ public final class Grader {
         String place = trial.place().map(line -> "; it is in " + line).orElse("");
         return Score.failed(
                 0,
-                "think() has not returned for " + TICKS_OF_PATIENCE * TICK_MILLISECONDS / 1000 + " s" + place + ".",
+                "think() has not returned for " + Math.round(SECONDS_OF_PATIENCE) + " s" + place + ".",
                 "think() is called 50 times per second and must return at once. Is there an endless loop?");
     }
 

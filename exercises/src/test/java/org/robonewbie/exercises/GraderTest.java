@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.agent.Agent;
@@ -44,6 +45,16 @@ class GraderTest {
         assertThat(grade.trials().get(0).score().finding())
                 .contains("think() has not returned for 4 s")
                 .contains("GraderTest.java:");
+    }
+
+    @Test
+    void programThatSleepsIsFoundAndThoseAfterItAreNotTried() {
+        Grade grade = new Grader(1).grade(exercise, Sleeping::new, 2);
+
+        assertThat(grade.trials().get(0).score().finding())
+                .contains("think() has not returned for 4 s")
+                .contains("GraderTest.java:");
+        assertThat(grade.trials().get(1).score().finding()).contains("Not tried");
     }
 
     @Test
@@ -93,6 +104,20 @@ class GraderTest {
         protected void think() {
             while (forEver) {
                 Thread.onSpinWait();
+            }
+        }
+    }
+
+    /** Sleeps where it should think. */
+    private static final class Sleeping extends Agent {
+        private final CountDownLatch never = new CountDownLatch(1);
+
+        @Override
+        protected void think() {
+            try {
+                never.await();
+            } catch (InterruptedException end) {
+                Thread.currentThread().interrupt();
             }
         }
     }

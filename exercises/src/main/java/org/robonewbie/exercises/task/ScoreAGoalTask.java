@@ -18,9 +18,17 @@ public final class ScoreAGoalTask implements Task {
     private static final Place STUDENT = new Place(-0.5, 0.4, -40);
     private static final double GOAL_X = 6;
 
+    /** A robot and a ball that stay where they are for so long are not going to score. */
+    private static final double SECONDS_OF_PATIENCE = 30;
+
+    private static final double STAYED_METRES = 0.1;
+
     private double seconds;
     private double nearest = Double.POSITIVE_INFINITY;
     private boolean scored;
+    private Vector3 lastBall = Vector3.ZERO;
+    private Vector3 lastTorso = Vector3.ZERO;
+    private double lastMoved;
 
     /** Creates the task of one trial. */
     public ScoreAGoalTask() {}
@@ -37,11 +45,21 @@ public final class ScoreAGoalTask implements Task {
         nearest = Math.min(nearest, Math.hypot(GOAL_X - ball.x(), ball.y()));
         scored |= stage.game().score(TeamSide.LEFT) > 0;
         seconds = stage.seconds();
+        Vector3 torso = stage.student().torso();
+        if (ball.distanceTo(lastBall) > STAYED_METRES || torso.distanceTo(lastTorso) > STAYED_METRES) {
+            lastBall = ball;
+            lastTorso = torso;
+            lastMoved = seconds;
+        }
     }
 
     @Override
     public boolean isDecided() {
-        return scored;
+        return scored || isStuck();
+    }
+
+    private boolean isStuck() {
+        return seconds - lastMoved > SECONDS_OF_PATIENCE;
     }
 
     @Override
@@ -49,7 +67,11 @@ public final class ScoreAGoalTask implements Task {
         if (!scored) {
             return Score.failed(
                     6 - nearest,
-                    String.format(Locale.ROOT, "no goal; the ball came within %.2f m of it", nearest),
+                    String.format(
+                            Locale.ROOT,
+                            "no goal%s; the ball came within %.2f m of it",
+                            isStuck() ? ", and for " + Math.round(SECONDS_OF_PATIENCE) + " s nothing moved" : "",
+                            nearest),
                     "Walk to where the ball is between you and the goal, then walk through the ball.");
         }
         return Score.passed(
