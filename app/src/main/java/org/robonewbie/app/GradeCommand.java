@@ -34,7 +34,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie grade arm-by-side --start      write ArmBySide.java, the program to begin with",
             "  robonewbie grade arm-by-side ArmBySide.java",
             "  robonewbie grade 3 ArmBySide.java --seeds 10 --json grade.json",
-            "  robonewbie grade kick Kick.java --record kick.rnrec   then: robonewbie studio kick.rnrec",
+            "  robonewbie grade kick Kick.java --record kick.rec   then: robonewbie studio kick.rec",
             "",
             "Exit code: 0 passed, 1 not yet passed, 2 called wrongly."
         })

@@ -20,7 +20,8 @@ final class Trial implements Callable<Score> {
     private static final Set<Thread.State> WAITING = Set.of(Thread.State.WAITING, Thread.State.TIMED_WAITING);
 
     /** Whatever these call for a program is the program's own doing; what they do themselves is not. */
-    private static final Set<String> STAGE = Set.of(Stage.class.getName(), Player.class.getName(), Trial.class.getName());
+    private static final Set<String> STAGE =
+            Set.of(Stage.class.getName(), Player.class.getName(), Trial.class.getName());
 
     private final Exercise exercise;
     private final Supplier<? extends Agent> student;
@@ -94,8 +95,7 @@ final class Trial implements Callable<Score> {
     }
 
     private static Score broken(Throwable mistake) {
-        String place =
-                place(mistake.getStackTrace()).map(line -> " in " + line).orElse("");
+        String place = place(mistake.getStackTrace()).map(line -> " in " + line).orElse("");
         return Score.failed(
                 0, "The program ended with " + mistake + place + ".", "Mend this first; the rest was not tried.");
     }
