@@ -164,18 +164,18 @@ final class SimulatorCommand implements Callable<Integer> {
         console.say("Agents can join at port " + simulator.agentPort() + ", monitors at port "
                 + simulator.monitorPort().orElseThrow() + " of " + bindAddress + ". Control-C ends it.");
         if (!settings.synchronous() && !beginner) {
-            startWarmUp(console);
+            startWarmUp(simulator, console);
         }
         simulator.awaitEnd();
         return ExitCode.OK;
     }
 
-    /** Prepares for many robots on the clock while the first agents are still on their way. */
-    private void startWarmUp(Console console) {
+    /** Prepares for many robots on the clock; as soon as an agent has connected, all power of the computer is for the real world. */
+    private void startWarmUp(Simulator simulator, Console console) {
         Thread warmUp = new Thread(
                 () -> {
                     try {
-                        MatchLoad.warmUp(physics);
+                        MatchLoad.warmUp(physics, () -> simulator.connectedAgents() == 0);
                     } catch (IOException e) {
                         console.say("The warm-up has failed, so the first seconds may be slow: " + e.getMessage());
                     }

@@ -44,6 +44,7 @@ public final class MatchLoad {
 
     private final LoadSettings load;
     private final PrintStream progress;
+    private final BooleanSupplier isWanted;
 
     /**
      * Describes the load.
@@ -52,8 +53,13 @@ public final class MatchLoad {
      * @param progress where to tell how far it is
      */
     public MatchLoad(LoadSettings load, PrintStream progress) {
+        this(load, progress, () -> true);
+    }
+
+    private MatchLoad(LoadSettings load, PrintStream progress, BooleanSupplier isWanted) {
         this.load = load;
         this.progress = progress;
+        this.isWanted = isWanted;
     }
 
     /**
@@ -61,11 +67,13 @@ public final class MatchLoad {
      * while it runs; a world that shall keep step with the clock from its first cycle on lets it do so before.
      *
      * @param physics the engine that will move the world
+     * @param isWanted is asked several times a second; no ends the match
      * @throws IOException if the server cannot be started
      */
-    public static void warmUp(PhysicsEngine physics) throws IOException {
+    public static void warmUp(PhysicsEngine physics, BooleanSupplier isWanted) throws IOException {
         LoadSettings load = new LoadSettings(WARM_UP_ROBOTS, WARM_UP_SECONDS, 1, false, physics);
-        new MatchLoad(load, new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8)).run();
+        PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
+        new MatchLoad(load, nowhere, isWanted).run();
     }
 
     /**
@@ -76,7 +84,7 @@ public final class MatchLoad {
      */
     public List<MatchLoadResult> run() throws IOException {
         if (load.realTime()) {
-            warmUp(load.physics());
+            warmUp(load.physics(), isWanted);
         }
         double secondsUntilApart = Math.min(SECONDS_UNTIL_APART, load.secondsOfPlay() / 4);
         List<MatchLoadResult> results = new ArrayList<>();
@@ -143,8 +151,8 @@ public final class MatchLoad {
         });
     }
 
-    private static void await(BooleanSupplier condition, Runnable meanwhile) {
-        while (!condition.getAsBoolean()) {
+    private void await(BooleanSupplier condition, Runnable meanwhile) {
+        while (isWanted.getAsBoolean() && !condition.getAsBoolean()) {
             LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(LOOKING_MILLISECONDS));
             meanwhile.run();
         }

@@ -1,7 +1,6 @@
 package org.robonewbie.simulator.recording;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -16,7 +15,6 @@ import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
 import org.robonewbie.simulator.physics.Pose;
 import org.robonewbie.simulator.soccer.GameState;
 import org.robonewbie.simulator.soccer.Match;
-import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
@@ -29,16 +27,15 @@ public final class RecordingWriter implements AutoCloseable {
     private static final int CYCLES_PER_FLUSH = 50;
 
     private final RecordingStream stream;
-    private final ByteSink sink = new ByteSink();
-    private final ByteSink payload = new ByteSink();
+    private final RecordSink sink;
     private final DeltaTrack ballTrack = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE);
     private final Map<Integer, RobotTrack> robotTracks = new HashMap<>();
-    private String lastGame = "";
     private List<String> lastRobots = List.of();
     private double lastPlaySeconds;
 
     private RecordingWriter(RecordingStream stream) {
         this.stream = stream;
+        this.sink = new RecordSink(stream);
     }
 
     /**
@@ -53,7 +50,7 @@ public final class RecordingWriter implements AutoCloseable {
     public static RecordingWriter open(Optional<Path> file, List<String> header, Consumer<String> console)
             throws IOException {
         RecordingWriter writer = new RecordingWriter(RecordingStream.open(file, console));
-        writer.begin(header);
+        writer.sink.begin(header);
         return writer;
     }
 
@@ -66,13 +63,12 @@ public final class RecordingWriter implements AutoCloseable {
      * @param participants all robots in the order in which they connected
      */
     public void write(long cycle, Match match, Ball ball, List<Participant> participants) {
-        sink.clear();
-        writeEvents(match);
+        match.events().forEach(event -> sink.putEvent(event.text()));
         writeGame(match);
         writeRobots(participants);
         writeCommands(participants);
         writeCycle(cycle, match.state(), ball, participants);
-        stream.write(sink);
+        sink.send();
         if (cycle % CYCLES_PER_FLUSH == 0) {
             stream.flush();
         }
@@ -105,41 +101,15 @@ public final class RecordingWriter implements AutoCloseable {
         }
     }
 
-    private void begin(List<String> header) {
-        byte[] magic = RecordingFormat.MAGIC.getBytes(StandardCharsets.US_ASCII);
-        sink.putBytes(magic, magic.length);
-        sink.putUnsigned(RecordingFormat.VERSION);
-        payload.clear();
-        payload.putText(String.join("\n", header));
-        putRecord(RecordingFormat.HEADER);
-        stream.write(sink);
-    }
-
-    private void writeEvents(Match match) {
-        for (MatchEvent event : match.events()) {
-            payload.clear();
-            payload.putText(event.text());
-            putRecord(RecordingFormat.EVENT);
-        }
-    }
-
     private void writeGame(Match match) {
         GameState state = match.state();
-        String left = match.teams().name(TeamSide.LEFT);
-        String right = match.teams().name(TeamSide.RIGHT);
-        String game = state.playMode() + " " + state.half() + " " + state.score(TeamSide.LEFT) + " "
-                + state.score(TeamSide.RIGHT) + " " + left + " " + right;
-        if (!game.equals(lastGame)) {
-            lastGame = game;
-            payload.clear();
-            payload.putText(state.playMode().simSparkName());
-            payload.putUnsigned(state.half());
-            payload.putUnsigned(state.score(TeamSide.LEFT));
-            payload.putUnsigned(state.score(TeamSide.RIGHT));
-            payload.putText(left);
-            payload.putText(right);
-            putRecord(RecordingFormat.GAME);
-        }
+        sink.putGame(
+                state.playMode(),
+                state.half(),
+                state.score(TeamSide.LEFT),
+                state.score(TeamSide.RIGHT),
+                match.teams().name(TeamSide.LEFT),
+                match.teams().name(TeamSide.RIGHT));
     }
 
     private void writeRobots(List<Participant> participants) {
@@ -149,7 +119,7 @@ public final class RecordingWriter implements AutoCloseable {
             return;
         }
         lastRobots = robots;
-        payload.clear();
+        ByteSink payload = sink.newPayload();
         payload.putUnsigned(participants.size());
         for (Participant participant : participants) {
             payload.putUnsigned(participant.id());
@@ -164,7 +134,7 @@ public final class RecordingWriter implements AutoCloseable {
             payload.putText(
                     participant.player().map(player -> player.team().name()).orElse(""));
         }
-        putRecord(RecordingFormat.ROBOTS);
+        sink.put(RecordingFormat.ROBOTS);
     }
 
     private static String describe(Participant participant) {
@@ -178,17 +148,17 @@ public final class RecordingWriter implements AutoCloseable {
     private void writeCommands(List<Participant> participants) {
         for (Participant participant : participants) {
             if (!participant.commands().isEmpty()) {
-                payload.clear();
+                ByteSink payload = sink.newPayload();
                 payload.putUnsigned(participant.id());
-                if (putCommands(participant)) {
-                    putRecord(RecordingFormat.COMMANDS);
+                if (putCommands(participant, payload)) {
+                    sink.put(RecordingFormat.COMMANDS);
                 }
             }
         }
     }
 
     /** Writes the hinge speeds that have changed and the other commands; tells whether there was anything to write. */
-    private boolean putCommands(Participant participant) {
+    private boolean putCommands(Participant participant, ByteSink payload) {
         RobotTrack track = track(participant);
         List<Hinge> hinges = participant.robot().model().hinges();
         List<String> others = new ArrayList<>(0);
@@ -225,7 +195,7 @@ public final class RecordingWriter implements AutoCloseable {
     }
 
     private void writeCycle(long cycle, GameState state, Ball ball, List<Participant> participants) {
-        payload.clear();
+        ByteSink payload = sink.newPayload();
         payload.putUnsigned(cycle);
         payload.putSigned(Math.round((state.playSeconds() - lastPlaySeconds) * 50));
         lastPlaySeconds = state.playSeconds();
@@ -242,16 +212,10 @@ public final class RecordingWriter implements AutoCloseable {
                         payload);
             }
         }
-        putRecord(RecordingFormat.CYCLE);
+        sink.put(RecordingFormat.CYCLE);
     }
 
     private RobotTrack track(Participant participant) {
         return robotTracks.computeIfAbsent(participant.id(), id -> new RobotTrack(participant.robot()));
-    }
-
-    private void putRecord(int kind) {
-        sink.putByte(kind);
-        sink.putUnsigned(payload.length());
-        sink.putBytes(payload.bytes(), payload.length());
     }
 }

@@ -19,16 +19,15 @@ import org.robonewbie.simulator.WorldSnapshot;
 public final class SnapshotRecording implements AutoCloseable {
 
     private final RecordingStream stream;
-    private final ByteSink sink = new ByteSink();
-    private final ByteSink payload = new ByteSink();
+    private final RecordSink sink;
     private final DeltaTrack ballTrack = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE);
     private final Map<Integer, DeltaTrack> robotTracks = new HashMap<>();
-    private String lastGame = "";
     private String lastRobots = "";
     private long lastPlayTicks;
 
     private SnapshotRecording(RecordingStream stream) {
         this.stream = stream;
+        this.sink = new RecordSink(stream);
     }
 
     /**
@@ -42,7 +41,7 @@ public final class SnapshotRecording implements AutoCloseable {
      */
     public static SnapshotRecording open(Path file, List<String> header, Consumer<String> console) throws IOException {
         SnapshotRecording recording = new SnapshotRecording(RecordingStream.open(Optional.of(file), console));
-        recording.begin(header);
+        recording.sink.begin(header);
         return recording;
     }
 
@@ -53,16 +52,17 @@ public final class SnapshotRecording implements AutoCloseable {
      * @param events what happened, such as {@code goal left Stars}
      */
     public void write(WorldSnapshot snapshot, List<String> events) {
-        sink.clear();
-        for (String event : events) {
-            payload.clear();
-            payload.putText(event);
-            putRecord(RecordingFormat.EVENT);
-        }
-        writeGame(snapshot);
+        events.forEach(sink::putEvent);
+        sink.putGame(
+                snapshot.playMode(),
+                snapshot.half(),
+                snapshot.scoreLeft(),
+                snapshot.scoreRight(),
+                snapshot.teamLeft(),
+                snapshot.teamRight());
         writeRobots(snapshot.robots());
         writeCycle(snapshot);
-        stream.write(sink);
+        sink.send();
     }
 
     @Override
@@ -70,33 +70,8 @@ public final class SnapshotRecording implements AutoCloseable {
         stream.close();
     }
 
-    private void begin(List<String> header) {
-        byte[] magic = RecordingFormat.MAGIC.getBytes(StandardCharsets.US_ASCII);
-        sink.putBytes(magic, magic.length);
-        sink.putUnsigned(RecordingFormat.VERSION);
-        payload.clear();
-        payload.putText(String.join("\n", header));
-        putRecord(RecordingFormat.HEADER);
-        stream.write(sink);
-    }
-
-    private void writeGame(WorldSnapshot state) {
-        payload.clear();
-        payload.putText(state.playMode().simSparkName());
-        payload.putUnsigned(state.half());
-        payload.putUnsigned(state.scoreLeft());
-        payload.putUnsigned(state.scoreRight());
-        payload.putText(state.teamLeft());
-        payload.putText(state.teamRight());
-        String game = new String(payload.bytes(), 0, payload.length(), StandardCharsets.ISO_8859_1);
-        if (!game.equals(lastGame)) {
-            lastGame = game;
-            putRecord(RecordingFormat.GAME);
-        }
-    }
-
     private void writeRobots(List<RobotSnapshot> robots) {
-        payload.clear();
+        ByteSink payload = sink.newPayload();
         payload.putUnsigned(robots.size());
         for (RobotSnapshot robot : robots) {
             payload.putUnsigned(robot.id());
@@ -108,12 +83,12 @@ public final class SnapshotRecording implements AutoCloseable {
         String now = new String(payload.bytes(), 0, payload.length(), StandardCharsets.ISO_8859_1);
         if (!now.equals(lastRobots)) {
             lastRobots = now;
-            putRecord(RecordingFormat.ROBOTS);
+            sink.put(RecordingFormat.ROBOTS);
         }
     }
 
     private void writeCycle(WorldSnapshot state) {
-        payload.clear();
+        ByteSink payload = sink.newPayload();
         payload.putUnsigned(state.cycle());
         long playTicks = Math.round(state.gameTime() / WorldSnapshot.CYCLE_SECONDS);
         payload.putSigned(playTicks - lastPlayTicks);
@@ -129,11 +104,11 @@ public final class SnapshotRecording implements AutoCloseable {
             turn[3]
         };
         ballTrack.putPose(0, ball, 0, payload);
-        state.robots().forEach(this::writeRobot);
-        putRecord(RecordingFormat.CYCLE);
+        state.robots().forEach(robot -> writeRobot(robot, payload));
+        sink.put(RecordingFormat.CYCLE);
     }
 
-    private void writeRobot(RobotSnapshot robot) {
+    private void writeRobot(RobotSnapshot robot, ByteSink payload) {
         int hinges = robot.jointDegrees().length;
         DeltaTrack track = robotTracks.computeIfAbsent(
                 robot.id(), id -> new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE + hinges));
@@ -145,11 +120,5 @@ public final class SnapshotRecording implements AutoCloseable {
                     RecordingFormat.STEPS_PER_DEGREE,
                     payload);
         }
-    }
-
-    private void putRecord(int kind) {
-        sink.putByte(kind);
-        sink.putUnsigned(payload.length());
-        sink.putBytes(payload.bytes(), payload.length());
     }
 }

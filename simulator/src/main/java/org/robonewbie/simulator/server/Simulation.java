@@ -46,6 +46,7 @@ final class Simulation implements SimulationControl, Runnable {
     private boolean over;
     private volatile long cycles;
     private volatile long missedCycles;
+    private volatile int connectedAgents;
     private volatile boolean closing;
     private volatile Optional<RunReport> finalReport = Optional.empty();
     private volatile Optional<IOException> reportFailure = Optional.empty();
@@ -97,6 +98,11 @@ final class Simulation implements SimulationControl, Runnable {
     /** Tells how many cycles are over, to any thread. */
     long cycles() {
         return cycles;
+    }
+
+    /** Tells how many agents are connected, to any thread. */
+    int connectedAgents() {
+        return connectedAgents;
     }
 
     /** Tells how many cycles real time had and the world had not, to any thread. */
@@ -205,6 +211,7 @@ final class Simulation implements SimulationControl, Runnable {
         cycle.run();
         cycles = cycle.cycle();
         missedCycles = pacemaker.missedCycles();
+        connectedAgents = cycle.agents().size();
         stepsLeft = Math.max(0, stepsLeft - 1);
         monitors.cycleEnded();
         report();

@@ -104,6 +104,15 @@ public final class Simulator implements AutoCloseable {
     }
 
     /**
+     * Tells how many programs play along.
+     *
+     * @return agents that are connected, with or without a robot
+     */
+    public int connectedAgents() {
+        return simulation.connectedAgents();
+    }
+
+    /**
      * Tells what the simulation costs.
      *
      * @return seconds of processor time that its thread has used so far; NaN where the system does not tell

@@ -9,6 +9,7 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.robonewbie.simulator.world.PhysicsEngine;
@@ -46,6 +47,15 @@ class MatchLoadTest {
 
         assertThat((System.nanoTime() - start) / 1e9).isGreaterThan(1.9);
         assertThat(results).hasSize(1);
+    }
+
+    @Test
+    void aWarmUpEndsAsSoonAsItIsNoLongerWanted() throws IOException {
+        AtomicInteger questions = new AtomicInteger();
+
+        MatchLoad.warmUp(PhysicsEngine.STANDARD, () -> questions.incrementAndGet() < 3);
+
+        assertThat(questions.get()).isBetween(3, 5);
     }
 
     @Test
