@@ -2,8 +2,8 @@ package org.robonewbie.simulator.fidelity;
 
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.physics.Pose;
-import org.robonewbie.simulator.world.Ball;
 
 /** Adds up the differences between the rows of one recording and our world. */
 final class Comparison {
@@ -38,7 +38,7 @@ final class Comparison {
         lastDegrees.ifPresent(restDegrees::add);
     }
 
-    void compare(RecordedRow row, Measurements felt, Pose torso) {
+    void compare(RecordedRow row, Measurements felt, Pose torso, Vector3 ball) {
         boolean within = compareJoints(row, felt.jointDegrees());
         row.acceleration().ifPresent(printed -> accelerometer.add(Printed.equal(felt.acceleration(), printed)));
         row.gyro().ifPresent(printed -> gyro.add(Printed.equal(felt.gyro(), printed)));
@@ -46,15 +46,16 @@ final class Comparison {
         if (row.torso().isPresent()) {
             within &= compareTorso(row.torso().get(), torso);
         }
+        if (row.ball().isPresent()) {
+            within &= compareBall(row.ball().get(), ball);
+        }
         noteDivergence(row, within);
     }
 
-    void compare(RecordedRow row, Ball ball) {
+    void compare(RecordedRow row, Vector3 ball) {
         if (row.ball().isPresent()) {
-            double metres = row.ball().get().distanceTo(ball.position());
-            lastMetres = OptionalDouble.of(metres);
-            ballMetres.add(metres);
-            noteDivergence(row, metres <= limits.ballMetres());
+            lastMetres = OptionalDouble.of(row.ball().get().distanceTo(ball));
+            noteDivergence(row, compareBall(row.ball().get(), ball));
         }
     }
 
@@ -96,6 +97,12 @@ final class Comparison {
         torsoMetres.add(metres);
         torsoDegrees.add(degrees);
         return metres <= limits.torsoMetres() && degrees <= limits.torsoDegrees();
+    }
+
+    private boolean compareBall(Vector3 recorded, Vector3 simulated) {
+        double metres = recorded.distanceTo(simulated);
+        ballMetres.add(metres);
+        return metres <= limits.ballMetres();
     }
 
     /** The difference of two printed decimals, such as 1.01 and 1.00, is not exactly 0.01 in binary numbers. */

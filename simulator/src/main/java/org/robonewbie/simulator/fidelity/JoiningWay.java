@@ -22,7 +22,9 @@ import org.robonewbie.simulator.soccer.StartPlaces;
  */
 record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesToFirstRow) {
 
-    private static final Vector3 FIRST_PLACE = new Vector3(-14.2, 9.2, RecordedCommands.BEAM_HEIGHT);
+    private static final Vector3 FIRST_PLACE = new StartPlaces(TeamSide.LEFT, SoccerParameters.league()).next();
+    private static final Vector3 FIRST_PLACE_OF_THE_RIGHT_TEAM =
+            new StartPlaces(TeamSide.RIGHT, SoccerParameters.league()).next();
     private static final JoiningWay SETTLED = new JoiningWay(3, FIRST_PLACE, 60, 0);
     private static final JoiningWay AT_ONCE = new JoiningWay(3, FIRST_PLACE, 2, 0);
     private static final int MOST_CYCLES = 3000;
@@ -48,7 +50,39 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
                 return List.of(read(start.getAsJsonObject()));
             }
         }
-        return List.of(SETTLED, AT_ONCE);
+        Vector3 place = startsInTheRightHalf(recording) ? FIRST_PLACE_OF_THE_RIGHT_TEAM : FIRST_PLACE;
+        return List.of(SETTLED.at(place), AT_ONCE.at(place));
+    }
+
+    /** Without noise a robot is beamed into its own half. */
+    private static boolean startsInTheRightHalf(Recording recording) {
+        return recording.runs().get(0).rows().get(0).torso().stream()
+                .anyMatch(torso -> torso.position().x() > 0);
+    }
+
+    private JoiningWay at(Vector3 otherPlace) {
+        return new JoiningWay(cyclesToInit, otherPlace, cyclesToBeam, cyclesToFirstRow);
+    }
+
+    /** Tells in which half the robot joined. */
+    TeamSide side() {
+        return place.x() > 0 ? TeamSide.RIGHT : TeamSide.LEFT;
+    }
+
+    /** Tells where a robot looks that has just joined, as its turn about the vertical: to the other half. */
+    double yawDegrees() {
+        return side() == TeamSide.LEFT ? -90 : 90;
+    }
+
+    /** Counts the places that the team gave to others before; 0 if its row does not come along here. */
+    int placesBefore() {
+        StartPlaces places = new StartPlaces(side(), SoccerParameters.league());
+        for (int i = 0; i < MOST_PLACES; i++) {
+            if (places.next().distanceTo(place) < SAME_METRES) {
+                return i;
+            }
+        }
+        return 0;
     }
 
     private static JoiningWay read(JsonObject start) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.physics.Pose;
 import org.robonewbie.simulator.soccer.JoinRefusedException;
@@ -92,8 +93,9 @@ final class Replay {
                 RecordedRow row = rows.get(i);
                 Optional<RecordedRow> next = i + 1 < rows.size() ? Optional.of(rows.get(i + 1)) : Optional.empty();
                 Pose torso = stage.robot().torso();
+                Vector3 ball = stage.ball().position();
                 Measurements felt = stage.step(commands.read(row.sent(), next.flatMap(RecordedRow::torso)));
-                comparison.compare(row, felt, torso);
+                comparison.compare(row, felt, torso, ball);
                 for (int missing = next.map(row::cyclesUntil).orElse(1); missing > 1; missing--) {
                     stage.step(List.of());
                 }
@@ -113,7 +115,7 @@ final class Replay {
         ball.setVelocity(start.velocity());
         for (RecordedRow row : run.rows()) {
             world.step();
-            comparison.compare(row, ball);
+            comparison.compare(row, ball.position());
             match.tick();
         }
     }

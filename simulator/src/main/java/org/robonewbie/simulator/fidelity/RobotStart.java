@@ -37,6 +37,7 @@ final class RobotStart {
     }
 
     void reach(Pose torso) throws IOException {
+        rows.get(0).ball().ifPresent(this::placeBall);
         Vector3 place = torso.position();
         double yaw = TorsoAngles.yawDegrees(torso.rotation()) - 90;
         Vector3 beam = new Vector3(tenthsOfMillimetres(place.x()), tenthsOfMillimetres(place.y()), BEAM_HEIGHT);
@@ -56,6 +57,12 @@ final class RobotStart {
         shiftTo(place);
     }
 
+    /** A ball that lies sinks a little into the ground, so it is put down where it touches it. */
+    private void placeBall(Vector3 place) {
+        double radius = stage.ball().properties().radius();
+        stage.placeBall(place.z() < radius ? new Vector3(place.x(), place.y(), radius) : place);
+    }
+
     /** A server with noise beams a robot somewhere near, so that only its place at rest is known. */
     private void shiftTo(Vector3 place) {
         Vector3 torso = robot.torso().position();
@@ -67,7 +74,9 @@ final class RobotStart {
     /** New players appear in a row along the side line of their half, beginning 0.8 m from the corner. */
     private boolean isJoiningPlace(Vector3 place) {
         double index = (way.place().y() - place.y()) / DISTANCE_OF_JOINING_PLACES;
-        return Math.abs(place.x()) == -way.place().x() && index > -1e-6 && Math.abs(index - Math.rint(index)) < 1e-6;
+        return Math.abs(place.x()) == Math.abs(way.place().x())
+                && index > -1e-6
+                && Math.abs(index - Math.rint(index)) < 1e-6;
     }
 
     /** Steps until the robot is as high and feels the same as in the first row; if that is at rest, lets it sleep. */

@@ -2,6 +2,9 @@ package org.robonewbie.simulator.fidelity;
 
 import java.io.IOException;
 import java.util.List;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
@@ -13,6 +16,7 @@ import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.SteppedSimulator;
 import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;
 
@@ -20,6 +24,7 @@ import org.robonewbie.simulator.world.Robot;
 final class ServerStage implements Stage {
 
     private static final int FIRST_MESSAGE = 3;
+    private static final String TEAM = "Recorded";
 
     private final SteppedSimulator simulator;
     private final AgentLink agent;
@@ -35,6 +40,7 @@ final class ServerStage implements Stage {
             throws IOException {
         SteppedSimulator simulator = SteppedSimulator.start(settings(physics), Console.silent());
         try {
+            leavePlacesBefore(way, simulator);
             AgentLink agent = route == AgentRoute.TCP ? simulator.connectOverTcp() : simulator.connect();
             ServerStage stage = new ServerStage(simulator, agent);
             stage.join(type, way.cyclesToInit());
@@ -65,6 +71,17 @@ final class ServerStage implements Stage {
     }
 
     @Override
+    public void placeBall(Vector3 position) {
+        simulator.match().setPlayMode(PlayMode.PLAY_ON);
+        simulator.world().ball().place(position);
+    }
+
+    @Override
+    public Ball ball() {
+        return simulator.world().ball();
+    }
+
+    @Override
     public Measurements step(List<EffectorCommand> commands) throws IOException {
         message.clear();
         EffectorMessageWriter writer = new EffectorMessageWriter(message);
@@ -81,6 +98,32 @@ final class ServerStage implements Stage {
         simulator.close();
     }
 
+    /** Other robots join and leave, since a server never gives a place of the row twice, and the first team is the left one. */
+    private static void leavePlacesBefore(JoiningWay way, SteppedSimulator simulator) throws IOException {
+        if (way.side() == TeamSide.RIGHT) {
+            visit(simulator, "Visitors");
+        }
+        for (int visitor = 0; visitor < way.placesBefore(); visitor++) {
+            visit(simulator, TEAM);
+        }
+    }
+
+    private static void visit(SteppedSimulator simulator, String team) throws IOException {
+        try (AgentLink visitor = simulator.connect()) {
+            MessageBuffer message = new MessageBuffer();
+            new EffectorMessageWriter(message)
+                    .createRobot("rsg/agent/nao/nao.rsg", List.of())
+                    .synchronise();
+            visitor.send(message);
+            simulator.cycle();
+            message.clear();
+            new EffectorMessageWriter(message).joinTeam(0, team).synchronise();
+            visitor.send(message);
+            simulator.cycle();
+        }
+        simulator.cycle();
+    }
+
     /** The robot appears in the first cycle; its first message comes after the third one. */
     private void join(RobotType type, int cyclesToInit) throws IOException {
         message.clear();
@@ -94,7 +137,7 @@ final class ServerStage implements Stage {
                 receive();
             }
         }
-        step(List.of(new EffectorCommand.JoinTeam(1, "Recorded")));
+        step(List.of(new EffectorCommand.JoinTeam(1, TEAM)));
     }
 
     private PerceptorMessage receive() throws IOException {

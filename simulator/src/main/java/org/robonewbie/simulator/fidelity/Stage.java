@@ -2,8 +2,10 @@ package org.robonewbie.simulator.fidelity;
 
 import java.io.IOException;
 import java.util.List;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;
 
@@ -16,7 +18,7 @@ interface Stage extends AutoCloseable {
      * @param route how the commands reach the robot
      * @param type the robot's build
      * @param physics what computes the motion of all bodies
-     * @param way how the robot joins its team; a server chooses the place itself
+     * @param way how the robot joins its team; a server has such places only as it gives to its players
      * @return the stage; its robot has joined a team in the last cycle
      * @throws IOException if a server cannot be started
      */
@@ -25,6 +27,12 @@ interface Stage extends AutoCloseable {
                 ? new WorldStage(type, physics, way)
                 : ServerStage.open(route, type, physics, way);
     }
+
+    /** Lets a ball lie somewhere, in play. */
+    void placeBall(Vector3 position);
+
+    /** Gives the ball, to look where it is. */
+    Ball ball();
 
     /** Gives the robot, to put it where the run begins and to look at its true pose. */
     Robot robot();

@@ -6,6 +6,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;
@@ -29,6 +30,16 @@ final class WorldStage implements Stage {
     }
 
     @Override
+    public void placeBall(Vector3 position) {
+        world.ball().place(position);
+    }
+
+    @Override
+    public Ball ball() {
+        return world.ball();
+    }
+
+    @Override
     public Measurements step(List<EffectorCommand> commands) {
         Measurements before = Measurements.of(robot);
         commands.forEach(this::apply);
@@ -46,7 +57,7 @@ final class WorldStage implements Stage {
         for (int i = 0; i < way.cyclesToInit(); i++) {
             world.step();
         }
-        robot.moveUpright(way.place(), -90);
+        robot.moveUpright(way.place(), way.yawDegrees());
         world.step();
     }
 
