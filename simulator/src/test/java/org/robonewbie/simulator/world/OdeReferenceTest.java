@@ -104,7 +104,8 @@ class OdeReferenceTest {
     }
 
     private static Scanner open(String name) throws IOException {
-        InputStream packed = Objects.requireNonNull(OdeReferenceTest.class.getResourceAsStream("ode/" + name + ".txt.gz"));
+        InputStream packed =
+                Objects.requireNonNull(OdeReferenceTest.class.getResourceAsStream("ode/" + name + ".txt.gz"));
         return new Scanner(new GZIPInputStream(packed), StandardCharsets.US_ASCII).useLocale(Locale.ROOT);
     }
 }
