@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import org.robonewbie.simulator.benchmark.Benchmark;
@@ -32,6 +33,7 @@ import picocli.CommandLine.Option;
             "  robonewbie benchmark",
             "  robonewbie benchmark --robots 1,22 --scene walking --seconds 60 --json result.json",
             "  robonewbie benchmark --physics exact --scene heap --robots 6",
+            "  robonewbie benchmark --robots 1 --scene walking --seconds 20000 --heap-every 2000      10^6 cycles: is memory lost?",
             "  robonewbie benchmark --host 127.0.0.1 --pid 4711      another server in sync mode, such as rcssserver3d"
         })
 final class BenchmarkCommand implements Callable<Integer> {
@@ -66,6 +68,12 @@ final class BenchmarkCommand implements Callable<Integer> {
     private double warmUpSeconds = 20;
 
     @Option(
+            names = "--heap-every",
+            paramLabel = "T",
+            description = "Collect garbage and print the memory in use every T simulated seconds.")
+    private Optional<Double> heapEvery = Optional.empty();
+
+    @Option(
             names = "--physics",
             paramLabel = "ENGINE",
             description = "What computes the motion: exact (ode4j's step) or fast (our own). Usual: ${DEFAULT-VALUE}.")
@@ -96,7 +104,8 @@ final class BenchmarkCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         BenchmarkPlan plan = plan();
         System.out.print(BenchmarkReport.header());
-        BenchmarkReport report = new Benchmark(plan).run(run -> System.out.print(BenchmarkReport.line(run)));
+        BenchmarkReport report = new Benchmark(plan)
+                .run(run -> System.out.print(BenchmarkReport.line(run)), sample -> System.out.print(sample.toLine()));
         if (json.isPresent()) {
             write(json.get(), report.toJson());
         }
@@ -112,9 +121,11 @@ final class BenchmarkCommand implements Callable<Integer> {
         }
         checkSeconds("--seconds", seconds);
         checkSeconds("--warm-up", warmUpSeconds);
+        heapEvery.ifPresent(distance -> checkSeconds("--heap-every", distance));
         checkPort("--port", port);
         checkPort("--monitor-port", monitorPort);
-        return new BenchmarkPlan(robots, scenes, warmUpSeconds, seconds, physics, host.map(this::address));
+        OptionalDouble heap = heapEvery.map(OptionalDouble::of).orElse(OptionalDouble.empty());
+        return new BenchmarkPlan(robots, scenes, warmUpSeconds, seconds, heap, physics, host.map(this::address));
     }
 
     private ServerAddress address(String name) {

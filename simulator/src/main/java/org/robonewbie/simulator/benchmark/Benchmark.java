@@ -18,7 +18,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  * is counted without that of the agents.
  *
  * <pre>{@code
- * BenchmarkReport report = new Benchmark(plan).run(run -> System.out.print(BenchmarkReport.line(run)));
+ * BenchmarkReport report = new Benchmark(plan).run(run -> print(BenchmarkReport.line(run)), sample -> print(sample.toLine()));
  * }</pre>
  */
 public final class Benchmark {
@@ -45,17 +45,18 @@ public final class Benchmark {
      * Measures every number of robots in every scene.
      *
      * @param progress is told of each result at once
+     * @param heap is told of each look at the memory at once
      * @return all results
      * @throws IOException if a server cannot be reached or closes a connection
      */
-    public BenchmarkReport run(Consumer<BenchmarkRun> progress) throws IOException {
+    public BenchmarkReport run(Consumer<BenchmarkRun> progress, Consumer<HeapSample> heap) throws IOException {
         if (plan.other().isEmpty()) {
             warmUp();
         }
         List<BenchmarkRun> runs = new ArrayList<>();
         for (Scene scene : plan.scenes()) {
             for (int robots : plan.robots()) {
-                BenchmarkRun run = measure(robots, scene);
+                BenchmarkRun run = measure(robots, scene, heap);
                 runs.add(run);
                 progress.accept(run);
             }
@@ -66,11 +67,11 @@ public final class Benchmark {
     /** Lets Java compile what all runs use, so that the first of them is not slower than the others. */
     private void warmUp() throws IOException {
         for (Scene scene : plan.scenes()) {
-            measure(ROBOTS_TO_WARM_UP, scene);
+            measure(ROBOTS_TO_WARM_UP, scene, sample -> {});
         }
     }
 
-    private BenchmarkRun measure(int robots, Scene scene) throws IOException {
+    private BenchmarkRun measure(int robots, Scene scene, Consumer<HeapSample> heap) throws IOException {
         try (BenchmarkServer server = openServer()) {
             List<BenchmarkAgent> agents = gather(server, robots);
             server.playOn();
@@ -81,7 +82,7 @@ public final class Benchmark {
             OptionalLong cpuBefore = server.cpuNanoseconds();
             OptionalLong bytesBefore = server.allocatedBytes();
             long start = System.nanoTime();
-            play(server, agents, scene, warmUp, warmUp + measured);
+            List<HeapSample> samples = measured(server, agents, scene, warmUp, measured, heap);
             double seconds = (System.nanoTime() - start) * 1e-9;
             OptionalDouble cpu = perCycle(cpuBefore, server.cpuNanoseconds(), 1e6 * measured);
             OptionalDouble bytes = perCycle(bytesBefore, server.allocatedBytes(), measured);
@@ -94,7 +95,8 @@ public final class Benchmark {
                     measured * WorldSnapshot.CYCLE_SECONDS / seconds,
                     cpu,
                     bytes,
-                    peakMemory());
+                    peakMemory(),
+                    samples);
         }
     }
 
@@ -138,6 +140,31 @@ public final class Benchmark {
             }
             server.cycle();
         }
+    }
+
+    /** Plays all cycles, with looks at the memory in between if they are wanted. */
+    private List<HeapSample> measured(
+            BenchmarkServer server,
+            List<BenchmarkAgent> agents,
+            Scene scene,
+            int from,
+            int measured,
+            Consumer<HeapSample> heap)
+            throws IOException {
+        int part = plan.heapEverySeconds().isPresent()
+                ? cycles(plan.heapEverySeconds().getAsDouble())
+                : measured;
+        List<HeapSample> samples = new ArrayList<>();
+        for (int done = 0; done < measured; done += part) {
+            int next = Math.min(measured, done + part);
+            play(server, agents, scene, from + done, from + next);
+            if (plan.heapEverySeconds().isPresent()) {
+                HeapSample sample = HeapSample.at(next * WorldSnapshot.CYCLE_SECONDS);
+                samples.add(sample);
+                heap.accept(sample);
+            }
+        }
+        return samples;
     }
 
     private static OptionalDouble perCycle(OptionalLong before, OptionalLong after, double divisor) {

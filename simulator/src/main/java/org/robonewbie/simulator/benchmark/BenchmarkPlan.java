@@ -2,6 +2,7 @@ package org.robonewbie.simulator.benchmark;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.robonewbie.simulator.world.PhysicsEngine;
 
 /**
@@ -11,6 +12,7 @@ import org.robonewbie.simulator.world.PhysicsEngine;
  * @param scenes what they do
  * @param warmUpSeconds simulated seconds before the measurement, in which Java compiles what is used most
  * @param seconds simulated seconds that are measured
+ * @param heapEverySeconds simulated seconds between looks at the memory in use; empty to never look
  * @param physics what computes the motion of all bodies, in our own server
  * @param other the server to be measured; ours in this process if empty
  */
@@ -19,6 +21,7 @@ public record BenchmarkPlan(
         List<Scene> scenes,
         double warmUpSeconds,
         double seconds,
+        OptionalDouble heapEverySeconds,
         PhysicsEngine physics,
         Optional<ServerAddress> other) {
 

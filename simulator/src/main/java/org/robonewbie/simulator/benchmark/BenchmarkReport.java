@@ -64,7 +64,8 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
 
     /**
      * Writes the results for programs: {@code {"runs":[{"robots":…,"scene":…,"threads":…,"realTimeFactor":…,
-     * "cpuMillisPerCycle":…,"allocatedBytesPerCycle":…,"cycles":…,"peakMemoryBytes":…}]}} with null for what is unknown.
+     * "cpuMillisPerCycle":…,"allocatedBytesPerCycle":…,"cycles":…,"peakMemoryBytes":…,"heap":[{"seconds":…,"bytes":…}]}]}} with null for what is
+     * unknown.
      *
      * @return JSON text
      */
@@ -86,6 +87,16 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
         add(object, "allocatedBytesPerCycle", run.allocatedBytesPerCycle());
         object.addProperty("cycles", run.cycles());
         object.addProperty("peakMemoryBytes", run.peakMemoryBytes());
+        JsonArray heap = new JsonArray();
+        run.heap().forEach(sample -> heap.add(json(sample)));
+        object.add("heap", heap);
+        return object;
+    }
+
+    private static JsonObject json(HeapSample sample) {
+        JsonObject object = new JsonObject();
+        object.addProperty("seconds", sample.seconds());
+        object.addProperty("bytes", sample.bytes());
         return object;
     }
 

@@ -1,5 +1,6 @@
 package org.robonewbie.simulator.benchmark;
 
+import java.util.List;
 import java.util.OptionalDouble;
 
 /**
@@ -13,6 +14,7 @@ import java.util.OptionalDouble;
  * @param cpuMillisPerCycle processor time of the server alone per cycle in milliseconds; empty if unknown
  * @param allocatedBytesPerCycle memory that the server asks for per cycle; empty if unknown
  * @param peakMemoryBytes the most memory that was in use at a time in this process
+ * @param heap the memory in use after collections of garbage, from time to time; empty unless the plan asks for it
  */
 public record BenchmarkRun(
         int robots,
@@ -22,4 +24,11 @@ public record BenchmarkRun(
         double realTimeFactor,
         OptionalDouble cpuMillisPerCycle,
         OptionalDouble allocatedBytesPerCycle,
-        long peakMemoryBytes) {}
+        long peakMemoryBytes,
+        List<HeapSample> heap) {
+
+    /** Makes the list unmodifiable. */
+    public BenchmarkRun {
+        heap = List.copyOf(heap);
+    }
+}

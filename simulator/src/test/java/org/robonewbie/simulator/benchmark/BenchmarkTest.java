@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
@@ -24,7 +25,7 @@ class BenchmarkTest {
         BenchmarkPlan plan = plan(List.of(1, 3), List.of(Scene.WALKING, Scene.HEAP), Optional.empty());
         List<BenchmarkRun> progress = new ArrayList<>();
 
-        BenchmarkReport report = new Benchmark(plan).run(progress::add);
+        BenchmarkReport report = new Benchmark(plan).run(progress::add, sample -> {});
 
         assertThat(report.runs()).isEqualTo(progress);
         assertThat(report.runs()).extracting(BenchmarkRun::robots).containsExactly(1, 3, 1, 3);
@@ -44,7 +45,7 @@ class BenchmarkTest {
     void resultsAreWrittenAsJson() throws IOException {
         BenchmarkPlan plan = plan(List.of(1), List.of(Scene.STANDING), Optional.empty());
 
-        String json = new Benchmark(plan).run(run -> {}).toJson();
+        String json = new Benchmark(plan).run(run -> {}, sample -> {}).toJson();
 
         JsonObject run = JsonParser.parseString(json)
                 .getAsJsonObject()
@@ -60,10 +61,30 @@ class BenchmarkTest {
                         "cpuMillisPerCycle",
                         "allocatedBytesPerCycle",
                         "cycles",
-                        "peakMemoryBytes");
+                        "peakMemoryBytes",
+                        "heap");
         assertThat(run.get("robots").getAsInt()).isEqualTo(1);
         assertThat(run.get("scene").getAsString()).isEqualTo("standing");
         assertThat(run.get("threads").getAsInt()).isEqualTo(1);
+    }
+
+    @Test
+    void memoryInUseIsLookedAtFromTimeToTime() throws IOException {
+        BenchmarkPlan plan = new BenchmarkPlan(
+                List.of(1),
+                List.of(Scene.WALKING),
+                0.1,
+                0.5,
+                OptionalDouble.of(0.2),
+                PhysicsEngine.STANDARD,
+                Optional.empty());
+        List<HeapSample> progress = new ArrayList<>();
+
+        BenchmarkRun run = new Benchmark(plan).run(ignored -> {}, progress::add).runs().get(0);
+
+        assertThat(run.heap()).isEqualTo(progress);
+        assertThat(run.heap()).extracting(HeapSample::seconds).containsExactly(0.2, 0.4, 0.5);
+        assertThat(run.heap()).allSatisfy(sample -> assertThat(sample.bytes()).isBetween(1_000_000L, 1_000_000_000L));
     }
 
     @Test
@@ -82,7 +103,7 @@ class BenchmarkTest {
                     OptionalLong.of(ProcessHandle.current().pid()));
 
             BenchmarkReport report =
-                    new Benchmark(plan(List.of(2), List.of(Scene.WALKING), Optional.of(address))).run(run -> {});
+                    new Benchmark(plan(List.of(2), List.of(Scene.WALKING), Optional.of(address))).run(run -> {}, sample -> {});
 
             BenchmarkRun run = report.runs().get(0);
             assertThat(run.threads()).isZero();
@@ -93,6 +114,6 @@ class BenchmarkTest {
     }
 
     private static BenchmarkPlan plan(List<Integer> robots, List<Scene> scenes, Optional<ServerAddress> other) {
-        return new BenchmarkPlan(robots, scenes, 0.1, 0.2, PhysicsEngine.STANDARD, other);
+        return new BenchmarkPlan(robots, scenes, 0.1, 0.2, OptionalDouble.empty(), PhysicsEngine.STANDARD, other);
     }
 }

@@ -1,0 +1,40 @@
+package org.robonewbie.learning.dataset;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/** A table of comma-separated values as in RFC 4180, in UTF-8 with lines that end with a line feed. */
+final class CsvFile extends TableFile {
+
+    private static final Pattern TO_BE_QUOTED = Pattern.compile("[,\"\\r\\n]");
+
+    CsvFile(Path file, List<Column> columns) throws IOException {
+        super(file, columns);
+        writeLine(columns.stream().<Object>map(Column::name).toList());
+    }
+
+    @Override
+    void write(List<Object> cells) throws IOException {
+        writeLine(cells);
+    }
+
+    @Override
+    void writeEnd() {}
+
+    private void writeLine(List<Object> cells) throws IOException {
+        String line = cells.stream().map(CsvFile::text).collect(Collectors.joining(",", "", "\n"));
+        out().write(line.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static String text(Object cell) {
+        if (cell instanceof Double number && number.isNaN()) {
+            return "";
+        }
+        String text = cell.toString();
+        return TO_BE_QUOTED.matcher(text).find() ? '"' + text.replace("\"", "\"\"") + '"' : text;
+    }
+}

@@ -1,0 +1,74 @@
+package org.robonewbie.learning.dataset;
+
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.Map;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
+import org.robonewbie.protocol.effector.EffectorMessageReader;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
+import org.robonewbie.simulator.AgentMessages;
+
+/** What one robot and its program have said to each other: the last messages, and the commands that still hold. */
+final class HeardRobot {
+
+    private static final Map<String, Joint> JOINTS = new HashMap<>();
+
+    static {
+        for (Joint joint : Joint.values()) {
+            JOINTS.put(joint.effectorName(), joint);
+        }
+    }
+
+    private final PerceptorMessageReader perceptorReader = new PerceptorMessageReader();
+    private final EffectorMessageReader effectorReader = new EffectorMessageReader();
+    private final double[] degreesPerSecond = new double[Joint.COUNT];
+    private AgentMessages last;
+
+    HeardRobot(AgentMessages first) {
+        this.last = first;
+        hear(first);
+    }
+
+    void hear(AgentMessages messages) {
+        last = messages;
+        effectorReader.read(buffer(messages.effectors()), this::command, problem -> {});
+    }
+
+    private void command(EffectorCommand command) {
+        if (command instanceof SetHingeSpeed speed && JOINTS.containsKey(speed.effectorName())) {
+            degreesPerSecond[JOINTS.get(speed.effectorName()).ordinal()] = Math.toDegrees(speed.radiansPerSecond());
+        }
+    }
+
+    PerceptorMessage perceived() {
+        return perceptorReader.read(buffer(last.perceptors()));
+    }
+
+    double commandedDegreesPerSecond(Joint joint) {
+        return degreesPerSecond[joint.ordinal()];
+    }
+
+    long cycle() {
+        return last.cycle();
+    }
+
+    String perceptors() {
+        return last.perceptors();
+    }
+
+    String effectors() {
+        return last.effectors();
+    }
+
+    private static MessageBuffer buffer(String text) {
+        byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
+        MessageBuffer buffer = new MessageBuffer();
+        buffer.resize(bytes.length);
+        System.arraycopy(bytes, 0, buffer.bytes(), 0, bytes.length);
+        return buffer;
+    }
+}

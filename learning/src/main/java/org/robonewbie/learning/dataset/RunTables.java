@@ -1,0 +1,124 @@
+package org.robonewbie.learning.dataset;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.robonewbie.simulator.AgentMessages;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.soccer.MatchEvent;
+
+/**
+ * The tables of one run, written while it watches the simulation. To be {@link #finish finished} when the simulation has ended;
+ * else nothing remains of it.
+ */
+public final class RunTables implements SimulationObserver, AutoCloseable {
+
+    private final int run;
+    private final long seed;
+    private final CycleTable table;
+    private final TableFile cycles;
+    private final TableFile events;
+    private final Map<Integer, HeardRobot> robots = new HashMap<>();
+    private final List<MatchEvent> happened = new ArrayList<>();
+    private long lastCycle = -1;
+    private long rows;
+    private int scoreLeft;
+    private int scoreRight;
+
+    RunTables(int run, long seed, CycleTable table, TableFile cycles, TableFile events) {
+        this.run = run;
+        this.seed = seed;
+        this.table = table;
+        this.cycles = cycles;
+        this.events = events;
+    }
+
+    static List<Column> eventColumns() {
+        return List.of(
+                Column.whole("run", "", "number of the run, from 1"),
+                Column.whole("cycle", "", "number of the cycle in which it happened"),
+                Column.text("event", "playmode NAME, goal SIDE TEAM, or foul TYPE SIDE NUMBER"));
+    }
+
+    static List<Column> runColumns() {
+        return List.of(
+                Column.whole("run", "", "number of the run, from 1"),
+                Column.whole("seed", "", "chooses all that is random in it"),
+                Column.whole("cycles", "", "length of the run, each cycle 20 ms"),
+                Column.whole("rows", "", "rows in the table of cycles"),
+                Column.whole("score_left", "goals", "of the left team at the end"),
+                Column.whole("score_right", "goals", "of the right team at the end"));
+    }
+
+    @Override
+    public boolean wantsMessagesOf(int robot) {
+        return true;
+    }
+
+    @Override
+    public void messagesExchanged(AgentMessages messages) {
+        HeardRobot known = robots.get(messages.robot());
+        if (known == null) {
+            robots.put(messages.robot(), new HeardRobot(messages));
+        } else {
+            known.hear(messages);
+        }
+    }
+
+    @Override
+    public void happened(MatchEvent event) {
+        happened.add(event);
+    }
+
+    @Override
+    public void cycleEnded(WorldSnapshot world) {
+        if (world.cycle() == lastCycle) {
+            return;
+        }
+        lastCycle = world.cycle();
+        happened.forEach(event -> add(events, List.of((long) run, world.cycle(), event.text())));
+        happened.clear();
+        scoreLeft = world.scoreLeft();
+        scoreRight = world.scoreRight();
+        for (RobotSnapshot robot : world.robots()) {
+            HeardRobot heard = robots.get(robot.id());
+            if (robot.number() > 0 && heard != null && heard.cycle() == world.cycle()) {
+                add(cycles, table.row(run, world, robot, heard));
+                rows++;
+            }
+        }
+    }
+
+    private static void add(TableFile file, List<Object> row) {
+        try {
+            file.add(row);
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
+    List<Object> summary() {
+        return List.of((long) run, seed, lastCycle, rows, (long) scoreLeft, (long) scoreRight);
+    }
+
+    /** Tells how many rows the table of cycles has so far. */
+    long rows() {
+        return rows;
+    }
+
+    void finish() throws IOException {
+        cycles.finish();
+        events.finish();
+    }
+
+    @Override
+    public void close() throws IOException {
+        cycles.close();
+        events.close();
+    }
+}

@@ -1,0 +1,70 @@
+package org.robonewbie.learning.dataset;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+
+/** A table that is being written. Under its own name it appears only when it is complete. */
+public abstract class TableFile implements AutoCloseable {
+
+    private final Path file;
+    private final Path part;
+    private final List<Column> columns;
+    private final OutputStream out;
+
+    TableFile(Path file, List<Column> columns) throws IOException {
+        this.file = file;
+        this.part = file.resolveSibling(file.getFileName() + ".part");
+        this.columns = List.copyOf(columns);
+        this.out = new BufferedOutputStream(Files.newOutputStream(part));
+    }
+
+    /**
+     * Adds a row.
+     *
+     * @param cells a value for each column, of the kind that the column says
+     * @throws IOException if it cannot be written
+     * @throws IllegalArgumentException if there are more or fewer cells than columns
+     */
+    public final void add(List<Object> cells) throws IOException {
+        if (cells.size() != columns.size()) {
+            throw new IllegalArgumentException("A row of " + cells.size() + " cells for a table with " + columns.size()
+                    + " columns (" + file + ").");
+        }
+        write(cells);
+    }
+
+    /**
+     * Completes the table and gives it its name; an older file of that name is replaced.
+     *
+     * @throws IOException if that fails
+     */
+    public final void finish() throws IOException {
+        writeEnd();
+        out.close();
+        Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    /** Gives the table up unless it is finished. */
+    @Override
+    public final void close() throws IOException {
+        out.close();
+        Files.deleteIfExists(part);
+    }
+
+    abstract void write(List<Object> cells) throws IOException;
+
+    abstract void writeEnd() throws IOException;
+
+    final List<Column> columns() {
+        return columns;
+    }
+
+    final OutputStream out() {
+        return out;
+    }
+}
