@@ -70,8 +70,8 @@ final class Perception {
         for (int i = 0; i < Joint.COUNT; i++) {
             row[i] = hundredths(jointDegrees[i]);
         }
-        put(row, Joint.COUNT, forwardLeftUp(robot.gyroDegreesPerSecond()));
-        put(row, Joint.COUNT + 3, forwardLeftUp(robot.acceleration()));
+        put(row, Joint.COUNT, BodyAxes.forwardLeftUp(robot.gyroDegreesPerSecond()));
+        put(row, Joint.COUNT + 3, BodyAxes.forwardLeftUp(robot.acceleration()));
         FootForces feet = robot.footForces();
         putFoot(row, Joint.COUNT + 6, feet.left());
         putFoot(row, Joint.COUNT + 6 + NUMBERS_PER_FOOT, feet.right());
@@ -92,8 +92,8 @@ final class Perception {
 
     private static void putFoot(double[] row, int index, Optional<FootForce> foot) {
         foot.ifPresent(felt -> {
-            put(row, index, forwardLeftUp(felt.point()));
-            put(row, index + 3, forwardLeftUp(felt.force()));
+            put(row, index, BodyAxes.forwardLeftUp(felt.point()));
+            put(row, index + 3, BodyAxes.forwardLeftUp(felt.force()));
         });
     }
 
@@ -101,11 +101,6 @@ final class Perception {
         row[index] = hundredths(vector.x());
         row[index + 1] = hundredths(vector.y());
         row[index + 2] = hundredths(vector.z());
-    }
-
-    /** Turns SimSpark's axes of a link into those of an agent. */
-    static Vector3 forwardLeftUp(Vector3 rightForwardUp) {
-        return new Vector3(rightForwardUp.y(), -rightForwardUp.x(), rightForwardUp.z());
     }
 
     static double hundredths(double value) {

@@ -119,7 +119,7 @@ final class TrialRobotBody {
                 robot.model().type(),
                 links,
                 robot.torsoVelocity(),
-                Perception.forwardLeftUp(robot.gyroDegreesPerSecond()),
+                BodyAxes.forwardLeftUp(robot.gyroDegreesPerSecond()),
                 degrees.clone(),
                 rates);
     }

@@ -3,6 +3,7 @@ package org.robonewbie.learning.gym;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.robonewbie.learning.experiment.BodyAxes;
 import org.robonewbie.learning.experiment.ObservedQuantity;
 import org.robonewbie.learning.experiment.SoccerTrial;
 import org.robonewbie.learning.experiment.TrialSetting;
@@ -85,8 +86,7 @@ final class ReachTask implements Task {
 
             private Vector3 arm() {
                 Pose torso = trial.state().robot().torso();
-                Vector3 local = torso.toLocal(trial.state().robot().position(BodyPart.LEFT_LOWER_ARM));
-                return new Vector3(local.y(), -local.x(), local.z());
+                return BodyAxes.forwardLeftUp(torso.toLocal(trial.state().robot().position(BodyPart.LEFT_LOWER_ARM)));
             }
         };
     }

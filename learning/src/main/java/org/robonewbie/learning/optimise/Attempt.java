@@ -1,7 +1,7 @@
 package org.robonewbie.learning.optimise;
 
-import java.util.Arrays;
 import java.util.List;
+import org.robonewbie.learning.search.CautiousMean;
 
 /**
  * What a candidate has done in one trial, or in several.
@@ -12,7 +12,6 @@ import java.util.List;
  */
 public record Attempt(double value, double success, double flaws) {
 
-    private static final double WEIGHT_OF_WORST = 0.3;
     private static final double COST_OF_FAILURE = 2;
 
     /**
@@ -36,10 +35,7 @@ public record Attempt(double value, double success, double flaws) {
 
     /** Judges several trials by their mean, drawn towards the worst of them. */
     static double cost(List<Attempt> attempts, double sign, double scale) {
-        double[] costs =
-                attempts.stream().mapToDouble(one -> one.cost(sign, scale)).toArray();
-        double mean = Arrays.stream(costs).average().orElseThrow();
-        double worst = Arrays.stream(costs).max().orElseThrow();
-        return (1 - WEIGHT_OF_WORST) * mean + WEIGHT_OF_WORST * worst;
+        return CautiousMean.of(
+                attempts.stream().mapToDouble(one -> one.cost(sign, scale)).toArray());
     }
 }

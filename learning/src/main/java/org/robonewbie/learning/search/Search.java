@@ -15,8 +15,6 @@ import java.util.stream.IntStream;
  */
 public final class Search {
 
-    private static final double WEIGHT_OF_WORST = 0.3;
-
     private final SearchPlan plan;
     private final CostFunction trial;
 
@@ -58,17 +56,11 @@ public final class Search {
                 .mapToDouble(i -> trial.cost(candidates.get(i / trials), seed(epoch, i % trials)))
                 .toArray();
         return IntStream.range(0, candidates.size())
-                .mapToDouble(i -> cost(Arrays.copyOfRange(all, i * trials, (i + 1) * trials)))
+                .mapToDouble(i -> CautiousMean.of(Arrays.copyOfRange(all, i * trials, (i + 1) * trials)))
                 .toArray();
     }
 
     private long seed(int epoch, int number) {
         return plan.seed() * 1_000_000 + epoch * 1000L + number;
-    }
-
-    private static double cost(double[] trials) {
-        double mean = Arrays.stream(trials).average().orElseThrow();
-        double worst = Arrays.stream(trials).max().orElseThrow();
-        return (1 - WEIGHT_OF_WORST) * mean + WEIGHT_OF_WORST * worst;
     }
 }
