@@ -17,6 +17,7 @@ import picocli.CommandLine.IVersionProvider;
             SimulatorCommand.class,
             StudioCommand.class,
             FidelityCommand.class,
+            RecordCommand.class,
             RecordReferenceCommand.class,
             MeasureCommand.class,
             CompetitionCommand.class,
