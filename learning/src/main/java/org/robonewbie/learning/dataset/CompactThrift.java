@@ -88,13 +88,13 @@ final class CompactThrift {
     }
 
     private void begin(int field, int type) {
-        out.write(field - lastField << 4 | type);
+        out.write(((field - lastField) << 4) | type);
         lastField = field;
     }
 
     private void beginList(int field, int type, int count) {
         begin(field, LIST);
-        out.write(Math.min(count, LONG_LIST) << 4 | type);
+        out.write((Math.min(count, LONG_LIST) << 4) | type);
         if (count >= LONG_LIST) {
             writeUnsigned(count);
         }
@@ -107,13 +107,13 @@ final class CompactThrift {
     }
 
     private void writeSigned(long value) {
-        writeUnsigned(value << 1 ^ value >> 63);
+        writeUnsigned((value << 1) ^ (value >> 63));
     }
 
     private void writeUnsigned(long value) {
         long rest = value;
         while ((rest & ~0x7FL) != 0) {
-            out.write((int) (rest & 0x7F | 0x80));
+            out.write((int) ((rest & 0x7F) | 0x80));
             rest >>>= 7;
         }
         out.write((int) rest);

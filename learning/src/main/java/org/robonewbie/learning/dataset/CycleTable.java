@@ -69,7 +69,8 @@ final class CycleTable {
         for (String part : List.of("w", "x", "y", "z")) {
             all.add(Column.decimal("true_torso_q" + part, "", "rotation of the torso in the world frame, quaternion"));
         }
-        all.add(Column.decimal("true_heading", "degrees", "where the torso looks, 0 to the right goal, left is positive"));
+        all.add(Column.decimal(
+                "true_heading", "degrees", "where the torso looks, 0 to the right goal, left is positive"));
         all.add(Column.decimal("true_tilt", "degrees", "how far the torso leans: 0 upright, 90 lying"));
         addJoints(all, "true", "degrees", "true angle");
         addVector(all, "true_ball", WORLD_AXES, "m", "centre of the ball in the world frame");

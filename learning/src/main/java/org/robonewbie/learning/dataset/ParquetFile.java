@@ -95,7 +95,8 @@ final class ParquetFile extends TableFile {
         if (column.kind() == Column.Kind.TEXT) {
             return plainTexts(index);
         }
-        ByteBuffer numbers = littleEndian(waiting.size() * Long.BYTES);
+        byte[] bytes = new byte[waiting.size() * Long.BYTES];
+        ByteBuffer numbers = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         for (List<Object> row : waiting) {
             if (column.kind() == Column.Kind.WHOLE) {
                 numbers.putLong((Long) row.get(index));
@@ -103,7 +104,7 @@ final class ParquetFile extends TableFile {
                 numbers.putDouble((Double) row.get(index));
             }
         }
-        return numbers.array();
+        return bytes;
     }
 
     private byte[] plainTexts(int index) {
@@ -131,10 +132,12 @@ final class ParquetFile extends TableFile {
         all.structures(4, groups.size());
         groups.forEach(group -> describe(all, group));
         all.structures(5, facts.size());
-        facts.entrySet().stream().sorted(Map.Entry.comparingByKey()).forEach(fact -> all.element()
-                .text(1, fact.getKey())
-                .text(2, fact.getValue())
-                .end());
+        facts.entrySet().stream()
+                .sorted(Map.Entry.comparingByKey())
+                .forEach(fact -> all.element()
+                        .text(1, fact.getKey())
+                        .text(2, fact.getValue())
+                        .end());
         return all.text(6, "RoboNewbie").toBytes();
     }
 

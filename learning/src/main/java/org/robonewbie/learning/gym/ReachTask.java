@@ -86,7 +86,8 @@ final class ReachTask implements Task {
 
             private Vector3 arm() {
                 Pose torso = trial.state().robot().torso();
-                return BodyAxes.forwardLeftUp(torso.toLocal(trial.state().robot().position(BodyPart.LEFT_LOWER_ARM)));
+                return BodyAxes.forwardLeftUp(
+                        torso.toLocal(trial.state().robot().position(BodyPart.LEFT_LOWER_ARM)));
             }
         };
     }

@@ -56,7 +56,7 @@ public final class Benchmark {
         List<BenchmarkRun> runs = new ArrayList<>();
         for (Scene scene : plan.scenes()) {
             for (int robots : plan.robots()) {
-                BenchmarkRun run = measure(robots, scene, heap);
+                BenchmarkRun run = measure(robots, scene, plan.seconds(), heap);
                 runs.add(run);
                 progress.accept(run);
             }
@@ -67,23 +67,24 @@ public final class Benchmark {
     /** Lets Java compile what all runs use, so that the first of them is not slower than the others. */
     private void warmUp() throws IOException {
         for (Scene scene : plan.scenes()) {
-            measure(ROBOTS_TO_WARM_UP, scene, sample -> {});
+            measure(ROBOTS_TO_WARM_UP, scene, Math.min(plan.seconds(), plan.warmUpSeconds()), sample -> {});
         }
     }
 
-    private BenchmarkRun measure(int robots, Scene scene, Consumer<HeapSample> heap) throws IOException {
+    private BenchmarkRun measure(int robots, Scene scene, double seconds, Consumer<HeapSample> heap)
+            throws IOException {
         try (BenchmarkServer server = openServer()) {
             List<BenchmarkAgent> agents = gather(server, robots);
             server.playOn();
             int warmUp = cycles(plan.warmUpSeconds());
-            int measured = cycles(plan.seconds());
+            int measured = cycles(seconds);
             play(server, agents, scene, 0, warmUp);
             resetPeakMemory();
             OptionalLong cpuBefore = server.cpuNanoseconds();
             OptionalLong bytesBefore = server.allocatedBytes();
             long start = System.nanoTime();
             List<HeapSample> samples = measured(server, agents, scene, warmUp, measured, heap);
-            double seconds = (System.nanoTime() - start) * 1e-9;
+            double realSeconds = (System.nanoTime() - start) * 1e-9;
             OptionalDouble cpu = perCycle(cpuBefore, server.cpuNanoseconds(), 1e6 * measured);
             OptionalDouble bytes = perCycle(bytesBefore, server.allocatedBytes(), measured);
             agents.forEach(BenchmarkAgent::leave);
@@ -92,7 +93,7 @@ public final class Benchmark {
                     scene,
                     plan.other().isPresent() ? 0 : 1,
                     measured,
-                    measured * WorldSnapshot.CYCLE_SECONDS / seconds,
+                    measured * WorldSnapshot.CYCLE_SECONDS / realSeconds,
                     cpu,
                     bytes,
                     peakMemory(),

@@ -15,7 +15,8 @@ public record HeapSample(double seconds, long bytes) {
     static HeapSample at(double seconds) {
         ManagementFactory.getMemoryMXBean().gc();
         return new HeapSample(
-                seconds, ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed());
+                seconds,
+                ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed());
     }
 
     /**

@@ -80,7 +80,8 @@ class BenchmarkTest {
                 Optional.empty());
         List<HeapSample> progress = new ArrayList<>();
 
-        BenchmarkRun run = new Benchmark(plan).run(ignored -> {}, progress::add).runs().get(0);
+        BenchmarkRun run =
+                new Benchmark(plan).run(ignored -> {}, progress::add).runs().get(0);
 
         assertThat(run.heap()).isEqualTo(progress);
         assertThat(run.heap()).extracting(HeapSample::seconds).containsExactly(0.2, 0.4, 0.5);
@@ -102,8 +103,8 @@ class BenchmarkTest {
                     simulator.monitorPort().orElseThrow(),
                     OptionalLong.of(ProcessHandle.current().pid()));
 
-            BenchmarkReport report =
-                    new Benchmark(plan(List.of(2), List.of(Scene.WALKING), Optional.of(address))).run(run -> {}, sample -> {});
+            BenchmarkReport report = new Benchmark(plan(List.of(2), List.of(Scene.WALKING), Optional.of(address)))
+                    .run(run -> {}, sample -> {});
 
             BenchmarkRun run = report.runs().get(0);
             assertThat(run.threads()).isZero();
