@@ -8,9 +8,7 @@ import java.io.UncheckedIOException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -22,33 +20,23 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.SimulationControl;
 
 /** The studio as people have it: in a real browser, drawn by software. */
+@InBrowser(width = 640, height = 360)
 class StudioPageTest {
 
     private static final AccessToken TOKEN = AccessToken.random();
     private static final String CHEAP = "&quality=lowest";
 
-    private static Chromium browser;
+    private final Chromium browser;
 
     private SmallSimulation simulation = new SmallSimulation();
     private StudioServer studio = serve(0);
 
-    @BeforeAll
-    static void openBrowser() throws IOException {
-        Tool.BROWSER.orSkip();
-        browser = Chromium.open(640, 360);
-    }
-
-    @AfterAll
-    static void closeBrowser() {
-        if (browser != null) {
-            browser.close();
-        }
+    StudioPageTest(Chromium browser) {
+        this.browser = browser;
     }
 
     @AfterEach
     void close() {
-        browser.visit("about:blank");
-        browser.forgetComplaints();
         studio.close();
         simulation.close();
     }
@@ -77,7 +65,7 @@ class StudioPageTest {
     @Test
     void robotAppearsAndNothingIsComplained() {
         openStudioWithRobot();
-        browser.await("studio.view.crowd.limbs.some(limb => limb.mesh.visible)");
+        browser.await("studio.view.crowd.meshes.some(mesh => mesh.visible)");
 
         browser.await("document.querySelector('#banner').hidden");
         assertThat(browser.evaluate("document.querySelector('.team.left').textContent")

@@ -5,11 +5,22 @@ import * as THREE from 'three';
 export const BALL_RADIUS = 0.042;
 
 /** Each edge of the icosahedron is cut into so many parts; a multiple of three gives exact pentagons. */
-const PARTS = 9;
+const PARTS = { fine: 9, coarse: 6, tiny: 3 };
 
 /** @returns {THREE.Mesh} */
 export function ball() {
-  const geometry = new THREE.IcosahedronGeometry(BALL_RADIUS, PARTS - 1);
+  const mesh = new THREE.Mesh(ballShape('fine'), new THREE.MeshLambertMaterial({ vertexColors: true }));
+  mesh.castShadow = true;
+  mesh.name = 'ball';
+  return mesh;
+}
+
+/**
+ * @param {import('../state/quality.js').Detail} detail
+ * @returns {THREE.BufferGeometry}
+ */
+export function ballShape(detail) {
+  const geometry = new THREE.IcosahedronGeometry(BALL_RADIUS, PARTS[detail] - 1);
   const corners = pentagonCentres();
   const places = geometry.getAttribute('position');
   const colours = new Float32Array(3 * places.count);
@@ -24,10 +35,7 @@ export function ball() {
   geometry.setAttribute('color', new THREE.BufferAttribute(colours, 3));
   geometry.setAttribute('normal', new THREE.BufferAttribute(new Float32Array(places.array), 3));
   geometry.normalizeNormals();
-  const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ vertexColors: true }));
-  mesh.castShadow = true;
-  mesh.name = 'ball';
-  return mesh;
+  return geometry;
 }
 
 /** The corners of the icosahedron, each in the middle of a dark pentagon. */

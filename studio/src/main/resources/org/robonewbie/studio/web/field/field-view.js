@@ -1,6 +1,6 @@
 /** The picture of the field: owns the three.js scene and draws it; what is drawn comes from outside. */
 import * as THREE from 'three';
-import { ball } from './ball.js';
+import { ball, ballShape } from './ball.js';
 import { Light, PALETTES, roomReflections } from './light.js';
 import { pitch } from './pitch.js';
 import { RobotCrowd } from './robot-crowd.js';
@@ -58,6 +58,8 @@ export class FieldView {
     this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
     this.scene.environmentIntensity = 0.5;
     this.crowd.setQuality(quality);
+    this.ball.geometry.dispose();
+    this.ball.geometry = ballShape(quality.nearDetail === 'fine' ? 'fine' : quality.farDetail);
     if (this.content) {
       this.#layPitch(this.content);
     }
@@ -66,7 +68,7 @@ export class FieldView {
   }
 
   #newRenderer() {
-    const renderer = new THREE.WebGLRenderer({ antialias: this.quality.antialias, powerPreference: 'high-performance' });
+    const renderer = opaqueRenderer(this.quality.antialias);
     renderer.info.autoReset = false;
     renderer.shadowMap.type = THREE.PCFSoftShadowMap;
     this.stage.append(renderer.domElement);
@@ -173,4 +175,16 @@ export class FieldView {
     caster.setFromCamera(place, this.camera);
     return caster.ray;
   }
+}
+
+/**
+ * A picture that nothing shines through, which the browser puts on the page with half the work.
+ *
+ * @param {boolean} antialias
+ * @returns {THREE.WebGLRenderer}
+ */
+export function opaqueRenderer(antialias) {
+  const canvas = document.createElement('canvas');
+  const context = canvas.getContext('webgl2', { alpha: false, antialias, powerPreference: 'high-performance' });
+  return new THREE.WebGLRenderer({ canvas, antialias, ...(context && { context }) });
 }

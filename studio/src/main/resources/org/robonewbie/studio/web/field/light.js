@@ -1,5 +1,6 @@
 /** Light and air: the same sun in both themes, a brighter sky in the light one. */
 import * as THREE from 'three';
+import { flatMaterial, HAZE_METRES, screenColour } from './flat-material.js';
 
 /**
  * @typedef {object} Palette
@@ -21,6 +22,7 @@ export const PALETTES = {
 
 const SHADOW_REACH = 2;
 const SKY_RADIUS = 100;
+const AFTER_ALL_GROUND = 2;
 
 export class Light {
   /** @param {THREE.Scene} scene */
@@ -51,7 +53,7 @@ export class Light {
     this.sky.intensity = palette.skyLight;
     this.sun.intensity = palette.sunLight;
     paintDome(this.dome, palette);
-    this.scene.fog = new THREE.Fog(palette.sky, 9, 38);
+    this.scene.fog = new THREE.Fog(palette.sky, ...HAZE_METRES);
   }
 
   /**
@@ -69,12 +71,13 @@ export class Light {
 
 /** A dome that is bright at the horizon and deeper above; it must be moved along with the eye. */
 function skyDome() {
-  const geometry = new THREE.SphereGeometry(SKY_RADIUS, 16, 24).rotateX(Math.PI / 2);
+  const geometry = new THREE.SphereGeometry(SKY_RADIUS, 12, 24).rotateX(Math.PI / 2);
   const count = geometry.getAttribute('position').count;
   geometry.setAttribute('color', new THREE.BufferAttribute(new Float32Array(3 * count), 3));
-  const material = new THREE.MeshBasicMaterial({ vertexColors: true, side: THREE.BackSide, fog: false, depthWrite: false });
-  const dome = new THREE.Mesh(geometry, material);
-  dome.renderOrder = -1;
+  const dome = new THREE.Mesh(geometry, flatMaterial());
+  dome.material.side = THREE.BackSide;
+  dome.material.depthWrite = false;
+  dome.renderOrder = AFTER_ALL_GROUND;
   return dome;
 }
 
@@ -85,7 +88,7 @@ function skyDome() {
 function paintDome(dome, palette) {
   const places = dome.geometry.getAttribute('position');
   const colours = dome.geometry.getAttribute('color');
-  const [horizon, zenith] = [new THREE.Color(palette.sky), new THREE.Color(palette.zenith)];
+  const [horizon, zenith] = [screenColour(palette.sky), screenColour(palette.zenith)];
   const colour = new THREE.Color();
   for (let i = 0; i < places.count; i++) {
     const height = Math.max(0, Math.min(1, (places.getZ(i) / SKY_RADIUS) * 1.5));

@@ -149,17 +149,30 @@ function oriented(geometry, axis) {
  *
  * @param {number} radius
  * @param {number} length
- * @param {LoftOptions} [options] with less than nine rings the edges are cut instead of rounded
+ * @param {LoftOptions} [options] with less than nine rings the edges are cut instead of rounded, with less than four sharp
  */
 export function barrel(radius, length, options = {}) {
   const half = length / 2;
   const round = Math.min(0.3 * radius, 0.3 * length);
-  const edge =
-    (options.rings ?? 9) < 9
-      ? [[half, 0], [half, radius - round], [half - round, radius]]
-      : [[half, 0], [half, 0.6 * (radius - round)], [half, radius - round], [half - 0.3 * round, radius - 0.3 * round], [half - round, radius]];
+  const edge = edgeOf(half, radius, round, options.rings ?? 9);
   const ribs = [...edge.map(([at, r]) => [-at, r]), ...edge.reverse()].map(([at, r]) => ({ at, wide: r, deep: r }));
   return loft(ribs, { square: 2, ...options, rings: ribs.length - 1 });
+}
+
+/**
+ * @param {number} half half the length
+ * @param {number} radius
+ * @param {number} round how much is rounded
+ * @param {number} rings how finely
+ * @returns {number[][]} place along the axis and radius, from the middle of the end outwards
+ */
+function edgeOf(half, radius, round, rings) {
+  if (rings < 4) {
+    return [[half, 0], [half, radius]];
+  }
+  return rings < 9
+    ? [[half, 0], [half, radius - round], [half - round, radius]]
+    : [[half, 0], [half, 0.6 * (radius - round)], [half, radius - round], [half - 0.3 * round, radius - 0.3 * round], [half - round, radius]];
 }
 
 /**

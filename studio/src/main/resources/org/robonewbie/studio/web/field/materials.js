@@ -5,7 +5,7 @@ import * as THREE from 'three';
 export const TEAM_COLOURS = { left: 0x0a6fd8, right: 0xf07f13, '': 0x8b949e };
 
 /**
- * A surface for bodies with the attributes `color` and `paint`, and `teamColour` for each robot.
+ * A surface for bodies with the attributes `color` and `paint`, in the colour of the robot's team.
  *
  * @param {boolean} glossy
  * @returns {THREE.Material}
@@ -16,52 +16,52 @@ export function robotMaterial(glossy) {
     : new THREE.MeshLambertMaterial({ vertexColors: true });
   material.onBeforeCompile = (shader) => {
     shader.vertexShader = shader.vertexShader
-      .replace(
-        '#include <common>',
-        `#include <common>
-        attribute vec2 paint;
-        attribute vec3 teamColour;
-        varying vec2 vPaint;
-        varying vec3 vTeamColour;`,
-      )
-      .replace(
-        '#include <begin_vertex>',
-        `#include <begin_vertex>
-        vPaint = paint;
-        vTeamColour = teamColour;`,
-      );
+      .replace('#include <common>', '#include <common>\nattribute vec2 paint;\nvarying float glow;')
+      .replace('#include <color_vertex>', '#include <color_vertex>\nvColor.rgb = mix(vColor.rgb, robotPaint().rgb, paint.x);\nglow = paint.y;');
     shader.fragmentShader = shader.fragmentShader
-      .replace(
-        '#include <common>',
-        `#include <common>
-        varying vec2 vPaint;
-        varying vec3 vTeamColour;`,
-      )
-      .replace(
-        '#include <color_fragment>',
-        `#include <color_fragment>
-        diffuseColor.rgb = mix(diffuseColor.rgb, vTeamColour, vPaint.x);`,
-      )
-      .replace(
-        '#include <emissivemap_fragment>',
-        `#include <emissivemap_fragment>
-        totalEmissiveRadiance += diffuseColor.rgb * vPaint.y;`,
-      );
+      .replace('#include <common>', '#include <common>\nvarying float glow;')
+      .replace('#include <emissivemap_fragment>', '#include <emissivemap_fragment>\ntotalEmissiveRadiance += diffuseColor.rgb * glow;');
   };
   return material;
 }
 
 /**
- * The number plates: twelve cells in one picture, 0 (empty) to 11; the attribute `cell` chooses.
+ * A clear shell in the colour of the robot's team.
+ *
+ * @returns {THREE.Material}
+ */
+export function ghostMaterial() {
+  const material = new THREE.MeshLambertMaterial({
+    transparent: true,
+    opacity: 0.22,
+    depthWrite: false,
+    polygonOffset: true,
+    polygonOffsetFactor: 3,
+    polygonOffsetUnits: 12,
+  });
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader
+      .replace('#include <common>', '#include <common>\nvarying vec3 teamColour;')
+      .replace('#include <begin_vertex>', '#include <begin_vertex>\nteamColour = robotPaint().rgb;');
+    shader.fragmentShader = shader.fragmentShader
+      .replace('#include <common>', '#include <common>\nvarying vec3 teamColour;')
+      .replace('#include <color_fragment>', 'diffuseColor.rgb = teamColour;');
+  };
+  return material;
+}
+
+/**
+ * The number plates: twelve cells in one picture, 0 (empty) to 11; the robot's number chooses.
  *
  * @returns {THREE.Material}
  */
 export function numberMaterial() {
   const material = new THREE.MeshLambertMaterial({ map: numberPicture(), transparent: true, depthWrite: false });
   material.onBeforeCompile = (shader) => {
-    shader.vertexShader = shader.vertexShader
-      .replace('#include <common>', '#include <common>\nattribute float cell;')
-      .replace('#include <uv_vertex>', '#include <uv_vertex>\nvMapUv.x = (vMapUv.x + cell) / 12.0;');
+    shader.vertexShader = shader.vertexShader.replace(
+      '#include <uv_vertex>',
+      '#include <uv_vertex>\nvMapUv.x = (vMapUv.x + robotPaint().a) / 12.0;',
+    );
   };
   return material;
 }

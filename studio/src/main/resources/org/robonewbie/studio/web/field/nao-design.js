@@ -1,11 +1,11 @@
 /**
- * How our NAO looks: white shells over dark joints, round eyes, parts in the team's colour. One body per link of the
- * simulated robot, in the link's own frame: x to the robot's right, y forward, z up, metres. Right limbs are designed, left
+ * How our NAO looks: white shells over dark joints, round eyes, parts in the team's colour. Each limb is
+ * designed in the frame of the simulated robot's link: x to the robot's right, y forward, z up, metres. Right limbs are designed, left
  * ones mirrored.
  */
 import { barrel, disc, egg, loft } from './loft.js';
 import { FOOT, FOREARM, HAND, HEAD, SHANK, SOLE, THIGH, TORSO, UPPER_ARM } from './nao-shells.js';
-import { joined, mirrored, piece } from './parts.js';
+import { assembled, joined, mirrored, piece } from './parts.js';
 
 /**
  * @typedef {import('three').BufferGeometry} BufferGeometry
@@ -27,90 +27,101 @@ import { joined, mirrored, piece } from './parts.js';
 const FACETS = {
   fine: { body: { segments: 24, rings: 14 }, small: { segments: 18, rings: 9 }, disc: 24, trinkets: true },
   coarse: { body: { segments: 10, rings: 7 }, small: { segments: 8, rings: 4 }, disc: 10, trinkets: true },
-  tiny: { body: { segments: 6, rings: 4 }, small: { segments: 5, rings: 2 }, disc: 6, trinkets: false },
+  tiny: { body: { segments: 5, rings: 4 }, small: { segments: 4, rings: 2 }, disc: 4, trinkets: false },
 };
 
 /** @typedef {keyof typeof FACETS} Detail */
 
+const SIDED = ['shoulder', 'upperarm', 'elbow', 'lowerarm', 'hip1', 'hip2', 'thigh', 'shank', 'ankle', 'foot', 'toe'];
+
+/** All kinds of limbs by the names of their links; the index is the attribute `limb` of bodies. */
+export const LIMBS = ['body', 'neck', 'head', ...SIDED.flatMap((name) => [`r${name}`, `l${name}`])];
+
 /**
- * Builds the bodies of all links.
+ * Builds one robot: the bodies of all links together, each vertex in the frame of its link.
  *
  * @param {Detail} detail
- * @returns {Map<string, BufferGeometry>} by the link's name
+ * @returns {BufferGeometry} with the attribute `limb`
  */
-export function naoBodies(detail) {
+export function naoBody(detail) {
   const facets = FACETS[detail];
   const { small } = facets;
   const bodies = new Map([
     ['body', joined(torso(facets))],
-    ['neck', joined([piece('joint', barrel(0.024, 0.08, small), [0, 0, 0.01])])],
+    ['neck', joined(facets.trinkets ? [piece('joint', barrel(0.024, 0.08, small), [0, 0, 0.01])] : [])],
     ['head', joined(head(facets))],
   ]);
-  /** @type {Array<[string, () => Piece[]]>} */
-  const limbs = [
-    ['shoulder', () => shoulder(facets)],
-    ['upperarm', () => upperArm(facets)],
-    ['elbow', () => [piece('joint', egg(0.022, 0.022, 0.022, { ...small, rings: Math.max(3, small.rings ?? 0) }))]],
-    ['lowerarm', () => lowerArm(facets)],
-    ['hip1', () => [piece('joint', egg(0.03, 0.03, 0.03, { ...small, rings: Math.max(3, small.rings ?? 0) }))]],
-    ['hip2', () => (facets.trinkets ? [piece('joint', barrel(0.024, 0.062, { ...small, axis: 'y' }))] : [])],
-    ['thigh', () => thigh(facets)],
-    ['shank', () => shank(facets)],
-    ['ankle', () => ankle(facets)],
-    ['foot', () => foot(facets)],
-    ['toe', () => [piece('trim', loft(boxRibs(0.043, 0.018, 0.005), { ...small, rings: 5, square: 5 }))]],
-  ];
-  for (const [name, pieces] of limbs) {
-    bodies.set(`r${name}`, joined(pieces()));
-    bodies.set(`l${name}`, mirrored(joined(pieces())));
+  /** @type {Record<string, () => Piece[]>} */
+  const limbs = {
+    shoulder: () => shoulder(facets),
+    upperarm: () => upperArm(facets),
+    elbow: () => [piece('joint', egg(0.022, 0.022, 0.022, { ...small, rings: Math.max(3, small.rings ?? 0) }))],
+    lowerarm: () => lowerArm(facets),
+    hip1: () => [piece('joint', egg(0.03, 0.03, 0.03, { ...small, rings: Math.max(3, small.rings ?? 0) }))],
+    hip2: () => (facets.trinkets ? [piece('joint', barrel(0.024, 0.062, { ...small, axis: 'y' }))] : []),
+    thigh: () => thigh(facets),
+    shank: () => shank(facets),
+    ankle: () => ankle(facets),
+    foot: () => foot(facets),
+    toe: () => [piece('trim', loft(boxRibs(0.043, 0.018, 0.005), { ...small, rings: facets.trinkets ? 5 : 3, square: 5 }))],
+  };
+  for (const name of SIDED) {
+    bodies.set(`r${name}`, joined(limbs[name]()));
+    bodies.set(`l${name}`, mirrored(joined(limbs[name]())));
   }
-  return bodies;
+  return assembled(LIMBS.map((name, limb) => ({ limb, body: /** @type {BufferGeometry} */ (bodies.get(name)) })));
 }
 
 /**
  * The place of the number on chest and back: two patches of the torso's skin.
  *
- * @returns {BufferGeometry[]}
+ * @returns {BufferGeometry} with the attribute `limb`
  */
 export function numberPlates() {
   /** @type {LoftOptions} */
   const patch = { segments: 6, rings: 3, inflate: 0.0016 };
-  return [
-    loft(TORSO, { ...patch, around: [-27, 27], along: [0.5, 0.71] }),
-    loft(TORSO, { ...patch, around: [146, 214], along: [0.44, 0.71] }),
-  ];
+  return assembled([
+    { limb: LIMBS.indexOf('body'), body: loft(TORSO, { ...patch, around: [-27, 27], along: [0.5, 0.71] }) },
+    { limb: LIMBS.indexOf('body'), body: loft(TORSO, { ...patch, around: [146, 214], along: [0.44, 0.71] }) },
+  ]);
 }
 
 /** @param {Facets} facets */
 function torso({ body, small, disc: round, trinkets }) {
   const band = { ...small, inflate: 0.0016, rings: trinkets ? 3 : 1 };
-  return [
-    piece('shell', loft(TORSO, body)),
-    piece('team', loft(TORSO, { ...band, around: [-62, 62], along: [0.735, 0.8] })),
-    piece('team', loft(TORSO, { ...band, around: [118, 242], along: [0.75, 0.8] })),
+  const onlyNear = () => [
     piece('trim', loft(TORSO, { ...band, inflate: 0.0012, around: [70, 110], along: [0.2, 0.58] })),
     piece('trim', loft(TORSO, { ...band, inflate: 0.0012, around: [250, 290], along: [0.2, 0.58] })),
     piece('trim', disc(0.0075, 0.0125, round), [0, 0.0588, -0.004]),
     piece('eye', disc(0, 0.0075, round), [0, 0.0588, -0.004]),
-    piece('joint', loft(boxRibs(0.05, 0.036, 0.022), { ...small, rings: 5, square: 3 }), [0, -0.004, -0.11]),
-    ...(trinkets ? [piece('joint', barrel(0.03, 0.16, { ...small, axis: 'x' }), [0, 0, 0.075])] : []),
+    piece('joint', barrel(0.03, 0.16, { ...small, axis: 'x' }), [0, 0, 0.075]),
+  ];
+  return [
+    piece('shell', loft(TORSO, body)),
+    piece('team', loft(TORSO, { ...band, around: [-62, 62], along: [0.735, 0.8] })),
+    piece('team', loft(TORSO, { ...band, around: [118, 242], along: [0.75, 0.8] })),
+    piece('joint', loft(boxRibs(0.05, 0.036, 0.022), { ...small, rings: trinkets ? 5 : 3, square: 3 }), [0, -0.004, -0.11]),
+    ...(trinkets ? onlyNear() : []),
   ];
 }
 
 /** @param {Facets} facets */
 function head(facets) {
-  const { body, small, disc: round } = facets;
+  const { body, small, disc: round, trinkets } = facets;
   const ear = { ...small, axis: /** @type {'x'} */ ('x') };
+  const onlyNear = () => [
+    piece('black', disc(0, 0.006, round).rotateX(0.55), [0, 0.0575, 0.038]),
+    piece('black', disc(0, 0.0055, round).rotateX(-0.35), [0, 0.0622, -0.02]),
+    piece('trim', disc(0, 0.02, round).rotateZ(-Math.PI / 2), [0.0705, -0.006, 0.008]),
+    piece('trim', disc(0, 0.02, round).rotateZ(Math.PI / 2), [-0.0705, -0.006, 0.008]),
+  ];
   return [
     piece('shell', loft(HEAD, { ...body, square: 2.3 })),
     ...eye(1, facets),
     ...eye(-1, facets),
-    piece('black', disc(0, 0.006, round).rotateX(0.55), [0, 0.0575, 0.038]),
-    piece('black', disc(0, 0.0055, round).rotateX(-0.35), [0, 0.0622, -0.02]),
     piece('team', barrel(0.031, 0.016, ear), [0.062, -0.006, 0.008]),
     piece('team', barrel(0.031, 0.016, ear), [-0.062, -0.006, 0.008]),
-    piece('trim', disc(0, 0.02, round).rotateZ(-Math.PI / 2), [0.0705, -0.006, 0.008]),
-    piece('trim', disc(0, 0.02, round).rotateZ(Math.PI / 2), [-0.0705, -0.006, 0.008]),
+    ...(trinkets ? onlyNear() : []),
   ];
 }
 
@@ -120,7 +131,7 @@ function head(facets) {
  * @param {1 | -1} side
  * @param {Facets} facets
  */
-function eye(side, { small, disc: round }) {
+function eye(side, { small, disc: round, trinkets }) {
   /** @param {BufferGeometry} geometry @param {number} off */
   const placed = (geometry, off) =>
     geometry
@@ -130,17 +141,17 @@ function eye(side, { small, disc: round }) {
       .translate(side * 0.0285, 0.0545, 0.009);
   return [
     piece('black', placed(barrel(0.0192, 0.02, { ...small, axis: 'y' }), 0)),
-    piece('eye', placed(disc(0.0072, 0.0145, round), 0.0103)),
-    piece('black', placed(disc(0, 0.0072, round), 0.0103)),
+    ...(trinkets ? [piece('eye', placed(disc(0.0072, 0.0145, round), 0.0103))] : []),
+    ...(trinkets ? [piece('black', placed(disc(0, 0.0072, round), 0.0103))] : []),
   ];
 }
 
 /** @param {Facets} facets */
-function shoulder({ small }) {
+function shoulder({ small, trinkets }) {
   const along = { ...small, axis: /** @type {'x'} */ ('x') };
   return [
-    piece('shell', barrel(0.037, 0.05, along), [0.004, 0, 0]),
-    piece('team', barrel(0.03, 0.012, along), [0.027, 0, 0]),
+    piece(trinkets ? 'shell' : 'team', barrel(0.037, 0.05, along), [0.004, 0, 0]),
+    ...(trinkets ? [piece('team', barrel(0.03, 0.012, along), [0.027, 0, 0])] : []),
   ];
 }
 
@@ -168,8 +179,8 @@ function lowerArm({ small, trinkets }) {
   ];
   return [
     piece('shell', loft(FOREARM, { ...along, rings: RIBS_OF_ARM[small.rings ?? 9] })),
-    piece('team', loft(FOREARM, { ...along, inflate: 0.0015, along: [0.56, 0.76], rings: 3 })),
-    piece('trim', loft(HAND, { ...along, rings: Math.max(3, small.rings ?? 0) })),
+    piece('team', loft(FOREARM, { ...along, inflate: 0.0015, along: [0.56, 0.76], rings: trinkets ? 3 : 1 })),
+    piece('trim', loft(HAND, { ...along, rings: trinkets ? Math.max(3, small.rings ?? 0) : 2 })),
     ...(trinkets ? fingers() : []),
   ];
 }
@@ -200,10 +211,10 @@ function ankle({ small, trinkets }) {
 }
 
 /** @param {Facets} facets */
-function foot({ body, small }) {
+function foot({ body, small, trinkets }) {
   return [
     piece('shell', loft(FOOT, { ...body, square: 2.8 })),
-    piece('joint', loft(SOLE, { ...body, square: 2.9, rings: 3 })),
+    ...(trinkets ? [piece('joint', loft(SOLE, { ...body, square: 2.9, rings: 3 }))] : []),
     piece('team', loft(FOOT, { ...small, square: 2.8, inflate: 0.0014, around: [-58, 58], along: [0.1, 0.5] })),
   ];
 }

@@ -1,4 +1,4 @@
-/** Puts painted pieces together to one body, so that each limb of all robots is one draw call. */
+/** Puts painted pieces together to bodies, and bodies to one robot, so that all robots are one draw call. */
 import * as THREE from 'three';
 
 /**
@@ -47,7 +47,7 @@ export function joined(pieces) {
     const colour = new THREE.Color(PAINTS[name].colour);
     const start = position.length / 3;
     const places = geometry.getAttribute('position');
-    index.push(...Array.from(indexOf(geometry), (i) => i + start));
+    index.push(...trianglesOf(geometry).map((i) => i + start));
     position.push(...places.array);
     normal.push(...geometry.getAttribute('normal').array);
     for (let i = 0; i < places.count; i++) {
@@ -64,10 +64,32 @@ export function joined(pieces) {
   return whole;
 }
 
-/** @param {THREE.BufferGeometry} geometry */
+/** @param {THREE.BufferGeometry} geometry @returns {ArrayLike<number>} */
 function indexOf(geometry) {
   return geometry.index?.array ?? Array.from({ length: geometry.getAttribute('position').count }, (_, i) => i);
 }
+
+/**
+ * The triangles without those that are only a line, as the ends of bodies have them.
+ *
+ * @param {THREE.BufferGeometry} geometry
+ * @returns {number[]}
+ */
+function trianglesOf(geometry) {
+  const corners = indexOf(geometry);
+  const places = geometry.getAttribute('position');
+  const triangles = [];
+  for (let i = 0; i < corners.length; i += 3) {
+    triangle.setFromAttributeAndIndices(places, corners[i], corners[i + 1], corners[i + 2]);
+    if (triangle.getArea() > SMALLEST_SQUARE_METRES) {
+      triangles.push(corners[i], corners[i + 1], corners[i + 2]);
+    }
+  }
+  return triangles;
+}
+
+const triangle = new THREE.Triangle();
+const SMALLEST_SQUARE_METRES = 1e-10;
 
 /**
  * Makes the left limb from the right one.
@@ -82,4 +104,24 @@ export function mirrored(right) {
     [index[i], index[i + 1]] = [index[i + 1], index[i]];
   }
   return right;
+}
+
+/**
+ * Puts limbs together to one geometry that tells of each vertex to which limb it belongs.
+ *
+ * @param {Array<{limb: number, body: THREE.BufferGeometry}>} parts with the same attributes
+ * @returns {THREE.BufferGeometry}
+ */
+export function assembled(parts) {
+  const whole = new THREE.BufferGeometry();
+  const starts = parts.map(({ body }) => body.getAttribute('position').count);
+  starts.reduce((sum, count, i) => ((starts[i] = sum), sum + count), 0);
+  whole.setIndex(parts.flatMap(({ body }, i) => Array.from(indexOf(body), (corner) => corner + starts[i])));
+  for (const [name, { itemSize }] of Object.entries(parts[0].body.attributes)) {
+    whole.setAttribute(name, new THREE.Float32BufferAttribute(parts.flatMap(({ body }) => [...body.getAttribute(name).array]), itemSize));
+  }
+  const limbs = parts.flatMap(({ body, limb }) => new Array(body.getAttribute('position').count).fill(limb));
+  whole.setAttribute('limb', new THREE.Float32BufferAttribute(limbs, 1));
+  parts.forEach(({ body }) => body.dispose());
+  return whole;
 }

@@ -3,6 +3,7 @@
  * lit, so it has fixed colours, which are cheap; real shadows fall on a sheet of glass over it.
  */
 import * as THREE from 'three';
+import { flatMaterial, screenColour, tinted } from './flat-material.js';
 
 /** @typedef {import('../live/state-frame.js').Field} Field */
 
@@ -14,30 +15,34 @@ const NET_STEP = 0.1;
 const OVER_GRASS = 0.002;
 const BLADES_METRES = 0.9;
 
+/** What is hidden is not painted: the ground around comes after the grass that covers it. */
+const AFTER_GRASS = 1;
+
 /**
  * Builds the pitch.
  *
  * @param {Field} field
- * @param {{grass: number, grassStripe: number, surround: number, line: number}} colours
+ * @param {import('./light.js').Palette} colours
  * @param {boolean} blades whether the grass has a grain
  * @returns {THREE.Group}
  */
 export function pitch(field, colours, blades) {
   const group = new THREE.Group();
-  group.add(surround(colours.surround), grass(field, colours, blades), lines(field, colours.line), shadowSheet(), ...goals(field));
+  group.add(surround(colours), grass(field, colours, blades), lines(field, colours.line), shadowSheet(), ...goals(field));
   return group;
 }
 
-/** @param {number} colour */
-function surround(colour) {
-  const floor = new THREE.Mesh(new THREE.PlaneGeometry(200, 200), new THREE.MeshBasicMaterial({ color: colour }));
+/** @param {import('./light.js').Palette} colours */
+function surround(colours) {
+  const floor = new THREE.Mesh(tinted(new THREE.PlaneGeometry(200, 200), colours.surround), flatMaterial(colours.sky));
   floor.position.z = -0.012;
+  floor.renderOrder = AFTER_GRASS;
   return floor;
 }
 
 /**
  * @param {Field} field
- * @param {{grass: number, grassStripe: number}} colours
+ * @param {import('./light.js').Palette} colours
  * @param {boolean} blades
  */
 function grass(field, colours, blades) {
@@ -48,7 +53,8 @@ function grass(field, colours, blades) {
     const left = i < 0 ? -field.length / 2 - BORDER : -field.length / 2 + i * step;
     const right = i === STRIPES ? field.length / 2 + BORDER : -field.length / 2 + (i + 1) * step;
     places.push(...rectangle(left, -field.width / 2 - BORDER, right, field.width / 2 + BORDER));
-    const colour = new THREE.Color(i % 2 === 0 ? colours.grass : colours.grassStripe);
+    const hex = i % 2 === 0 ? colours.grass : colours.grassStripe;
+    const colour = blades ? new THREE.Color(hex) : screenColour(hex);
     for (let corner = 0; corner < 6; corner++) {
       tints.push(colour.r, colour.g, colour.b);
     }
@@ -57,8 +63,8 @@ function grass(field, colours, blades) {
   geometry.setAttribute('color', new THREE.Float32BufferAttribute(tints, 3));
   const corners = places.filter((_, i) => i % 3 < 2).map((value) => value / BLADES_METRES);
   geometry.setAttribute('uv', new THREE.Float32BufferAttribute(corners, 2));
-  const map = blades ? grain() : null;
-  const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ vertexColors: true, map }));
+  const material = blades ? new THREE.MeshBasicMaterial({ vertexColors: true, map: grain() }) : flatMaterial(colours.sky);
+  const mesh = new THREE.Mesh(geometry, material);
   mesh.name = 'grass';
   return mesh;
 }

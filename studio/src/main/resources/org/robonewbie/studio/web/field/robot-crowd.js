@@ -1,35 +1,40 @@
-/** All robots of the scene: one draw call for each kind of limb, however many robots play. */
+/** All robots of the scene: three draw calls, however many robots play. */
 import * as THREE from 'three';
 import { computeLinkPoses, POSE } from '../state/kinematics.js';
 import { limbFit } from '../state/limb-fit.js';
 import { numberMaterial, robotMaterial, TEAM_COLOURS } from './materials.js';
-import { naoBodies, numberPlates } from './nao-design.js';
+import { LIMBS, naoBody, numberPlates } from './nao-design.js';
+import { RobotTable } from './robot-table.js';
 
 /**
  * @typedef {import('../live/state-frame.js').Scene} Scene
  * @typedef {import('../live/state-frame.js').RobotState} RobotState
- * @typedef {import('./nao-design.js').Detail} Detail
  * @typedef {import('../state/quality.js').Quality} Quality
  *
- * @typedef {object} Limb
- * @property {THREE.InstancedMesh} mesh
- * @property {Place[]} places which link of which robot it can show
- * @property {Distance} distance which robots it shows
- *
- * @typedef {'near' | 'far' | 'any'} Distance
- *
- * @typedef {object} Place
+ * @typedef {object} Place where a limb's pose comes from and goes to
  * @property {number} robot index of the robot
- * @property {number} link index of its link
+ * @property {number} limb index of the kind of limb
+ * @property {number} link index of the robot's link
  * @property {THREE.Matrix4} fit how the design is stretched for its type
  */
 
+/** Robots hide much of the ground, so they are drawn before it. */
+const BEFORE_GROUND = -1;
+
 export class RobotCrowd {
-  constructor() {
+  /** @param {THREE.Material} [material] for all bodies; if left out, the robots are painted as the quality says */
+  constructor(material) {
     this.group = new THREE.Group();
-    this.numberMaterial = numberMaterial();
-    /** @type {Limb[]} */
-    this.limbs = [];
+    this.table = new RobotTable();
+    this.fixedMaterial = material && this.table.posed(material);
+    this.numberMaterial = this.table.posed(numberMaterial());
+    this.depthMaterial = this.table.posed(new THREE.MeshDepthMaterial({ depthPacking: THREE.RGBADepthPacking }));
+    /** @type {Array<{body: THREE.BufferGeometry, material: THREE.Material}>} near robots, far robots, and numbers of all */
+    this.looks = [];
+    /** @type {THREE.Mesh[]} one of each look */
+    this.meshes = [];
+    /** @type {Place[]} */
+    this.places = [];
     /** @type {Float32Array[]} poses of all links of each robot */
     this.poses = [];
     /** @type {boolean[]} whether each robot is near enough to be drawn finely */
@@ -43,10 +48,14 @@ export class RobotCrowd {
 
   /** @param {Quality} quality */
   setQuality(quality) {
-    this.bodies = { near: naoBodies(quality.nearDetail), far: naoBodies(quality.farDetail) };
-    this.material = robotMaterial(quality.glossy);
     this.nearMetres = quality.nearMetres;
     this.mostNear = quality.mostNear;
+    const material = this.fixedMaterial ?? this.table.posed(robotMaterial(quality.glossy));
+    this.looks = [
+      { body: naoBody(quality.nearDetail), material },
+      { body: naoBody(quality.farDetail), material },
+      { body: numberPlates(), material: this.numberMaterial },
+    ];
     if (this.scene) {
       this.setScene(this.scene);
     }
@@ -55,24 +64,24 @@ export class RobotCrowd {
   /** @param {boolean} casts */
   setShadows(casts) {
     this.castsShadow = casts;
-    this.limbs.forEach(({ mesh, distance }) => {
-      mesh.castShadow = casts && distance !== 'any';
+    this.meshes.forEach((mesh, index) => {
+      mesh.castShadow = casts && index < 2;
     });
   }
 
   /** @param {Scene} scene */
   setScene(scene) {
     this.scene = scene;
-    this.#clear();
+    this.near = [];
     this.poses = scene.robots.map(({ type }) => new Float32Array(scene.models[type].links.length * POSE));
-    for (const distance of /** @type {const} */ (['near', 'far'])) {
-      for (const [name, body] of this.bodies?.[distance] ?? []) {
-        this.#addLimb(body.clone(), distance, this.#placesOf(scene, name));
-      }
-    }
-    for (const plate of numberPlates()) {
-      this.#addLimb(plate, 'any', this.#placesOf(scene, 'body'));
-    }
+    this.places = scene.robots.flatMap(({ type }, robot) => placesOf(scene.models[type], robot));
+    this.table.clear(scene.robots.length, LIMBS.length);
+    scene.robots.forEach(({ side, number }, robot) => this.table.setPaint(robot, colour.set(TEAM_COLOURS[side]), number));
+    this.meshes.forEach(({ geometry }) => geometry.dispose());
+    this.meshes = this.looks.map(({ body, material }) => this.#mesh(body, material, scene.robots.length));
+    this.group.clear();
+    this.group.add(...this.meshes);
+    this.setShadows(this.castsShadow);
   }
 
   /**
@@ -86,8 +95,14 @@ export class RobotCrowd {
     robots.forEach((robot, i) => {
       computeLinkPoses(scene.models[scene.robots[i].type], robot.torso, robot.degrees, this.poses[i]);
     });
-    const sorted = this.#judgeDistances(eye);
-    this.limbs.forEach((limb) => this.#moveLimb(limb, scene, sorted));
+    for (const { robot, limb, link, fit } of this.places) {
+      this.table.setPose(robot, limb, poseMatrix(this.poses[robot], link, matrix).multiply(fit));
+    }
+    this.table.send();
+    if (this.#judgeDistances(eye)) {
+      const robotsOf = [this.near, this.near.map((near) => !near), this.near.map(() => true)];
+      this.meshes.forEach((mesh, index) => showRobots(mesh, robotsOf[index]));
+    }
   }
 
   /**
@@ -106,67 +121,50 @@ export class RobotCrowd {
   }
 
   /**
-   * @param {Limb} limb
-   * @param {Scene} scene
-   * @param {boolean} sorted whether other robots may be near than before
+   * @param {THREE.BufferGeometry} body
+   * @param {THREE.Material} material
+   * @param {number} robots how many it may show
    */
-  #moveLimb({ mesh, places, distance }, scene, sorted) {
-    let count = 0;
-    for (const { robot, link, fit } of places) {
-      if (distance === 'any' || (distance === 'near') === this.near[robot]) {
-        mesh.setMatrixAt(count, poseMatrix(this.poses[robot], link, matrix).multiply(fit));
-        if (sorted) {
-          paintInstance(mesh.geometry, count, scene.robots[robot]);
-        }
-        count++;
-      }
-    }
-    mesh.count = count;
-    mesh.visible = count > 0;
-    mesh.instanceMatrix.needsUpdate = true;
-  }
-
-  #clear() {
-    this.near = [];
-    this.limbs.forEach(({ mesh }) => {
-      this.group.remove(mesh);
-      mesh.geometry.dispose();
-      mesh.dispose();
-    });
-    this.limbs = [];
-  }
-
-  /**
-   * @param {Scene} scene
-   * @param {string} name
-   * @returns {Place[]}
-   */
-  #placesOf(scene, name) {
-    return scene.robots.flatMap(({ type }, robot) => {
-      const link = scene.models[type].links.findIndex((each) => each.name === name);
-      return link < 0 ? [] : [{ robot, link, fit: fitMatrix(scene.models[type], link) }];
-    });
-  }
-
-  /**
-   * @param {THREE.BufferGeometry} geometry
-   * @param {Distance} distance
-   * @param {Place[]} places
-   */
-  #addLimb(geometry, distance, places) {
-    if (places.length === 0 || geometry.getAttribute('position').count === 0) {
-      return;
-    }
-    geometry.setAttribute('teamColour', new THREE.InstancedBufferAttribute(new Float32Array(3 * places.length), 3));
-    geometry.setAttribute('cell', new THREE.InstancedBufferAttribute(new Float32Array(places.length), 1));
-    const material = distance === 'any' ? this.numberMaterial : this.material;
-    const mesh = new THREE.InstancedMesh(geometry, material, places.length);
+  #mesh(body, material, robots) {
+    const geometry = new THREE.InstancedBufferGeometry();
+    geometry.index = body.index;
+    geometry.attributes = { ...body.attributes, robot: new THREE.InstancedBufferAttribute(new Float32Array(robots), 1) };
+    const mesh = new THREE.Mesh(geometry, material);
+    mesh.customDepthMaterial = this.depthMaterial;
     mesh.frustumCulled = false;
-    mesh.castShadow = this.castsShadow && distance !== 'any';
-    mesh.instanceMatrix.setUsage(THREE.DynamicDrawUsage);
-    this.limbs.push({ mesh, places, distance });
-    this.group.add(mesh);
+    mesh.visible = false;
+    mesh.renderOrder = BEFORE_GROUND;
+    return mesh;
   }
+}
+
+/**
+ * Lets a mesh show some of the robots.
+ *
+ * @param {THREE.Mesh} mesh
+ * @param {boolean[]} shown
+ */
+function showRobots(mesh, shown) {
+  const geometry = /** @type {THREE.InstancedBufferGeometry} */ (mesh.geometry);
+  const rows = geometry.getAttribute('robot');
+  let count = 0;
+  shown.forEach((isShown, robot) => {
+    if (isShown) {
+      rows.setX(count++, robot);
+    }
+  });
+  rows.needsUpdate = true;
+  geometry.instanceCount = count;
+  mesh.visible = count > 0;
+}
+
+/**
+ * @param {import('../state/kinematics.js').RobotModel} model
+ * @param {number} robot
+ * @returns {Place[]}
+ */
+function placesOf(model, robot) {
+  return model.links.map(({ name }, link) => ({ robot, limb: LIMBS.indexOf(name), link, fit: fitMatrix(model, link) }));
 }
 
 /**
@@ -176,23 +174,6 @@ export class RobotCrowd {
 function fitMatrix(model, link) {
   const { scale, offset } = limbFit(model, link);
   return new THREE.Matrix4().makeScale(scale[0], scale[1], scale[2]).setPosition(offset[0], offset[1], offset[2]);
-}
-
-/**
- * Gives an instance the team's colour and the number of a robot.
- *
- * @param {THREE.BufferGeometry} geometry
- * @param {number} index
- * @param {import('../live/state-frame.js').Player} player
- */
-function paintInstance(geometry, index, player) {
-  const team = geometry.getAttribute('teamColour');
-  colour.set(TEAM_COLOURS[player.side]);
-  team.setXYZ(index, colour.r, colour.g, colour.b);
-  team.needsUpdate = true;
-  const cell = geometry.getAttribute('cell');
-  cell.setX(index, player.number);
-  cell.needsUpdate = true;
 }
 
 const colour = new THREE.Color();

@@ -1,7 +1,9 @@
 /** The picture of the motion editor: the robot, ghosts of the neighbouring keyframes, centre of mass and support. */
 import * as THREE from 'three';
 import { CameraDesk } from '../field/camera-desk.js';
+import { opaqueRenderer } from '../field/field-view.js';
 import { Light, PALETTES, roomReflections } from '../field/light.js';
+import { ghostMaterial } from '../field/materials.js';
 import { RobotCrowd } from '../field/robot-crowd.js';
 import { Marker } from './marker.js';
 import { hingeDegrees } from '../state/motion/body.js';
@@ -33,17 +35,15 @@ export class MotionStage {
     this.camera.up.set(0, 0, 1);
     this.light = new Light(this.scene);
     this.robot = this.#crowd(1);
-    this.ghosts = this.#crowd(2);
-    const ghost = ghostMaterial();
-    this.ghosts.limbs.forEach(({ mesh }) => {
-      mesh.material = ghost;
+    this.ghosts = this.#crowd(2, ghostMaterial());
+    this.ghosts.meshes.forEach((mesh) => {
       mesh.renderOrder = 2;
     });
     this.ghosts.group.visible = false;
     this.marker = new Marker(body);
     this.floor = new THREE.Group();
     this.scene.add(this.robot.group, this.ghosts.group, this.marker.group, this.floor);
-    this.renderer = new THREE.WebGLRenderer({ antialias: true, powerPreference: 'high-performance' });
+    this.renderer = opaqueRenderer(true);
     this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
     this.scene.environmentIntensity = 0.5;
     stage.append(this.renderer.domElement);
@@ -127,9 +127,9 @@ export class MotionStage {
     return [box.left + ((place.x + 1) / 2) * box.width, box.top + ((1 - place.y) / 2) * box.height];
   }
 
-  /** @param {number} count */
-  #crowd(count) {
-    const crowd = new RobotCrowd();
+  /** @param {number} count @param {THREE.Material} [material] */
+  #crowd(count, material) {
+    const crowd = new RobotCrowd(material);
     crowd.setQuality({ ...this.quality, nearDetail: count === 1 ? 'fine' : 'coarse', farDetail: 'coarse', nearMetres: 100, mostNear: 22 });
     const robots = Array.from({ length: count }, (_, id) => ({
       id,
@@ -152,25 +152,3 @@ export class MotionStage {
 function stateOf({ torso, hinges }) {
   return { torso: Float32Array.from(torso), degrees: Float32Array.from(hinges) };
 }
-
-/** A clear shell in the colour of the team: blue before, orange after. */
-function ghostMaterial() {
-  const material = new THREE.MeshLambertMaterial({
-    transparent: true,
-    opacity: 0.22,
-    depthWrite: false,
-    polygonOffset: true,
-    polygonOffsetFactor: 3,
-    polygonOffsetUnits: 12,
-  });
-  material.onBeforeCompile = (shader) => {
-    shader.vertexShader = shader.vertexShader
-      .replace('#include <common>', '#include <common>\nattribute vec3 teamColour;\nvarying vec3 vTeamColour;')
-      .replace('#include <begin_vertex>', '#include <begin_vertex>\nvTeamColour = teamColour;');
-    shader.fragmentShader = shader.fragmentShader
-      .replace('#include <common>', '#include <common>\nvarying vec3 vTeamColour;')
-      .replace('#include <color_fragment>', 'diffuseColor.rgb = vTeamColour;');
-  };
-  return material;
-}
-

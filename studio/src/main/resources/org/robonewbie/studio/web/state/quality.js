@@ -32,7 +32,7 @@ const LOW = {
 export const QUALITIES = [
   { ...LOW, name: 'lowest', pixelRatio: 0.5, mostNear: 1 },
   LOW,
-  { ...LOW, name: 'medium', pixelRatio: 1, smooth: true, nearDetail: 'fine', farDetail: 'coarse', nearMetres: 5, mostNear: 4 },
+  { ...LOW, name: 'medium', pixelRatio: 1, smooth: true, nearDetail: 'fine', nearMetres: 5, mostNear: 3 },
   {
     name: 'high',
     pixelRatio: 2,

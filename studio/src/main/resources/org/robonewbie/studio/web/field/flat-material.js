@@ -1,0 +1,59 @@
+/**
+ * A surface that the sun does not change: it has its colours as they shall be on the screen, and fades to the haze of the
+ * horizon. Ground and sky fill most of the picture, so that without a graphics card their price is most of the picture's.
+ */
+import * as THREE from 'three';
+
+/** From where to where the haze grows, metres. */
+export const HAZE_METRES = [9, 38];
+
+/**
+ * @param {number} [haze] colour of the haze; without it none is seen
+ * @returns {THREE.ShaderMaterial} for bodies with the attribute `color`, see {@link screenColour}
+ */
+export function flatMaterial(haze) {
+  const [near, far] = HAZE_METRES.map((metres) => metres.toFixed(1));
+  return new THREE.ShaderMaterial({
+    vertexColors: true,
+    uniforms: { haze: { value: screenColour(haze ?? 0) } },
+    vertexShader: `
+      varying vec3 tint;
+      varying float metres;
+      void main() {
+        tint = color;
+        vec4 place = modelViewMatrix * vec4(position, 1.0);
+        metres = -place.z;
+        gl_Position = projectionMatrix * place;
+      }`,
+    fragmentShader: `
+      uniform vec3 haze;
+      varying vec3 tint;
+      varying float metres;
+      void main() {
+        gl_FragColor = vec4(${haze === undefined ? 'tint' : `mix(tint, haze, smoothstep(${near}, ${far}, metres))`}, 1.0);
+      }`,
+  });
+}
+
+/**
+ * A colour as the screen shows it, without the way through light and back.
+ *
+ * @param {number} hex
+ * @returns {THREE.Color}
+ */
+export function screenColour(hex) {
+  return new THREE.Color().setHex(hex, THREE.LinearSRGBColorSpace);
+}
+
+/**
+ * Gives all corners of a body one colour.
+ *
+ * @param {THREE.BufferGeometry} geometry
+ * @param {number} hex
+ * @returns {THREE.BufferGeometry} the same
+ */
+export function tinted(geometry, hex) {
+  const { r, g, b } = screenColour(hex);
+  const corners = Array.from({ length: geometry.getAttribute('position').count }, () => [r, g, b]);
+  return geometry.setAttribute('color', new THREE.Float32BufferAttribute(corners.flat(), 3));
+}
