@@ -11,9 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,6 +20,7 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
 
 /** The motion editor as people have it: in a real browser, with files in a real folder. */
+@InBrowser
 class MotionPageTest {
 
     private static final String STATE = "studio.motion.editor.state";
@@ -31,7 +30,7 @@ class MotionPageTest {
     private static final String WITH_COMMENTS = "// author: Ada\r\n\r\n500\t" + STANDING
             + "   // begin\r\nnonsense\r\n1000 " + STANDING.replace("-25", "-25.500") + "\r\n";
 
-    private static Chromium browser;
+    private final Chromium browser;
 
     @TempDir
     private Path folder;
@@ -39,17 +38,8 @@ class MotionPageTest {
     private final SmallSimulation simulation = new SmallSimulation().withRobot();
     private StudioServer studio;
 
-    @BeforeAll
-    static void openBrowser() throws IOException {
-        Tool.BROWSER.orSkip();
-        browser = Chromium.open(1366, 768);
-    }
-
-    @AfterAll
-    static void closeBrowser() {
-        if (browser != null) {
-            browser.close();
-        }
+    MotionPageTest(Chromium browser) {
+        this.browser = browser;
     }
 
     @BeforeEach
@@ -60,8 +50,6 @@ class MotionPageTest {
 
     @AfterEach
     void close() {
-        browser.visit("about:blank");
-        browser.forgetComplaints();
         studio.close();
         simulation.close();
     }

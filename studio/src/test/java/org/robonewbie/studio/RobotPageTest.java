@@ -7,9 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
@@ -22,27 +20,19 @@ import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
 /** The room of one robot as people have it: in a real browser, with what robots tell. */
+@InBrowser
 class RobotPageTest {
 
     private static final String TEAM = "Blue Newbies";
-    private static Chromium browser;
+    private final Chromium browser;
 
     private final SmallSimulation simulation = new SmallSimulation()
             .withRobot()
             .withRobot(RobotType.TYPE_4, TeamSide.LEFT, 2, -3, -1, 40, Posture.GREETING);
     private StudioServer studio;
 
-    @BeforeAll
-    static void openBrowser() throws IOException {
-        Tool.BROWSER.orSkip();
-        browser = Chromium.open(1366, 768);
-    }
-
-    @AfterAll
-    static void closeBrowser() {
-        if (browser != null) {
-            browser.close();
-        }
+    RobotPageTest(Chromium browser) {
+        this.browser = browser;
     }
 
     @BeforeEach
@@ -55,8 +45,6 @@ class RobotPageTest {
 
     @AfterEach
     void close() {
-        browser.visit("about:blank");
-        browser.forgetComplaints();
         studio.close();
         simulation.close();
     }
