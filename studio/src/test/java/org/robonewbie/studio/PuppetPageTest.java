@@ -19,18 +19,22 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /** Somebody without any code: steers a robot by keys and sliders, keeps a scene and goes back to it. */
+@InBrowser
 class PuppetPageTest {
 
     @TempDir
     private Path folder;
 
-    private Chromium browser;
+    private final Chromium browser;
     private Simulator simulator;
     private StudioServer studio;
 
+    PuppetPageTest(Chromium browser) {
+        this.browser = browser;
+    }
+
     @BeforeEach
     void open() throws IOException {
-        Tool.BROWSER.orSkip();
         RecordedRun.write(folder.resolve("game.rec"));
         simulator = Simulator.start(
                 SimulatorSettings.beginner()
@@ -44,18 +48,14 @@ class PuppetPageTest {
         StudioFolders folders =
                 new StudioFolders(folder.resolve("motions"), Optional.of(new RecordingShelf(folder, 1_000_000_000)));
         studio = StudioServer.start(simulator.control(), 0, AccessToken.random(), folders);
-        browser = Chromium.open(1366, 768);
         browser.visit(studio.address() + "&quality=lowest&theme=light");
         browser.await("studio.state.frame && studio.view.drawCalls > 0");
     }
 
     @AfterEach
     void close() {
-        if (browser != null) {
-            browser.close();
-            studio.close();
-            simulator.close();
-        }
+        studio.close();
+        simulator.close();
     }
 
     private void addPuppet() {
@@ -76,6 +76,27 @@ class PuppetPageTest {
 
         browser.await("(window.places ??= []).push(studio.state.frame.robots[0].torso[0]) > 60"
                 + " && Math.abs(places.at(-1) - places.at(-20)) < 0.005");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void sceneIsRenamedDeletedAndBroughtBack() {
+        addPuppet();
+        browser.evaluate("document.querySelector('#scene-name').value = 'Before the kick'");
+        browser.click("#scene-save");
+        browser.await("document.querySelector('#scene-list').value === 'Before the kick'");
+
+        browser.evaluate("document.querySelector('#scene-name').value = 'Free kick'");
+        browser.click("#scene-rename");
+        browser.await("document.querySelector('#scene-list').value === 'Free kick'");
+        browser.click("#scene-remove");
+        browser.await("document.querySelector('#scene-list').options.length === 0");
+        browser.click("#scene-undo");
+        browser.await("document.querySelector('#scene-list').value === 'Free kick'");
+        browser.click("#scene-undo");
+        browser.await("document.querySelector('#scene-list').value === 'Before the kick'");
+
+        browser.await("document.querySelector('#scene-undo').disabled");
         assertThat(browser.complaints()).isEmpty();
     }
 

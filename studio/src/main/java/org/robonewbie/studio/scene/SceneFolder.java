@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -24,6 +25,7 @@ import org.robonewbie.simulator.recording.SnapshotRecording;
 record SceneFolder(Path folder) {
 
     private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N} _.-]{0,59}");
+    private static final String REMOVED = ".removed";
     private static final int FRAMES_FOR_VELOCITY = 2;
 
     List<String> names() throws IOException {
@@ -45,13 +47,43 @@ record SceneFolder(Path folder) {
      */
     void save(String name, SoccerField field, WorldSnapshot state, boolean replace) throws IOException {
         Path file = file(name);
-        if (Files.exists(file) && !replace) {
-            throw new IllegalArgumentException("There is a scene \"" + name + "\" already. Choose another name.");
+        if (!replace) {
+            refuseTaken(name);
         }
         Files.createDirectories(folder);
         List<String> header = List.of("FieldLength=" + field.length(), "FieldWidth=" + field.width());
         try (SnapshotRecording recording = SnapshotRecording.open(file, header, problem -> {})) {
             recording.write(state, List.of());
+        }
+    }
+
+    /** Takes a scene away; until the next scene of that name is taken away it can be brought back. */
+    void remove(String name) throws IOException {
+        move(file(name), removed(name), name);
+    }
+
+    /** Brings back what was taken away. */
+    void bringBack(String name) throws IOException {
+        refuseTaken(name);
+        move(removed(name), file(name), name);
+    }
+
+    void rename(String from, String to) throws IOException {
+        refuseTaken(to);
+        move(file(from), file(to), from);
+    }
+
+    private void refuseTaken(String name) {
+        if (Files.exists(file(name))) {
+            throw new IllegalArgumentException("There is a scene \"" + name + "\" already. Choose another name.");
+        }
+    }
+
+    private static void move(Path from, Path to, String name) throws IOException {
+        try {
+            Files.move(from, to, StandardCopyOption.REPLACE_EXISTING);
+        } catch (NoSuchFileException gone) {
+            throw new IllegalArgumentException("There is no scene \"" + name + "\" any more. Load the page again.", gone);
         }
     }
 
@@ -78,6 +110,10 @@ record SceneFolder(Path folder) {
             }
             return Optional.empty();
         }
+    }
+
+    private Path removed(String name) {
+        return file(name).resolveSibling(name + REMOVED);
     }
 
     private Path file(String name) {

@@ -14,6 +14,7 @@ import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
+import org.eclipse.jetty.util.Fields;
 
 /**
  * Keeps scenes and starts from them, and from any moment of a recording.
@@ -21,6 +22,9 @@ import org.eclipse.jetty.util.Callback;
  * <pre>
  * GET  /api/scenes                  the names of all scenes
  * PUT  /api/scenes/NAME             saves the present state; header Replace: yes writes over an older scene
+ * PUT  /api/scenes/NAME?was=OLD     gives the scene OLD this name
+ * PUT  /api/scenes/NAME?removed=yes brings back the scene that was taken away
+ * DELETE /api/scenes/NAME           takes it away
  * POST /api/scenes/NAME             goes on from it
  * POST /api/start/RECORDING?moment=N    goes on from the N-th moment of a recording
  * </pre>
@@ -72,18 +76,27 @@ public final class SceneRoom extends Handler.Abstract {
         }
         String name = path.equals(SCENES) ? "" : decoded(path.substring(SCENES.length() + 1));
         switch (request.getMethod()) {
-            case "PUT" ->
-                folder.save(
-                        name,
-                        world.field(),
-                        world.now(),
-                        "yes".equals(request.getHeaders().get("Replace")));
+            case "PUT" -> put(request, name);
+            case "DELETE" -> folder.remove(name);
             case "POST" -> world.goOnFrom(folder.load(name));
             default -> {
                 return list();
             }
         }
         return "{}";
+    }
+
+    private void put(Request request, String name) throws IOException {
+        Fields parameters = Request.extractQueryParameters(request);
+        String old = parameters.getValue("was");
+        if (old != null) {
+            folder.rename(old, name);
+        } else if ("yes".equals(parameters.getValue("removed"))) {
+            folder.bringBack(name);
+        } else {
+            boolean replace = "yes".equals(request.getHeaders().get("Replace"));
+            folder.save(name, world.field(), world.now(), replace);
+        }
     }
 
     private void start(String name, long moment) throws IOException {
