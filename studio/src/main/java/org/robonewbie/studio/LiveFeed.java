@@ -12,6 +12,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
@@ -45,6 +46,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private final BlockingQueue<TelemetryMessage> thoughts = new ArrayBlockingQueue<>(MOST_THOUGHTS);
     private final BlockingQueue<AgentMessages> messages = new ArrayBlockingQueue<>(MOST_MESSAGES);
     private final Memory memory = new Memory();
+    private final Consumer<TelemetryMessage> notes;
     private final Thread sender = new Thread(this::send, "studio-live-feed");
     private volatile @Nullable WorldSnapshot latest;
     private volatile Map<Integer, String> watchedRobots = Map.of();
@@ -57,8 +59,15 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private String sceneJson = "";
     private ByteBuffer frame = ByteBuffer.allocate(0);
 
+    /** Feeds pages only. */
     LiveFeed(SimulationControl simulation) {
+        this(simulation, message -> {});
+    }
+
+    /** Feeds pages, and hands on what robots tell to somebody who notes it. */
+    LiveFeed(SimulationControl simulation, Consumer<TelemetryMessage> notes) {
         this.simulation = simulation;
+        this.notes = notes;
         this.puppets = new PuppetDesk(simulation);
         sender.setDaemon(true);
     }
@@ -154,6 +163,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         spectators.forEach(spectator -> spectator.remember(memory));
         for (TelemetryMessage message : news) {
             memory.keep(message);
+            notes.accept(message);
             spectators.forEach(spectator -> spectator.hear(message));
         }
         handOnMessages();

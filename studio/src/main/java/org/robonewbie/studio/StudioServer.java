@@ -18,6 +18,7 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.Viewer;
 import org.robonewbie.studio.motion.MotionRoom;
 import org.robonewbie.studio.replay.ReplayRoom;
+import org.robonewbie.studio.replay.RunNotes;
 import org.robonewbie.studio.scene.SceneRoom;
 
 /**
@@ -85,7 +86,7 @@ public final class StudioServer implements Viewer.View {
         openPort(connector, port);
 
         int openPort = connector.getLocalPort();
-        LiveFeed feed = new LiveFeed(simulation);
+        LiveFeed feed = new LiveFeed(simulation, new RunNotes(folders.recordings())::keep);
         AccessRule rule = new AccessRule(openPort, token);
         String policy = WebFiles.contentSecurityPolicy(openPort);
         server.setHandler(new AccessGuard(rule, policy, live(server, feed, folders)));

@@ -7,7 +7,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -15,16 +14,21 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.recording.RecordingShelf;
 
 /** The replay as people have it: in a real browser, with a recording of the real simulator. */
+@InBrowser
 class ReplayPageTest {
 
     private static final String STATE = "studio.replay.state";
-    private static Chromium browser;
+    private final Chromium browser;
 
     @TempDir
     private static Path place;
 
     private final SmallSimulation simulation = new SmallSimulation().withRobot();
     private StudioServer studio = open();
+
+    ReplayPageTest(Chromium browser) {
+        this.browser = browser;
+    }
 
     private StudioServer open() {
         try {
@@ -38,22 +42,17 @@ class ReplayPageTest {
 
     @BeforeAll
     static void record() throws IOException {
-        Tool.BROWSER.orSkip();
         RecordedRun.write(place.resolve("game.rec"));
-        browser = Chromium.open(1366, 768);
-    }
-
-    @AfterAll
-    static void closeBrowser() {
-        if (browser != null) {
-            browser.close();
-        }
+        Files.writeString(
+                place.resolve("game.notes"),
+                """
+                {"seconds":1,"robot":"Blue Newbies 1","level":"INFO","text":"I see the ball"}
+                {"seconds":2,"robot":"Blue Newbies 1","level":"WARNING","text":"the joint is too fast"}
+                """);
     }
 
     @AfterEach
     void close() {
-        browser.visit("about:blank");
-        browser.forgetComplaints();
         studio.close();
         simulation.close();
     }
@@ -65,6 +64,24 @@ class ReplayPageTest {
 
     private double number(String expression) {
         return browser.evaluate(expression).getAsDouble();
+    }
+
+    @Test
+    void linesOfLogsAreMarkedAndWarningsAreEvents() {
+        visit();
+        browser.await("document.querySelectorAll('.event.log').length === 1");
+
+        assertThat(browser.evaluate("document.querySelector('.event.warning title').textContent")
+                        .getAsString())
+                .endsWith("Warning: Blue Newbies 1 says the joint is too fast");
+        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'Home').act()");
+        int warning = browser.evaluate("studio.replay.file.notes.find(note => note.kind === 'warning').index")
+                .getAsInt();
+        for (int presses = 0; presses < 12 && number(STATE + ".index") < warning; presses++) {
+            browser.click("#event-next");
+        }
+        browser.await(STATE + ".index === " + warning);
+        assertThat(browser.complaints()).isEmpty();
     }
 
     @Test

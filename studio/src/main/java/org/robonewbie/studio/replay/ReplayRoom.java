@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.server.Handler;
@@ -30,6 +31,7 @@ import org.robonewbie.simulator.recording.RecordingShelf;
  * GET /api/recordings                 all recordings, the newest first
  * GET /api/recordings/NAME?from=N     its bytes from the N-th on, at most four million at once
  * GET /api/log/NAME                   the recording as the log of a SimSpark server, packed with gzip
+ * GET /api/notes/NAME                 what robots wrote into their logs meanwhile, one line of JSON each
  * GET /api/models                     the bodies of all robot types
  * </pre>
  */
@@ -37,6 +39,7 @@ public final class ReplayRoom extends Handler.Abstract {
 
     private static final String LIST = "/api/recordings";
     private static final String LOG = "/api/log/";
+    private static final String NOTES = "/api/notes/";
     private static final String MODELS = "/api/models";
     private static final String UNFINISHED = ".part";
     private static final int MOST_BYTES = 4_000_000;
@@ -62,8 +65,8 @@ public final class ReplayRoom extends Handler.Abstract {
     @Override
     public boolean handle(Request request, Response response, Callback callback) throws Exception {
         String path = Request.getPathInContext(request);
-        boolean known = path.startsWith(LIST) || path.startsWith(LOG) || path.equals(MODELS);
-        if (!request.getMethod().equals("GET") || !known) {
+        Optional<String> kind = Stream.of(LIST, LOG, NOTES, MODELS).filter(path::startsWith).findFirst();
+        if (!request.getMethod().equals("GET") || kind.isEmpty()) {
             return false;
         }
         if (path.equals(MODELS) || path.equals(LIST)) {
@@ -71,13 +74,15 @@ public final class ReplayRoom extends Handler.Abstract {
             send(response, callback, 200, "application/json", ByteBuffer.wrap(json));
             return true;
         }
-        boolean isLog = path.startsWith(LOG);
-        String name = path.substring(isLog ? LOG.length() : LIST.length() + 1);
+        String name = path.substring(kind.get().equals(LIST) ? LIST.length() + 1 : kind.get().length());
         Optional<Path> file = find(URLDecoder.decode(name, StandardCharsets.UTF_8));
         if (file.isEmpty()) {
             byte[] text = "There is no such recording any more. Choose another one.".getBytes(StandardCharsets.UTF_8);
             send(response, callback, 404, "text/plain;charset=utf-8", ByteBuffer.wrap(text));
-        } else if (isLog) {
+        } else if (kind.get().equals(NOTES)) {
+            byte[] notes = RunNotes.read(file.get()).getBytes(StandardCharsets.UTF_8);
+            send(response, callback, 200, "application/x-ndjson;charset=utf-8", ByteBuffer.wrap(notes));
+        } else if (kind.get().equals(LOG)) {
             send(response, callback, 200, "application/gzip", ByteBuffer.wrap(log(file.get())));
         } else {
             long from = from(request);
@@ -153,7 +158,7 @@ public final class ReplayRoom extends Handler.Abstract {
         return files;
     }
 
-    private static String name(Path file) {
+    static String name(Path file) {
         return String.valueOf(file.getFileName()).replace(UNFINISHED, "").replace(RecordingShelf.ENDING, "");
     }
 
@@ -171,15 +176,24 @@ public final class ReplayRoom extends Handler.Abstract {
     /** Empty if the file has just gone. */
     private static Optional<JsonObject> describe(Path file) throws IOException {
         try {
-            long age =
-                    System.currentTimeMillis() - Files.getLastModifiedTime(file).toMillis();
             JsonObject json = new JsonObject();
             json.addProperty("name", name(file));
             json.addProperty("bytes", Files.size(file));
-            json.addProperty("running", file.toString().endsWith(UNFINISHED) && age < STILL_RUNNING_MILLIS);
+            json.addProperty("running", isRunning(file));
             return Optional.of(json);
         } catch (NoSuchFileException gone) {
             return Optional.empty();
+        }
+    }
+
+    /** Tells whether a recording grows at this moment. */
+    static boolean isRunning(Path file) {
+        try {
+            long age =
+                    System.currentTimeMillis() - Files.getLastModifiedTime(file).toMillis();
+            return file.toString().endsWith(UNFINISHED) && age < STILL_RUNNING_MILLIS;
+        } catch (IOException gone) {
+            return false;
         }
     }
 }

@@ -1,4 +1,5 @@
 /** Fetches recordings from the studio's server and unpacks them while they come; a run that goes on is followed. */
+import { notesOf } from '../state/replay/notes.js';
 import { RecordingReader } from '../state/replay/recording-reader.js';
 
 /**
@@ -34,6 +35,11 @@ export async function loadLog(token, name) {
   return (await ask(token, `log/${encodeURIComponent(name)}`)).blob();
 }
 
+/** @param {string} token @param {string} name @returns {Promise<string>} what robots wrote into their logs, one line of JSON each */
+async function loadNotes(token, name) {
+  return (await ask(token, `notes/${encodeURIComponent(name)}`)).text();
+}
+
 /** One recording that is being read. */
 export class RecordingFile {
   /**
@@ -47,6 +53,8 @@ export class RecordingFile {
     this.name = name;
     this.grown = grown;
     this.reader = new RecordingReader((type) => models[type].hinges.length);
+    /** @type {import('../state/replay/recording-reader.js').RecordedEvent[]} lines of logs */
+    this.notes = [];
     this.read = 0;
     /** @type {Uint8Array[]} the packed bytes as they came */
     this.packed = [];
@@ -62,9 +70,16 @@ export class RecordingFile {
     for (let size = await this.#fetchMore(); size > 0 && this.open; size = await this.#fetchMore()) {
       this.grown();
     }
+    this.notes = notesOf(await loadNotes(this.token, this.name), this.reader.moments[0]?.cycle ?? 0);
+    this.grown();
     if (follows && this.open) {
       this.timer = window.setTimeout(() => this.load(true).catch(() => {}), FOLLOW_MILLISECONDS);
     }
+  }
+
+  /** All that the time line marks. */
+  get events() {
+    return [...this.reader.events, ...this.notes];
   }
 
   close() {

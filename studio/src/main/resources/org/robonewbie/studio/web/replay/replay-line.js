@@ -16,10 +16,12 @@ const SHAPES = {
   fall: 'M-6 12h12L0 22z',
   foul: 'M-5 12h10v10h-10z',
   playmode: 'M-1.2 10h2.4v14h-2.4z',
+  warning: 'M0 11L6 21H-6z',
+  log: 'M-2.5 15h5v5h-5z',
 };
 
 /** @type {Record<RecordedEvent['kind'], string>} */
-const NAMES = { goal: 'Goal', fall: 'Fall', foul: 'Foul', playmode: 'Play mode' };
+const NAMES = { goal: 'Goal', fall: 'Fall', foul: 'Foul', playmode: 'Play mode', warning: 'Warning', log: 'Log' };
 
 export class ReplayLine {
   /**

@@ -159,7 +159,7 @@ class ReplayRoom {
 
   /** @param {-1 | 1} direction */
   #jump(direction) {
-    const event = neighbourEvent(this.state, this.file?.reader.events ?? [], direction);
+    const event = neighbourEvent(this.state, (this.file?.events ?? []).filter(({ kind }) => kind !== 'log'), direction);
     if (event) {
       this.#set({ ...atMoment(this.state, Math.max(0, event.index)), playing: false });
       this.surroundings.note(eventText(event));
@@ -235,7 +235,7 @@ class ReplayRoom {
       }
       this.comparison.list(list, this.file?.name ?? '');
       this.comparison.draw(this.file?.reader.moments ?? []);
-      drawing.draw(state, this.file?.reader.events ?? []);
+      drawing.draw(state, this.file?.events ?? []);
     };
   }
 

@@ -21,7 +21,7 @@
  *
  * @typedef {object} RecordedEvent
  * @property {number} index of the moment
- * @property {'goal' | 'foul' | 'playmode' | 'fall'} kind
+ * @property {'goal' | 'foul' | 'playmode' | 'fall' | 'warning' | 'log'} kind
  * @property {string} text
  */
 

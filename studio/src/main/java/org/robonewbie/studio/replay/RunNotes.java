@@ -1,0 +1,106 @@
+package org.robonewbie.studio.replay;
+
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.robonewbie.protocol.telemetry.TelemetryItem.LogEntry;
+import org.robonewbie.protocol.telemetry.TelemetryMessage;
+import org.robonewbie.simulator.recording.RecordingShelf;
+
+/**
+ * Keeps what robots write into their logs beside the recording of the run, one line of JSON each, so that a replay shows
+ * them on its time line. They are no part of the recording, which is the same for the same seed whoever looks on.
+ */
+public final class RunNotes {
+
+    static final String ENDING = ".notes";
+    private static final int MOST_NOTES = 2000;
+    private static final int MOST_LETTERS = 400;
+
+    private final Optional<RecordingShelf> shelf;
+    private Optional<Path> file = Optional.empty();
+    private int count;
+
+    /**
+     * Opens the notes of the run that is being recorded.
+     *
+     * @param shelf where the recordings are; empty if nothing is recorded
+     */
+    public RunNotes(Optional<RecordingShelf> shelf) {
+        this.shelf = shelf;
+    }
+
+    /**
+     * Keeps a line of a log; anything else, and lines beyond two thousand in a run, are left out.
+     *
+     * @param message what a robot tells
+     */
+    public void keep(TelemetryMessage message) {
+        if (message.item() instanceof LogEntry entry && !entry.level().equals("DEBUG") && count < MOST_NOTES) {
+            try {
+                write(message, entry);
+            } catch (IOException diskFull) {
+                count = MOST_NOTES;
+            }
+        }
+    }
+
+    private void write(TelemetryMessage message, LogEntry entry) throws IOException {
+        if (file.isEmpty()) {
+            file = begin();
+        }
+        if (file.isPresent()) {
+            JsonObject line = new JsonObject();
+            line.addProperty("seconds", message.seconds());
+            line.addProperty("robot", (message.team() + " " + message.number()).strip());
+            line.addProperty("level", entry.level());
+            line.addProperty("text", entry.text().substring(0, Math.min(MOST_LETTERS, entry.text().length())));
+            Files.write(file.get(), List.of(line.toString()), StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+            count++;
+        }
+    }
+
+    /** Finds the recording that grows now, and removes notes whose recording has gone. */
+    private Optional<Path> begin() throws IOException {
+        if (shelf.isEmpty()) {
+            return Optional.empty();
+        }
+        List<Path> recordings = shelf.get().list();
+        List<Path> known = recordings.stream().map(RunNotes::of).toList();
+        try (Stream<Path> files = Files.list(shelf.get().folder())) {
+            for (Path old : files.filter(RunNotes::isNotes).toList()) {
+                if (!known.contains(old)) {
+                    Files.deleteIfExists(old);
+                }
+            }
+        } catch (NoSuchFileException nothingRecordedYet) {
+            return Optional.empty();
+        }
+        return recordings.stream().filter(ReplayRoom::isRunning).findFirst().map(RunNotes::of);
+    }
+
+    private static boolean isNotes(Path file) {
+        return String.valueOf(file.getFileName()).endsWith(ENDING);
+    }
+
+    /** Finds the notes that belong to a recording. */
+    static Path of(Path recording) {
+        return recording.resolveSibling(ReplayRoom.name(recording) + ENDING);
+    }
+
+    /** Reads the notes of a recording; empty if there are none. */
+    static String read(Path recording) throws IOException {
+        try {
+            return Files.readString(of(recording), StandardCharsets.UTF_8);
+        } catch (NoSuchFileException none) {
+            return "";
+        }
+    }
+}

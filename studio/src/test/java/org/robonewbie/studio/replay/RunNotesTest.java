@@ -1,0 +1,83 @@
+package org.robonewbie.studio.replay;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.protocol.telemetry.TelemetryItem;
+import org.robonewbie.protocol.telemetry.TelemetryMessage;
+import org.robonewbie.simulator.recording.RecordingShelf;
+
+class RunNotesTest {
+
+    @TempDir
+    private Path folder;
+
+    private Path recording() throws IOException {
+        return Files.writeString(folder.resolve("today.rec.part"), "it grows");
+    }
+
+    private RunNotes notes() {
+        return new RunNotes(Optional.of(new RecordingShelf(folder, 1_000_000)));
+    }
+
+    private static TelemetryMessage said(String level, String text) {
+        return new TelemetryMessage("Blue", 4, 1.5, new TelemetryItem.LogEntry(level, text));
+    }
+
+    @Test
+    void linesOfLogsAreKeptBesideTheRecordingThatGrows() throws IOException {
+        Path recording = recording();
+        RunNotes notes = notes();
+
+        notes.keep(said("WARNING", "two\nlines"));
+        notes.keep(said("DEBUG", "nothing"));
+        notes.keep(new TelemetryMessage("Blue", 4, 1.5, new TelemetryItem.PlotValue("courage", 7)));
+        notes.keep(said("INFO", "more"));
+
+        assertThat(folder.resolve("today.notes")).exists();
+        assertThat(RunNotes.read(recording).lines())
+                .containsExactly(
+                        "{\"seconds\":1.5,\"robot\":\"Blue 4\",\"level\":\"WARNING\",\"text\":\"two\\nlines\"}",
+                        "{\"seconds\":1.5,\"robot\":\"Blue 4\",\"level\":\"INFO\",\"text\":\"more\"}");
+        assertThat(RunNotes.read(folder.resolve("today.rec"))).as("when the run has ended").hasLineCount(2);
+    }
+
+    @Test
+    void runKeepsTwoThousandLinesAtMost() throws IOException {
+        Path recording = recording();
+        RunNotes notes = notes();
+
+        for (int i = 0; i < 2100; i++) {
+            notes.keep(said("INFO", "line " + i));
+        }
+
+        assertThat(RunNotes.read(recording)).hasLineCount(2000).contains("line 1999");
+    }
+
+    @Test
+    void notesOfRecordingsThatHaveGoneAreRemoved() throws IOException {
+        recording();
+        Files.writeString(folder.resolve("old.rec"), "still there");
+        Path kept = Files.writeString(folder.resolve("old.notes"), "{}\n");
+        Path orphan = Files.writeString(folder.resolve("older.notes"), "{}\n");
+
+        notes().keep(said("INFO", "hello"));
+
+        assertThat(kept).exists();
+        assertThat(orphan).doesNotExist();
+    }
+
+    @Test
+    void nothingIsKeptWithoutARecording() throws IOException {
+        notes().keep(said("INFO", "hello"));
+        new RunNotes(Optional.empty()).keep(said("INFO", "hello"));
+
+        assertThat(folder).isEmptyDirectory();
+        assertThat(RunNotes.read(folder.resolve("none.rec"))).isEmpty();
+    }
+}
