@@ -208,6 +208,14 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
                 .decode(call("Page.captureScreenshot", form).get("data").getAsString());
     }
 
+    /** Tells how long processors have worked for the browser with all its processes. */
+    double processorSeconds() {
+        return Stream.concat(Stream.of(process.toHandle()), process.descendants())
+                .flatMap(each -> each.info().totalCpuDuration().stream())
+                .mapToDouble(work -> work.toMillis() / 1000.0)
+                .sum();
+    }
+
     /** Lists errors and warnings of the page, and addresses outside of this computer that it asked for. */
     List<String> complaints() {
         return List.copyOf(complaints);

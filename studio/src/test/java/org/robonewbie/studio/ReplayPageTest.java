@@ -6,6 +6,7 @@ import com.google.gson.JsonElement;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -157,6 +158,38 @@ class ReplayPageTest {
                 + " csvOf(studio.replay.file.reader.moments, studio.replay.models).split('\\n').length)");
 
         assertThat(lines.getAsInt()).isBetween(150, 250);
+    }
+
+    @Test
+    void runIsGivenAsTheLogOfASimSparkServer() {
+        visit();
+        browser.evaluate("(() => { const make = URL.createObjectURL;"
+                + " URL.createObjectURL = blob => { window.given = blob; return make(blob); };"
+                + " HTMLAnchorElement.prototype.click = function () { window.givenName = this.download; }; })()");
+
+        browser.click("#export-log");
+        browser.await("window.givenName === 'game.log.gz'");
+
+        String log = browser.evaluate("new Response(window.given.stream().pipeThrough(new DecompressionStream('gzip'))).text()")
+                .getAsString();
+        assertThat(log).contains("(RSG 0 1)").contains("(RDS 0 1)").contains("FieldLength");
+    }
+
+    @Test
+    void secondRunIsComparedWithGhosts() throws IOException {
+        Files.copy(place.resolve("game.rec"), place.resolve("other.rec"), StandardCopyOption.REPLACE_EXISTING);
+        visit();
+        browser.evaluate("studio.replay.refresh()");
+        browser.await("document.querySelector('#compare-with').options.length === 2");
+
+        browser.evaluate("document.querySelector('#compare-with').selectedIndex = 1;"
+                + "document.querySelector('#compare-with').dispatchEvent(new Event('change'))");
+
+        browser.await("document.querySelector('#compare-reading').textContent.includes('0.00 m')");
+        browser.await("studio.view.crowd.poses.length === 2");
+        browser.await("document.querySelector('.compare-curve polyline').getAttribute('points')?.length > 20");
+        Files.delete(place.resolve("other.rec"));
+        assertThat(browser.complaints()).isEmpty();
     }
 
     @Test

@@ -219,11 +219,11 @@ class RobotPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
-    private static double now() {
+    private double now() {
         return browser.evaluate("studio.state.frame.cycle * 0.02").getAsDouble();
     }
 
-    private static void picture(String name) throws IOException {
+    private void picture(String name) throws IOException {
         Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
         Files.write(Files.createDirectories(pictures).resolve(name), browser.screenshot());
     }

@@ -222,7 +222,7 @@ class StudioPageTest {
         };
     }
 
-    private static void drag(double[] from, double right, double down) {
+    private void drag(double[] from, double right, double down) {
         browser.mouse("mousePressed", from[0], from[1]);
         for (int i = 1; i <= 4; i++) {
             browser.mouse("mouseMoved", from[0] + right * i / 4, from[1] + down * i / 4);
@@ -354,7 +354,7 @@ class StudioPageTest {
             Math.min(...[...document.querySelectorAll('body *')]
               .filter((one) => one.textContent.trim()).map((one) => parseFloat(getComputedStyle(one).fontSize)))""";
 
-    private static void await(BooleanSupplier condition) {
+    private void await(BooleanSupplier condition) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
         while (!condition.getAsBoolean()) {
             assertThat(System.nanoTime())

@@ -1,0 +1,150 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.net.Socket;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+
+/**
+ * Measures how many bytes per second one page of the studio gets on the wire while 22 robots move all their joints in real
+ * time, for {@code docs/performance.md}: with and without the messages of one robot, packed as browsers ask for and not. It
+ * is not part of the usual tests, since it takes a minute: {@code -Dtest=StreamMeasurement}.
+ */
+class StreamMeasurement {
+
+    private static final int SECONDS = 10;
+    private static final String PACKED = "Sec-WebSocket-Extensions: permessage-deflate\r\n";
+
+    @Test
+    void bytesForOnePage() throws IOException {
+        SimulatorSettings settings = SimulatorSettings.beginner()
+                .agentPort(0)
+                .synchronous(true)
+                .awaitedAgents(22)
+                .speed(1)
+                .build();
+        try (Simulator simulator = Simulator.start(settings, Console.silent());
+                StudioServer studio = StudioServer.start(simulator.control(), 0, AccessToken.random())) {
+            for (int number = 0; number < 22; number++) {
+                new Thread(player(simulator, number), "player-" + number).start();
+            }
+            for (String extension : new String[] {PACKED, ""}) {
+                double frames = measure(studio.address(), extension, "");
+                double withMessages =
+                        measure(studio.address(), extension, "{\"do\":\"watch\",\"team\":\"Left\",\"number\":1}");
+                System.out.printf(
+                        Locale.ROOT,
+                        "%s: %.1f KiB/s, with the messages of one robot %.1f KiB/s%n",
+                        extension.isEmpty() ? "plain" : "packed",
+                        frames,
+                        withMessages);
+                assertThat(frames).isBetween(1.0, 60.0);
+                assertThat(withMessages).isGreaterThan(frames);
+            }
+        }
+    }
+
+    private static double measure(URI studio, String extension, String command) throws IOException {
+        try (Socket socket = new Socket(studio.getHost(), studio.getPort())) {
+            String address = "127.0.0.1:" + studio.getPort();
+            write(
+                    socket,
+                    ("GET /live?" + studio.getQuery() + " HTTP/1.1\r\nHost: " + address + "\r\nOrigin: http://" + address
+                                    + "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+                                    + extension + "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n")
+                            .getBytes(StandardCharsets.US_ASCII));
+            DataInputStream in = new DataInputStream(socket.getInputStream());
+            skipHead(in);
+            if (!command.isEmpty()) {
+                say(socket, command);
+            }
+            read(socket, in, 3);
+            return read(socket, in, SECONDS) / 1024.0 / SECONDS;
+        }
+    }
+
+    private static void skipHead(DataInputStream in) throws IOException {
+        for (int last = 0; last != 0x0d0a0d0a; ) {
+            last = last << 8 | in.readUnsignedByte();
+        }
+    }
+
+    /** Reads frames for some seconds and says after each picture that it has been seen. */
+    private static long read(Socket socket, DataInputStream in, int seconds) throws IOException {
+        long bytes = 0;
+        for (long end = System.nanoTime() + seconds * 1_000_000_000L; System.nanoTime() < end; ) {
+            int kind = in.readUnsignedByte() & 15;
+            int size = in.readUnsignedByte();
+            int head = size == 126 ? 4 : size == 127 ? 10 : 2;
+            long length = size == 126 ? in.readUnsignedShort() : size == 127 ? in.readLong() : size;
+            in.skipNBytes(length);
+            bytes += head + length;
+            if (kind == 2) {
+                say(socket, "{\"do\":\"seen\"}");
+            }
+        }
+        return bytes;
+    }
+
+    /** Sends a short text; the mask that clients must use is all zeros. */
+    private static void say(Socket socket, String text) throws IOException {
+        byte[] content = text.getBytes(StandardCharsets.US_ASCII);
+        byte[] frame = Arrays.copyOf(new byte[] {(byte) 0x81, (byte) (0x80 | content.length)}, 6 + content.length);
+        System.arraycopy(content, 0, frame, 6, content.length);
+        write(socket, frame);
+    }
+
+    private static void write(Socket socket, byte[] bytes) throws IOException {
+        socket.getOutputStream().write(bytes);
+        socket.getOutputStream().flush();
+    }
+
+    private static Runnable player(Simulator simulator, int index) {
+        AgentLink link = simulator.connect();
+        return () -> {
+            try (link) {
+                send(link, "(scene rsg/agent/nao/nao.rsg)");
+                MessageBuffer percepts = new MessageBuffer();
+                for (int cycle = 0; link.receive(percepts); cycle++) {
+                    send(link, cycle == 0 ? "(init (unum " + (index % 11 + 1) + ")(teamname " + team(index) + "))" : act(index, cycle));
+                }
+            } catch (IOException matchIsOver) {
+                // Nobody is left to play with.
+            }
+        };
+    }
+
+    private static String team(int index) {
+        return index < 11 ? "Left" : "Right";
+    }
+
+    private static String act(int index, int cycle) {
+        if (cycle == 3) {
+            return String.format(Locale.ROOT, "(beam %.1f %.1f 0)", -1.0 - index % 11 / 3, 1.5 * (index % 3 - 1));
+        }
+        StringBuilder all = new StringBuilder();
+        for (Joint joint : Joint.values()) {
+            double speed = 0.7 * Math.sin(0.3 * cycle + index + joint.ordinal());
+            all.append(String.format(Locale.ROOT, "(%s %.4f)", joint.effectorName(), speed));
+        }
+        return all.toString();
+    }
+
+    private static void send(AgentLink link, String text) throws IOException {
+        MessageBuffer message = new MessageBuffer();
+        message.append(text + "(syn)");
+        link.send(message);
+    }
+}
