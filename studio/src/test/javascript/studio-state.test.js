@@ -67,6 +67,8 @@ test('a paused world needs no message', () => {
   const same = withFrame(first, sampleFrame({ paused: true }), 3000);
 
   assert.equal(message(same, 3100), undefined);
+  assert.equal(message(same, 60_000), undefined);
+  assert.equal(message(withFrame(same, sampleFrame(), 60_000), 60_500), undefined);
 });
 
 test('states are replaced and never changed', () => {

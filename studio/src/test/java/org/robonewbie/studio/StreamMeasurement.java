@@ -7,9 +7,13 @@ import java.io.IOException;
 import java.net.Socket;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -19,22 +23,28 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 
 /**
  * Measures how many bytes per second one page of the studio gets on the wire while 22 robots move all their joints in real
- * time, for {@code docs/performance.md}: with and without the messages of one robot, packed as browsers ask for and not. It
- * is not part of the usual tests, since it takes a minute: {@code -Dtest=StreamMeasurement}.
+ * time, for {@code docs/performance.md}: with and without the messages of one robot, packed as browsers ask for and not; and
+ * how large the recording grows, which is what the HTML export adds to a page of fixed size. It is not part of the usual tests, since it takes a minute: {@code -Dtest=StreamMeasurement}.
  */
 class StreamMeasurement {
 
     private static final int SECONDS = 10;
     private static final String PACKED = "Sec-WebSocket-Extensions: permessage-deflate\r\n";
 
+    @TempDir
+    private Path folder;
+
     @Test
     void bytesForOnePage() throws IOException {
+        Path recording = folder.resolve("run.rec");
         SimulatorSettings settings = SimulatorSettings.beginner()
                 .agentPort(0)
                 .synchronous(true)
                 .awaitedAgents(22)
                 .speed(1)
+                .recording(Optional.of(recording))
                 .build();
+        long cycles;
         try (Simulator simulator = Simulator.start(settings, Console.silent());
                 StudioServer studio = StudioServer.start(simulator.control(), 0, AccessToken.random())) {
             for (int number = 0; number < 22; number++) {
@@ -53,7 +63,15 @@ class StreamMeasurement {
                 assertThat(frames).isBetween(1.0, 60.0);
                 assertThat(withMessages).isGreaterThan(frames);
             }
+            cycles = studio.feed().now().cycle();
         }
+        double perMinute = Files.size(recording) / 1e6 / (cycles / 3000.0);
+        System.out.printf(
+                Locale.ROOT,
+                "recording: %.2f MB per minute, as text in an HTML file %.2f MB per minute%n",
+                perMinute,
+                perMinute * 4 / 3);
+        assertThat(perMinute).isPositive();
     }
 
     private static double measure(URI studio, String extension, String command) throws IOException {

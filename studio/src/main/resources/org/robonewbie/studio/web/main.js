@@ -10,6 +10,7 @@ import { Happenings } from './panels/happenings.js';
 import { banner, notes, tell } from './panels/messages.js';
 import { PuppetPanel } from './panels/puppet-panel.js';
 import { RoomDesk } from './panels/room-desk.js';
+import { paced } from './panels/pace.js';
 import { roomsPanel } from './panels/rooms.js';
 import { scenePanel } from './panels/scene-panel.js';
 import { scoreBoardPanel } from './panels/score-board.js';
@@ -19,15 +20,7 @@ import { timeLineDeeds, timeLinePanel } from './panels/time-line.js';
 import { timeActions, transportPanel } from './panels/transport.js';
 import { QualityChooser, QUALITIES, qualityIndex, qualityRange } from './state/quality.js';
 import { Smoothing } from './state/smoothing.js';
-import {
-  initialState,
-  message,
-  withConnection,
-  withFrame,
-  withoutConnection,
-  withRefusal,
-  withScene,
-} from './state/studio-state.js';
+import { initialState, message, withConnection, withFrame, withoutConnection, withRefusal, withScene } from './state/studio-state.js';
 import { TimeCursor } from './state/time-cursor.js';
 
 const options = new URLSearchParams(location.search);
@@ -41,6 +34,8 @@ let hasDrawn = false;
 /** The scene that the picture is made for. @type {object | undefined} */
 let pictured;
 const cursor = new TimeCursor();
+/** Each drawing of the panels costs a quarter of a picture. */
+const panels = paced(drawPanels, 90);
 
 const note = notes();
 window.addEventListener('error', (event) => note(`This page has met an error: ${event.message}. Load it again.`));
@@ -226,6 +221,7 @@ function turn(now) {
   } else if (here === 'robot') {
     rooms.robot?.turn(cursor.shown(state), cursor, now);
   }
+  panels.turn(now);
   lastTurn = now;
   if (owesAnswer) {
     owesAnswer = false;
@@ -256,7 +252,7 @@ function drawPicture(now, seconds) {
   stale = desk.update(view.crowd.poses, seconds);
   view.light.shine(desk.shown.target, view.camera.position);
   view.draw();
-  drawPanels(now);
+  panels.ask();
 }
 
 /** @param {number} now milliseconds */

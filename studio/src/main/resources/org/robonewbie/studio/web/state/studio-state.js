@@ -76,7 +76,7 @@ export function withScene(state, scene) {
  * @returns {StudioState}
  */
 export function withFrame(state, frame, now) {
-  const moved = frame.cycle !== state.frame?.cycle || frame.paused;
+  const moved = frame.cycle !== state.frame?.cycle || state.frame.paused;
   return { ...state, frame, movedMilliseconds: moved ? now : state.movedMilliseconds, goal: lastGoal(state, frame, now) };
 }
 
@@ -126,7 +126,7 @@ export function message(state, now) {
   if (state.scene.robots.length === 0) {
     return waiting('Waiting for a robot…', 'Add a puppet, or run an agent: ./robonewbie run Agent_BasicStructure');
   }
-  if (state.frame && now - state.movedMilliseconds > STANDSTILL_MILLISECONDS) {
+  if (state.frame && !state.frame.paused && now - state.movedMilliseconds > STANDSTILL_MILLISECONDS) {
     return waiting('The world waits for an agent', 'Is one at a breakpoint? It goes on when the agent does.');
   }
   return undefined;

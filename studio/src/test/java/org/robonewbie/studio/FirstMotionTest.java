@@ -1,0 +1,107 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.MotionFile;
+
+/** Somebody who has read nothing but {@code docs/first-motion.md} and presses what is printed bold there. */
+@InBrowser
+class FirstMotionTest {
+
+    private static final Path GUIDE = Path.of("..", "docs", "first-motion.md");
+    private static final Pattern STEP = Pattern.compile("(?ms)^\\d\\. .*?(?=^\\d\\. |^## )");
+    private static final Pattern BOLD = Pattern.compile("\\*\\*(.+?)\\*\\*");
+    private static final String STATE = "studio.motion.editor.state";
+    private static final String FRAMES = STATE + ".history.present.value.lines.filter(line => line.keyframe)";
+
+    @TempDir
+    private Path folder;
+
+    private final Chromium browser;
+
+    FirstMotionTest(Chromium browser) {
+        this.browser = browser;
+    }
+
+    @Test
+    void guideLeadsToAMotionOfThreeKeyframesThatIsSaved() throws IOException {
+        List<String> bold = boldWordsOfTheSteps();
+        assertThat(bold)
+                .containsExactly(
+                        "Motion", "+ New", "+ Keyframe", "▶ Play", "Try on a physical robot", "Save");
+        try (SmallSimulation simulation = new SmallSimulation().withRobot().start();
+                StudioServer studio = StudioServer.start(
+                        simulation, 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()))) {
+            browser.visit(studio.address() + "&quality=lowest");
+            press("Motion");
+            press("+ New");
+            browser.await(FRAMES + ".length === 1 && !studio.motion.stale");
+            dragTheArm(-70);
+            for (int keyframe = 2; keyframe <= 3; keyframe++) {
+                press("+ Keyframe");
+                browser.await(FRAMES + ".length === " + keyframe + " && !studio.motion.stale");
+                dragTheArm(keyframe == 2 ? 40 : -60);
+            }
+            press("▶ Play");
+            browser.await(STATE + ".playing");
+            browser.await("!" + STATE + ".playing");
+            press("Try on a physical robot");
+            browser.await(STATE + ".trial && !" + STATE + ".playing");
+            press("Save");
+            browser.await("document.querySelector('#answer')");
+            browser.evaluate("document.querySelector('#answer').value = 'my-first'");
+            browser.click("#accept");
+            Path file = folder.resolve("my-first.txt");
+            SmallSimulation.awaitTrue(() -> Files.exists(file));
+
+            List<Keyframe> keyframes = MotionFile.load(file).keyframes();
+            assertThat(keyframes).hasSize(3);
+            assertThat(keyframes).extracting(Keyframe::posture).doesNotHaveDuplicates();
+            assertThat(browser.complaints()).isEmpty();
+        }
+    }
+
+    private static List<String> boldWordsOfTheSteps() throws IOException {
+        return STEP.matcher(Files.readString(GUIDE))
+                .results()
+                .map(MatchResult::group)
+                .flatMap(step -> BOLD.matcher(step).results().map(bold -> bold.group(1)))
+                .toList();
+    }
+
+    /** Presses the button or link that has this text. */
+    private void press(String text) {
+        browser.evaluate("document.querySelector('[data-pressed]')?.removeAttribute('data-pressed')");
+        browser.await("(void [...document.querySelectorAll('button, a')].find(each => each.offsetParent"
+                + " && each.textContent.trim() === " + Chromium.quoted(text) + ")?.setAttribute('data-pressed', ''),"
+                + " document.querySelector('[data-pressed]'))");
+        browser.click("[data-pressed]");
+    }
+
+    private void dragTheArm(double up) {
+        String before = browser.evaluate("JSON.stringify(studio.motion.posedNow().posture)")
+                .getAsString();
+        String place = "(() => { const room = studio.motion; const { posture, torso } = room.posedNow();"
+                + " const poses = room.posesOf(posture, torso);"
+                + " const at = 7 * room.body.model.links.findIndex(each => each.name === 'llowerarm');"
+                + " return room.stage.pageAt([poses[at], poses[at + 1], poses[at + 2]]).join(' '); })()";
+        String[] numbers = browser.evaluate(place).getAsString().split(" ", -1);
+        double x = Double.parseDouble(numbers[0]);
+        double y = Double.parseDouble(numbers[1]);
+        browser.mouse("mousePressed", x, y);
+        browser.mouse("mouseMoved", x + 3, y + up / 2);
+        browser.mouse("mouseMoved", x + 5, y + up);
+        browser.mouse("mouseReleased", x + 5, y + up);
+        browser.await("JSON.stringify(studio.motion.posedNow().posture) !== " + Chromium.quoted(before));
+    }
+}
