@@ -36,9 +36,7 @@ class FirstMotionTest {
     @Test
     void guideLeadsToAMotionOfThreeKeyframesThatIsSaved() throws IOException {
         List<String> bold = boldWordsOfTheSteps();
-        assertThat(bold)
-                .containsExactly(
-                        "Motion", "+ New", "+ Keyframe", "▶ Play", "Try on a physical robot", "Save");
+        assertThat(bold).containsExactly("Motion", "+ New", "+ Keyframe", "▶ Play", "Try on a physical robot", "Save");
         try (SmallSimulation simulation = new SmallSimulation().withRobot().start();
                 StudioServer studio = StudioServer.start(
                         simulation, 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()))) {

@@ -12,7 +12,8 @@ import org.junit.jupiter.api.Timeout;
 class HangingBrowserTest {
 
     private static final String SEES = "studio.state.frame && studio.view.drawCalls > 0";
-    private static final String HANG = "(() => { for (const end = performance.now() + 6000; performance.now() < end; ); })()";
+    private static final String HANG =
+            "(() => { for (const end = performance.now() + 6000; performance.now() < end; ); })()";
 
     private final Chromium hanging;
 

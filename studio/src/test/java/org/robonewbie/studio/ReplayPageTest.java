@@ -44,9 +44,7 @@ class ReplayPageTest {
     @BeforeAll
     static void record() throws IOException {
         RecordedRun.write(place.resolve("game.rec"));
-        Files.writeString(
-                place.resolve("game.notes"),
-                """
+        Files.writeString(place.resolve("game.notes"), """
                 {"seconds":1,"robot":"Blue Newbies 1","level":"INFO","text":"I see the ball"}
                 {"seconds":2,"robot":"Blue Newbies 1","level":"WARNING","text":"the joint is too fast"}
                 """);
@@ -170,7 +168,8 @@ class ReplayPageTest {
         browser.click("#export-log");
         browser.await("window.givenName === 'game.log.gz'");
 
-        String log = browser.evaluate("new Response(window.given.stream().pipeThrough(new DecompressionStream('gzip'))).text()")
+        String log = browser.evaluate(
+                        "new Response(window.given.stream().pipeThrough(new DecompressionStream('gzip'))).text()")
                 .getAsString();
         assertThat(log).contains("(RSG 0 1)").contains("(RDS 0 1)").contains("FieldLength");
     }

@@ -79,7 +79,8 @@ class StreamMeasurement {
             String address = "127.0.0.1:" + studio.getPort();
             write(
                     socket,
-                    ("GET /live?" + studio.getQuery() + " HTTP/1.1\r\nHost: " + address + "\r\nOrigin: http://" + address
+                    ("GET /live?" + studio.getQuery() + " HTTP/1.1\r\nHost: " + address + "\r\nOrigin: http://"
+                                    + address
                                     + "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
                                     + extension + "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n")
                             .getBytes(StandardCharsets.US_ASCII));
@@ -95,7 +96,7 @@ class StreamMeasurement {
 
     private static void skipHead(DataInputStream in) throws IOException {
         for (int last = 0; last != 0x0d0a0d0a; ) {
-            last = last << 8 | in.readUnsignedByte();
+            last = (last << 8) | in.readUnsignedByte();
         }
     }
 
@@ -136,7 +137,11 @@ class StreamMeasurement {
                 send(link, "(scene rsg/agent/nao/nao.rsg)");
                 MessageBuffer percepts = new MessageBuffer();
                 for (int cycle = 0; link.receive(percepts); cycle++) {
-                    send(link, cycle == 0 ? "(init (unum " + (index % 11 + 1) + ")(teamname " + team(index) + "))" : act(index, cycle));
+                    send(
+                            link,
+                            cycle == 0
+                                    ? "(init (unum " + (index % 11 + 1) + ")(teamname " + team(index) + "))"
+                                    : act(index, cycle));
                 }
             } catch (IOException matchIsOver) {
                 // Nobody is left to play with.

@@ -65,7 +65,8 @@ public final class ReplayRoom extends Handler.Abstract {
     @Override
     public boolean handle(Request request, Response response, Callback callback) throws Exception {
         String path = Request.getPathInContext(request);
-        Optional<String> kind = Stream.of(LIST, LOG, NOTES, MODELS).filter(path::startsWith).findFirst();
+        Optional<String> kind =
+                Stream.of(LIST, LOG, NOTES, MODELS).filter(path::startsWith).findFirst();
         if (!request.getMethod().equals("GET") || kind.isEmpty()) {
             return false;
         }
@@ -74,7 +75,8 @@ public final class ReplayRoom extends Handler.Abstract {
             send(response, callback, 200, "application/json", ByteBuffer.wrap(json));
             return true;
         }
-        String name = path.substring(kind.get().equals(LIST) ? LIST.length() + 1 : kind.get().length());
+        String name = path.substring(
+                kind.get().equals(LIST) ? LIST.length() + 1 : kind.get().length());
         Optional<Path> file = find(URLDecoder.decode(name, StandardCharsets.UTF_8));
         if (file.isEmpty()) {
             byte[] text = "There is no such recording any more. Choose another one.".getBytes(StandardCharsets.UTF_8);

@@ -61,7 +61,10 @@ public final class RunNotes {
             line.addProperty("seconds", message.seconds());
             line.addProperty("robot", (message.team() + " " + message.number()).strip());
             line.addProperty("level", entry.level());
-            line.addProperty("text", entry.text().substring(0, Math.min(MOST_LETTERS, entry.text().length())));
+            line.addProperty(
+                    "text",
+                    entry.text()
+                            .substring(0, Math.min(MOST_LETTERS, entry.text().length())));
             Files.write(file.get(), List.of(line.toString()), StandardOpenOption.CREATE, StandardOpenOption.APPEND);
             count++;
         }

@@ -83,7 +83,8 @@ record SceneFolder(Path folder) {
         try {
             Files.move(from, to, StandardCopyOption.REPLACE_EXISTING);
         } catch (NoSuchFileException gone) {
-            throw new IllegalArgumentException("There is no scene \"" + name + "\" any more. Load the page again.", gone);
+            throw new IllegalArgumentException(
+                    "There is no scene \"" + name + "\" any more. Load the page again.", gone);
         }
     }
 

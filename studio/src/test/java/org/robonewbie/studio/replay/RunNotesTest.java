@@ -44,7 +44,9 @@ class RunNotesTest {
                 .containsExactly(
                         "{\"seconds\":1.5,\"robot\":\"Blue 4\",\"level\":\"WARNING\",\"text\":\"two\\nlines\"}",
                         "{\"seconds\":1.5,\"robot\":\"Blue 4\",\"level\":\"INFO\",\"text\":\"more\"}");
-        assertThat(RunNotes.read(folder.resolve("today.rec"))).as("when the run has ended").hasLineCount(2);
+        assertThat(RunNotes.read(folder.resolve("today.rec")))
+                .as("when the run has ended")
+                .hasLineCount(2);
     }
 
     @Test

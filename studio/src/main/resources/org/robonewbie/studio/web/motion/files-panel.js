@@ -18,7 +18,9 @@ export function filesPanel(place, editor, run, orders) {
   const library = element('ul', { class: 'list', id: 'library-motions' });
   const postures = element('div', { class: 'postures' });
   const folder = element('p', { class: 'faint folder' });
-  const importing = orders.find(({ id }) => id === 'import');
+  const order = orders.find(({ id }) => id === 'import');
+  const importing = button(order?.name ?? '', order?.hint ?? '', () => order?.act());
+  importing.id = 'import';
   const keep = button('Keep this posture…', 'Remember the posture under a name', () => run(keepPosture(editor)));
   keep.id = 'keep-posture';
   const create = button('+ New', 'A new motion that begins with standing', () => run(editor.create()));
@@ -27,7 +29,7 @@ export function filesPanel(place, editor, run, orders) {
     element('div', { class: 'list-head' }, element('h2', {}, 'Your motions'), create),
     own,
     folder,
-    button(importing?.name ?? '', importing?.hint ?? '', () => importing?.act()),
+    importing,
     element('h2', {}, 'Library'),
     library,
     element('h2', {}, 'Postures'),
