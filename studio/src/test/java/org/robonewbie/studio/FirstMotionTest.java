@@ -42,6 +42,7 @@ class FirstMotionTest {
                         simulation, 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()))) {
             browser.visit(studio.address() + "&quality=lowest");
             press("Motion");
+            browser.await("studio.motion && " + STATE + ".name === 'wave' && !studio.motion.stale");
             press("+ New");
             browser.await(FRAMES + ".length === 1 && !studio.motion.stale");
             dragTheArm(-70);

@@ -309,7 +309,7 @@ class StudioPageTest {
         browser.click("#shadows");
         browser.await("studio.view.renderer.shadowMap.enabled && studio.view.drawCalls > " + calls);
 
-        assertThat(calls).isBetween(20, 60);
+        assertThat(calls).isBetween(6, 20);
         assertThat(browser.evaluate("studio.view.drawCalls").getAsInt()).isLessThanOrEqualTo(100);
     }
 
