@@ -34,6 +34,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie grade arm-by-side --start      write ArmBySide.java, the program to begin with",
             "  robonewbie grade arm-by-side ArmBySide.java",
             "  robonewbie grade 3 ArmBySide.java --seeds 10 --json grade.json",
+            "  robonewbie grade kick Kick.java --watch     and look at the first trial in the studio",
             "  robonewbie grade kick Kick.java --record kick.rec   then: robonewbie studio kick.rec",
             "",
             "Exit code: 0 passed, 1 not yet passed, 2 called wrongly."
@@ -71,6 +72,12 @@ final class GradeCommand implements Callable<Integer> {
     @Option(names = "--record", paramLabel = "FILE", description = "Record the first trial, to be seen in the studio.")
     private Optional<Path> recording = Optional.empty();
 
+    @Option(names = "--watch", description = "Show the first trial in the studio afterwards, as it was judged.")
+    private boolean watched;
+
+    @Option(names = "--no-browser", description = "With --watch: print the studio's address and open no browser.")
+    private boolean withoutBrowser;
+
     @Option(
             names = {"-cp", "--class-path"},
             paramLabel = "PATH",
@@ -97,8 +104,24 @@ final class GradeCommand implements Callable<Integer> {
         if (inside.isPresent()) {
             return gradeHere(exercise, program, inside.get());
         }
+        if (watched && recording.isEmpty()) {
+            recording = Optional.of(Files.createTempDirectory("robonewbie-grade").resolve(exercise.name() + ".rec"));
+        }
         GradingProcess process = new GradingProcess(exercise, program, seeds, classPath, recording);
-        return process.run().map(this::tell).orElseGet(process::exitCode);
+        int exitCode = process.run().map(this::tell).orElseGet(process::exitCode);
+        if (watched) {
+            recording.filter(Files::isRegularFile).ifPresent(this::show);
+        }
+        return exitCode;
+    }
+
+    /** Opens the studio, which stays until it is ended. */
+    private void show(Path file) {
+        List<String> words = new ArrayList<>(List.of(StudioCommand.NAME, file.toString(), "--agent-port", "0"));
+        if (withoutBrowser) {
+            words.add("--no-browser");
+        }
+        Main.commandLine().execute(words.toArray(String[]::new));
     }
 
     private int tell(Grade grade) {

@@ -28,8 +28,8 @@ final class GradingProcess {
 
     private static final int MEGABYTES = 512;
     private static final int OUT_OF_MEMORY = 3;
-    private static final int SECONDS_AT_LEAST = 20;
-    private static final int SECONDS_FOR_EACH_SEED = 10;
+    private static final int SECONDS_AT_LEAST = 60;
+    private static final int SECONDS_FOR_EACH_SEED = 20;
 
     private final Exercise exercise;
     private final String program;
@@ -50,7 +50,11 @@ final class GradingProcess {
     Optional<Grade> run() throws IOException {
         Path result = Files.createTempFile("grade", ".json");
         try {
-            Process process = new ProcessBuilder(command(result)).inheritIO().start();
+            Process process = new ProcessBuilder(command(result))
+                    .inheritIO()
+                    .redirectInput(ProcessBuilder.Redirect.PIPE)
+                    .start();
+            process.getOutputStream().close(); // a program that reads from the terminal does not wait for anybody
             boolean ended = waitFor(process);
             process.descendants().forEach(ProcessHandle::destroyForcibly);
             process.destroyForcibly();

@@ -23,7 +23,7 @@ import picocli.CommandLine.Parameters;
 
 /** Opens the studio: with a simulator behind it, attached to a server that runs elsewhere, or with a file. */
 @Command(
-        name = "studio",
+        name = StudioCommand.NAME,
         description = {
             "Start the studio in the browser. Without a server to watch it has a simulator of its own, which waits for agents on"
                     + " the beginners' pitch.",
@@ -39,6 +39,8 @@ import picocli.CommandLine.Parameters;
             "  robonewbie studio motions/wave.txt    shape a motion"
         })
 final class StudioCommand implements Callable<Integer> {
+
+    static final String NAME = "studio";
 
     @Mixin
     final HelpOption help = new HelpOption();

@@ -2,9 +2,13 @@ package org.robonewbie.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.exercises.Grade;
@@ -53,6 +57,38 @@ class GradeCommandTest {
         assertThat(printed.exitCode()).as(printed.out()).isZero();
         assertThat(printed.out()).contains("01-raise-arms PASSED: 10.0 of 10 points");
         assertThat(Grade.ofJson(Files.readString(json)).passed()).isTrue();
+    }
+
+    @Test
+    void firstTrialIsShownInTheStudioAfterTheGrade() throws IOException {
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        Main.class.getName(),
+                        "grade",
+                        "raise-arms",
+                        program(SOLUTION),
+                        "--seeds",
+                        "1",
+                        "--watch",
+                        "--no-browser")
+                .redirectErrorStream(true)
+                .start();
+
+        try (BufferedReader lines = process.inputReader(StandardCharsets.UTF_8)) {
+            List<String> read = new ArrayList<>();
+            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                read.add(line);
+                if (line.startsWith("Studio: ")) {
+                    break;
+                }
+            }
+            assertThat(read).anyMatch(line -> line.contains("01-raise-arms PASSED"));
+            assertThat(read.get(read.size() - 1)).contains("#replay/raise-arms");
+        } finally {
+            process.destroyForcibly();
+        }
     }
 
     @Test

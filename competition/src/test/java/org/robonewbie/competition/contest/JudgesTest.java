@@ -67,7 +67,7 @@ class JudgesTest {
         watch(judge, robotAt(-4 + 2.5, 0.1, 90), FAR_AWAY);
 
         assertThat(judge.figures("Red")).containsOnlyKeys("wayMetres");
-        assertThat(judge.figures("Red").get("wayMetres")).isCloseTo(1.5, offset(1e-6));
+        assertThat(figure(judge, "wayMetres")).isCloseTo(1.5, offset(1e-6));
     }
 
     @Test
@@ -78,7 +78,7 @@ class JudgesTest {
         watch(judge, robotAt(0.8, STANDING, 0), new Vector3(4, 0, 0.04));
         watch(judge, robotAt(0.8, STANDING, 0), new Vector3(3.5, 0, 0.04));
 
-        assertThat(judge.figures("Red").get("kickMetres")).isEqualTo(3);
+        assertThat(figure(judge, "kickMetres")).isEqualTo(3);
     }
 
     @Test
@@ -98,7 +98,7 @@ class JudgesTest {
 
         watch(judge, robotAt(0, STANDING, 0), new Vector3(5, 0, 0.04));
         watch(judge, robotAt(0, STANDING, 0), new Vector3(-2, 0, 0.04));
-        double nearest = judge.figures("Red").get("ballMetres");
+        double nearest = figure(judge, "ballMetres");
         boolean over = watch(judge, PlayMode.GOAL_LEFT, 1, robotAt(0, STANDING, 0), Vector3.ZERO);
 
         assertThat(nearest).isEqualTo(1);
@@ -125,11 +125,11 @@ class JudgesTest {
         for (int i = 0; i < 49; i++) {
             watch(judge, robotAt(-2, 0.33, 40), FAR_AWAY);
         }
-        double tooShort = judge.figures("Red").get("elements");
+        double tooShort = figure(judge, "elements");
         watch(judge, robotAt(-2, 0.33, 40), FAR_AWAY);
 
         assertThat(tooShort).isZero();
-        assertThat(judge.figures("Red").get("elements")).isEqualTo(1);
+        assertThat(figure(judge, "elements")).isEqualTo(1);
     }
 
     @Test
@@ -139,7 +139,7 @@ class JudgesTest {
         for (int i = 0; i < 60; i++) {
             watch(judge, robotAt(-2, STANDING, 0), FAR_AWAY);
         }
-        double standingOnly = judge.figures("Red").get("elements");
+        double standingOnly = figure(judge, "elements");
         for (int i = 0; i < 60; i++) {
             watch(judge, robotAt(-2, 0.1, 90), FAR_AWAY);
         }
@@ -148,7 +148,11 @@ class JudgesTest {
         }
 
         assertThat(standingOnly).isZero();
-        assertThat(judge.figures("Red").get("elements")).isEqualTo(1);
+        assertThat(figure(judge, "elements")).isEqualTo(1);
+    }
+
+    private static double figure(Judge judge, String name) {
+        return judge.figures("Red").getOrDefault(name, Double.NaN);
     }
 
     private static Conditions conditions() {
