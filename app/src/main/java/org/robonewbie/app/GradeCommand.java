@@ -105,7 +105,8 @@ final class GradeCommand implements Callable<Integer> {
             return gradeHere(exercise, program, inside.get());
         }
         if (watched && recording.isEmpty()) {
-            recording = Optional.of(Files.createTempDirectory("robonewbie-grade").resolve(exercise.name() + ".rec"));
+            recording =
+                    Optional.of(Files.createTempDirectory("robonewbie-grade").resolve(exercise.name() + ".rec"));
         }
         GradingProcess process = new GradingProcess(exercise, program, seeds, classPath, recording);
         int exitCode = process.run().map(this::tell).orElseGet(process::exitCode);
