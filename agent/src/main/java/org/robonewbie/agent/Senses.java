@@ -35,8 +35,8 @@ final class Senses {
     private final MessageBuffer buffer = new MessageBuffer();
     private PerceptorMessage message = NOTHING;
     private double seconds;
-    private Vector3 rawGyro = Vector3.ZERO;
-    private Vector3 rawAcceleration = new Vector3(0, 0, 9.81);
+    private Vector3 gyro = Vector3.ZERO;
+    private Vector3 acceleration = new Vector3(0, 0, 9.81);
     private PlayMode playMode = PlayMode.BEFORE_KICK_OFF;
     private double playSeconds;
     private int leftScore;
@@ -49,12 +49,17 @@ final class Senses {
     void accept(PerceptorMessage newMessage) {
         message = newMessage;
         seconds = newMessage.seconds().orElse(seconds);
-        newMessage.gyro().filter(Senses::isFinite).ifPresent(reading -> rawGyro = reading);
-        newMessage.accelerometer().filter(Senses::isFinite).ifPresent(reading -> {
-            rawAcceleration = reading;
-            falls.feel(acceleration());
-        });
-        newMessage.gameState().ifPresent(this::accept);
+        if (newMessage.gyro().isPresent() && isFinite(newMessage.gyro().get())) {
+            gyro = toBodyFrame(newMessage.gyro().get());
+        }
+        if (newMessage.accelerometer().isPresent()
+                && isFinite(newMessage.accelerometer().get())) {
+            acceleration = toBodyFrame(newMessage.accelerometer().get());
+            falls.feel(acceleration);
+        }
+        if (newMessage.gameState().isPresent()) {
+            accept(newMessage.gameState().get());
+        }
     }
 
     private void accept(GameState state) {
@@ -100,11 +105,11 @@ final class Senses {
     }
 
     Vector3 gyro() {
-        return toBodyFrame(rawGyro);
+        return gyro;
     }
 
     Vector3 acceleration() {
-        return toBodyFrame(rawAcceleration);
+        return acceleration;
     }
 
     FootPressure leftFoot() {

@@ -71,7 +71,9 @@ final class Session implements AutoCloseable {
     private boolean receive() {
         try {
             Optional<PerceptorMessage> message = port.receive();
-            message.ifPresent(this::perceive);
+            if (message.isPresent()) {
+                perceive(message.get());
+            }
             return message.isPresent();
         } catch (IOException failure) {
             report(failure);

@@ -22,6 +22,7 @@ final class AgentMeasurement {
     private static final String LINE = "%-24s %6s %9s %8s  %s";
 
     private final int trials;
+    private final long firstSeed;
     private final PrintStream out;
 
     /** One agent's task; a trial tells how many simulated seconds it needed, or nothing if it failed. */
@@ -55,24 +56,26 @@ final class AgentMeasurement {
         }
     }
 
-    AgentMeasurement(int trials, PrintStream out) {
+    AgentMeasurement(int trials, long firstSeed, PrintStream out) {
         this.trials = trials;
+        this.firstSeed = firstSeed;
         this.out = out;
     }
 
-    /** Plays all trials, prints the table, and writes it to a file if there is one. */
-    void run(Optional<Path> json) throws IOException {
-        List<Result> results = measure(tasks());
+    /**
+     * Plays all trials of the agents that have a part of a name in theirs, prints the table, and writes it to a file if there
+     * is one.
+     */
+    void run(String part, Optional<Path> json) throws IOException {
+        List<Task> chosen =
+                tasks().stream().filter(task -> task.name.contains(part)).toList();
+        if (chosen.isEmpty()) {
+            throw new IllegalArgumentException("No measured agent's name has \"" + part + "\" in it.");
+        }
+        List<Result> results = measure(chosen);
         if (json.isPresent()) {
             write(json.get(), results);
         }
-    }
-
-    /** Plays the trials of some agents only. */
-    void runOnly(String... names) {
-        measure(tasks().stream()
-                .filter(task -> List.of(names).contains(task.name))
-                .toList());
     }
 
     private List<Result> measure(List<Task> tasks) {
@@ -100,11 +103,11 @@ final class AgentMeasurement {
 
     private Result measure(Task task) {
         List<Double> seconds = new ArrayList<>();
-        for (long seed = 1; seed <= trials; seed++) {
-            OptionalDouble needed = quietly(task, seed);
+        for (int trial = 1; trial <= trials; trial++) {
+            OptionalDouble needed = quietly(task, firstSeed + trial - 1);
             needed.ifPresent(seconds::add);
             String result = needed.isPresent() ? String.format(Locale.ROOT, "%.1f s", needed.getAsDouble()) : "failed";
-            out.println(task.name + " " + seed + "/" + trials + ": " + result);
+            out.println(task.name + " " + trial + "/" + trials + ": " + result);
         }
         return new Result(task, trials, seconds);
     }

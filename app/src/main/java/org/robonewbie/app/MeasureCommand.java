@@ -25,7 +25,7 @@ import picocli.CommandLine.Parameters;
             "Examples:",
             "  robonewbie measure motions                20 trials of each motion",
             "  robonewbie measure motions --seeds 3      a quick look",
-            "  robonewbie measure motions --json result.json",
+            "  robonewbie measure motions --first-seed 1000 --json result.json",
             "  robonewbie measure agents                 20 games of each example agent",
             "  robonewbie measure server                 11 against 11 for 10 minutes on the clock",
             "  robonewbie measure server --fast --matches 3"
@@ -52,15 +52,15 @@ final class MeasureCommand implements Callable<Integer> {
     @Option(
             names = "--first-seed",
             paramLabel = "N",
-            defaultValue = "0",
-            description = "motions: seed of the first trial; another one disturbs in other ways (default: 0).")
+            defaultValue = "1",
+            description = "motions, agents: seed of the first trial; another one disturbs in other ways (default: 1).")
     private long firstSeed;
 
     @Option(
             names = "--only",
             paramLabel = "PART",
             defaultValue = "",
-            description = "motions: only those whose name has this in it, such as kick.")
+            description = "motions, agents: only those whose name has this in it, such as kick.")
     private String part = "";
 
     @Option(names = "--json", paramLabel = "FILE", description = "motions, agents: write the results as JSON too.")
@@ -85,19 +85,19 @@ final class MeasureCommand implements Callable<Integer> {
         if (seeds < 1) {
             throw new CalledWronglyException("--seeds " + seeds + ": give a number of trials of at least 1.");
         }
-        if (subject.equals(AGENTS)) {
-            new AgentMeasurement(seeds, System.out).run(json);
-        } else {
-            measureMotions();
+        try {
+            measureTrials();
+        } catch (IllegalArgumentException wrong) {
+            throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         }
         return ExitCode.OK;
     }
 
-    private void measureMotions() throws IOException {
-        try {
+    private void measureTrials() throws IOException {
+        if (subject.equals(AGENTS)) {
+            new AgentMeasurement(seeds, firstSeed, System.out).run(part, json);
+        } else {
             new MotionMeasurement(seeds, firstSeed, part, System.out).run(json);
-        } catch (IllegalArgumentException wrong) {
-            throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         }
     }
 }

@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 
@@ -31,11 +33,12 @@ class MeasureCommandTest {
     }
 
     @Test
-    void letsTheExampleAgentsPlayAndPrintsHowWellTheyDo() {
+    void letsTheExampleAgentsPlayAndPrintsHowWellTheyDo() throws IOException {
         ByteArrayOutputStream printed = new ByteArrayOutputStream();
-        AgentMeasurement measurement = new AgentMeasurement(1, new PrintStream(printed, true, StandardCharsets.UTF_8));
+        AgentMeasurement measurement = new AgentMeasurement(1, 1, new PrintStream(printed, true, StandardCharsets.UTF_8));
 
-        measurement.runOnly("Agent_BetterSoccer", "Agent_SimpleWalkToBall");
+        measurement.run("BetterSoccer", Optional.empty());
+        measurement.run("WalkToBall", Optional.empty());
 
         assertThat(printed.toString(StandardCharsets.UTF_8))
                 .containsPattern("Agent_SimpleWalkToBall +1 +1 +[0-9.]+ s")

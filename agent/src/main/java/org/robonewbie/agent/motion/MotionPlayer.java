@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.Keyframe;
@@ -41,6 +42,8 @@ public final class MotionPlayer {
     private final int[] keyframeEnds;
     private Posture start = Posture.ZERO;
     private Optional<PostureFollower> follower = Optional.empty();
+    private ToDoubleFunction<Joint> plan = joint -> 0;
+    private double fraction;
     private int cycle;
     private int keyframe;
     private boolean looping;
@@ -130,7 +133,9 @@ public final class MotionPlayer {
         while (cycle > keyframeEnds[keyframe]) {
             keyframe++;
         }
-        follower.ifPresent(this::drive);
+        if (follower.isPresent()) {
+            drive(follower.get());
+        }
     }
 
     /** Stops all joints that belong to the motion. */
@@ -189,11 +194,13 @@ public final class MotionPlayer {
     }
 
     private void drive(PostureFollower leader) {
-        MotionSection section = new MotionSection(start, motion, keyframe);
         int before = keyframe == 0 ? 0 : keyframeEnds[keyframe - 1];
-        double fraction = (double) (cycle - before) / cyclesOf(keyframe);
-        double correction = cycle == lengthInCycles() ? 1 : PostureFollower.CORRECTION;
-        leader.follow(joint -> interpolation.degrees(section, joint, fraction), correction);
+        if (cycle == before + 1) {
+            MotionSection section = new MotionSection(start, motion, keyframe);
+            plan = joint -> interpolation.degrees(section, joint, fraction);
+        }
+        fraction = (double) (cycle - before) / cyclesOf(keyframe);
+        leader.follow(plan, cycle == lengthInCycles() ? 1 : PostureFollower.CORRECTION);
     }
 
     private int cyclesOf(int index) {

@@ -14,8 +14,8 @@ final class MotionStates {
     private static final String STANDING = "standing";
     private static final String STANCE = "stance";
     private static final String LYING = "lying";
-    /** Motions that lead back to the stance, the most careful one first. */
-    private static final List<String> WAYS_BACK = List.of("stop-walking", "stand");
+    /** Motions that lead from one state to another, the most careful one first. */
+    static final List<String> BRIDGES = List.of("stop-walking", "stand", "start-walking");
 
     private String state = STANDING;
     private String lastMotion = "";
@@ -28,17 +28,26 @@ final class MotionStates {
 
     /** A motion goes on to its end. */
     void ended(MotionFile file) {
-        state = file.property("end").map(MotionStates::firstWord).orElse(STANDING);
+        state = endOf(file);
         lastMotion = nameOf(file);
     }
 
-    /** Lists the names of the motions of which one might lead to the start of a motion; empty if it can start at once. */
-    List<String> waysTo(MotionFile file) {
-        return canStart(file) ? List.of() : WAYS_BACK;
+    /** Tells whether the robot will be in the stance. */
+    boolean isStance() {
+        return state.equals(STANCE);
     }
 
     /** Tells whether a motion can start now. Without a word about it, it starts whenever the robot stands still. */
     boolean canStart(MotionFile file) {
+        return canStart(file, state, lastMotion);
+    }
+
+    /** Tells whether a motion can start as soon as another one has ended. */
+    static boolean canStartAfter(MotionFile before, MotionFile file) {
+        return canStart(file, endOf(before), nameOf(before));
+    }
+
+    private static boolean canStart(MotionFile file, String state, String lastMotion) {
         String starts = file.property("start").orElse(STANDING + ", " + STANCE);
         for (String start : starts.split(",| or ", -1)) {
             String wanted = start.trim();
@@ -56,8 +65,8 @@ final class MotionStates {
         return file.property("start").filter(start -> !start.startsWith(LYING)).isPresent();
     }
 
-    private static String firstWord(String end) {
-        return end.split(",", 2)[0].trim();
+    private static String endOf(MotionFile file) {
+        return file.property("end").map(end -> end.split(",", 2)[0].trim()).orElse(STANDING);
     }
 
     private static String nameOf(MotionFile file) {

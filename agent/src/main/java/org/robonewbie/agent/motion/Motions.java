@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.agent.perception.BodyPosition;
@@ -19,7 +21,8 @@ import org.robonewbie.nao.motion.MotionFormatException;
 
 /**
  * Plays motions by name, one after the other. A motion that has started runs to its end; another one can start when {@link
- * #isFinished}. It begins from wherever the robot is; where it would begin in the middle of a step, the robot first stops.
+ * #isFinished}. It begins from wherever the robot is; where it would begin in the middle of a step, the robot first stops, and
+ * before a walk it makes a first step.
  *
  * <pre>{@code
  * if (motions.isFinished()) {
@@ -35,6 +38,9 @@ import org.robonewbie.nao.motion.MotionFormatException;
  * <p>A joint that you command while a motion runs is yours until the next motion starts.
  */
 public final class Motions {
+
+    /** From any state to the stance, and from there to a walk. */
+    private static final int MOST_BRIDGES = 2;
 
     private final Motors motors;
     private final MotionLibrary library;
@@ -164,7 +170,7 @@ public final class Motions {
      * @return whether the last motion has run to its end, or none was started
      */
     public boolean isFinished() {
-        return queue.isEmpty() && player.map(MotionPlayer::isFinished).orElse(true);
+        return queue.isEmpty() && (player.isEmpty() || player.get().isFinished());
     }
 
     /**
@@ -222,7 +228,7 @@ public final class Motions {
             player = Optional.empty();
         }
         if (looping && player.isPresent() && playing.filter(this::hasToGetUpFor).isPresent()) {
-            playing.ifPresent(queue::addFirst);
+            playing.ifPresent(this::prepare);
             player = Optional.empty();
         }
         if (player.isEmpty() && !queue.isEmpty()) {
@@ -230,7 +236,9 @@ public final class Motions {
         } else if (player.isEmpty()) {
             MotionPlayer.stop(motors);
         }
-        player.ifPresent(playing -> playing.step(motors));
+        if (player.isPresent()) {
+            player.get().step(motors);
+        }
     }
 
     private MotionFile next() {
@@ -245,18 +253,39 @@ public final class Motions {
     }
 
     private boolean prepare(MotionFile file) {
-        if (!bodyPosition.get().isFallen()) {
-            for (String way : states.waysTo(file)) {
-                Optional<MotionFile> bridge = load(way).filter(states::canStart);
-                if (bridge.isPresent() && !way.equals(file.motion().name())) {
-                    queue.add(bridge.get());
-                    break;
-                }
-            }
+        boolean lying = bodyPosition.get().isFallen();
+        if (hasToGetUpFor(file)) {
+            load(wayUp()).ifPresent(states::ended); // it will be played first
+            lying = false;
         }
+        if (!lying) {
+            bridgeTo(file);
+        }
+        prepareNow(file);
+        return true;
+    }
+
+    private void prepareNow(MotionFile file) {
         queue.add(file);
         states.ended(file);
-        return true;
+    }
+
+    /** Leads to the start of a motion: directly if one bridge does it, otherwise by way of the stance. */
+    private void bridgeTo(MotionFile file) {
+        for (int i = 0; i < MOST_BRIDGES && !states.canStart(file); i++) {
+            List<MotionFile> possible = bridges(file).filter(states::canStart).toList();
+            possible.stream()
+                    .filter(bridge -> MotionStates.canStartAfter(bridge, file))
+                    .findFirst()
+                    .or(() -> states.isStance() ? Optional.empty() : possible.stream().findFirst())
+                    .ifPresent(this::prepareNow);
+        }
+    }
+
+    private Stream<MotionFile> bridges(MotionFile file) {
+        return MotionStates.BRIDGES.stream()
+                .filter(name -> !name.equals(file.motion().name()))
+                .flatMap(name -> load(name).stream());
     }
 
     private void begin(MotionFile file) {

@@ -3,6 +3,7 @@ package org.robonewbie.agent.perception;
 import java.util.Locale;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.perceptor.PolarPosition;
 
 /**
  * Something on the field as the robot remembers it: seen now, some time ago, or never. The object stays the same and changes
@@ -18,16 +19,30 @@ import org.robonewbie.nao.Vector3;
  */
 public class FieldItem {
 
+    private static final Direction NOWHERE = new Direction(Double.POSITIVE_INFINITY, 0, 0);
+
     private final String name;
     private final Vision vision;
     private final Mistakes mistakes;
     private double seenSeconds = Double.NEGATIVE_INFINITY;
-    private Direction direction = new Direction(Double.POSITIVE_INFINITY, 0, 0);
+    private PolarPosition sighting = new PolarPosition(0, 0, 0);
+    private double yawDegrees;
+    private double pitchDegrees;
+    private CameraTransformation transformation = CameraTransformation.SUM_OF_ANGLES;
+    private Direction direction = NOWHERE;
+    private boolean directionIsOld;
 
-    /** When the camera took its last picture and what time it is. */
+    /** When and how the camera took its last picture, and what time it is. */
     static final class Vision {
         double nowSeconds;
         double pictureSeconds = Double.NEGATIVE_INFINITY;
+        double yawDegrees;
+        double pitchDegrees;
+        CameraTransformation transformation = CameraTransformation.SUM_OF_ANGLES;
+
+        Direction facingForward(PolarPosition seen) {
+            return FieldItem.facingForward(seen, yawDegrees, pitchDegrees, transformation);
+        }
     }
 
     FieldItem(String name, Vision vision, Mistakes mistakes) {
@@ -36,14 +51,42 @@ public class FieldItem {
         this.mistakes = mistakes;
     }
 
-    void see(Direction newDirection) {
+    /** Keeps what the camera sees; the direction is calculated when somebody asks, since of most things nobody does. */
+    void see(PolarPosition newSighting) {
+        sighting = newSighting;
+        yawDegrees = vision.yawDegrees;
+        pitchDegrees = vision.pitchDegrees;
+        transformation = vision.transformation;
+        see();
+    }
+
+    void see() {
         seenSeconds = vision.pictureSeconds;
-        direction = newDirection;
+        directionIsOld = true;
     }
 
     void forget() {
         seenSeconds = Double.NEGATIVE_INFINITY;
-        direction = new Direction(Double.POSITIVE_INFINITY, 0, 0);
+        direction = NOWHERE;
+        directionIsOld = false;
+    }
+
+    private Direction direction() {
+        if (directionIsOld) {
+            direction = calculatedDirection();
+            directionIsOld = false;
+        }
+        return direction;
+    }
+
+    Direction calculatedDirection() {
+        return facingForward(sighting, yawDegrees, pitchDegrees, transformation);
+    }
+
+    private static Direction facingForward(
+            PolarPosition seen, double yawDegrees, double pitchDegrees, CameraTransformation transformation) {
+        Direction direction = new Direction(seen.distanceMetres(), seen.horizontalDegrees(), seen.verticalDegrees());
+        return transformation.toFacingForward(direction, yawDegrees, pitchDegrees);
     }
 
     /**
@@ -88,7 +131,7 @@ public class FieldItem {
      * @return metres from the centre of the head; infinite if it was never seen
      */
     public final double distance() {
-        return direction.distance();
+        return direction().distance();
     }
 
     /**
@@ -98,7 +141,7 @@ public class FieldItem {
      */
     public final double bearing() {
         checkKnown("bearing");
-        return direction.bearing();
+        return direction().bearing();
     }
 
     /**
@@ -108,7 +151,7 @@ public class FieldItem {
      */
     public final double elevation() {
         checkKnown("elevation");
-        return direction.elevation();
+        return direction().elevation();
     }
 
     /**
@@ -118,7 +161,7 @@ public class FieldItem {
      */
     public final Vector3 position() {
         checkKnown("position");
-        return isKnown() ? direction.toPoint() : Vector3.ZERO;
+        return isKnown() ? direction().toPoint() : Vector3.ZERO;
     }
 
     private void checkKnown(String question) {
@@ -133,7 +176,7 @@ public class FieldItem {
     @Override
     public String toString() {
         return isKnown()
-                ? String.format(Locale.ROOT, "%s %s, %.2f s ago", name, direction, ageSeconds())
+                ? String.format(Locale.ROOT, "%s %s, %.2f s ago", name, direction(), ageSeconds())
                 : name + " never seen";
     }
 }

@@ -7,7 +7,6 @@ import java.util.Map;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.TeamSide;
-import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.perceptor.PolarPosition;
 import org.robonewbie.protocol.perceptor.Vision;
 import org.robonewbie.protocol.perceptor.Vision.SeenBodyPart;
@@ -37,12 +36,9 @@ public final class LocalFieldView {
     private final List<PlayerItem> players = new ArrayList<>();
     private List<SeenLine> seenLines = List.of();
     private List<LineItem> lines = List.of();
-    private CameraTransformation transformation = CameraTransformation.SUM_OF_ANGLES;
     private String team = "";
     private int number;
     private TeamSide side = TeamSide.LEFT;
-    private double yawDegrees;
-    private double pitchDegrees;
 
     /**
      * Creates a view without memories; the framework does this for each robot.
@@ -63,7 +59,7 @@ public final class LocalFieldView {
      * @param transformation such as {@link CameraTransformation#KINEMATICS}
      */
     public void setTransformation(CameraTransformation transformation) {
-        this.transformation = transformation;
+        vision.transformation = transformation;
     }
 
     /**
@@ -101,9 +97,11 @@ public final class LocalFieldView {
      */
     public void see(Vision picture, double neckYawDegrees, double neckPitchDegrees) {
         vision.pictureSeconds = vision.nowSeconds;
-        yawDegrees = neckYawDegrees;
-        pitchDegrees = neckPitchDegrees;
-        picture.ball().ifPresent(position -> see(ball, position));
+        vision.yawDegrees = neckYawDegrees;
+        vision.pitchDegrees = neckPitchDegrees;
+        if (picture.ball().isPresent()) {
+            see(ball, picture.ball().get());
+        }
         for (SeenLandmark seen : picture.landmarks()) {
             see(landmark(seen.landmark()), seen.position());
         }
@@ -234,23 +232,16 @@ public final class LocalFieldView {
 
     private void see(SeenPlayer seen) {
         PlayerItem player = playerOf(seen);
-        double x = 0;
-        double y = 0;
-        double z = 0;
-        int count = 0;
-        for (SeenBodyPart part : seen.parts()) {
-            if (see(player.part(part.part()), part.position())) {
-                Vector3 place = player.part(part.part()).position();
-                x += place.x();
-                y += place.y();
-                z += place.z();
-                count++;
-            }
+        boolean hasParts = false;
+        List<SeenBodyPart> parts = seen.parts();
+        for (int i = 0; i < parts.size(); i++) { // an iterator for each player would be garbage
+            SeenBodyPart part = parts.get(i);
+            hasParts |= see(player.part(part.part()), part.position());
         }
-        if (count > 0) {
-            player.see(Direction.of(new Vector3(x / count, y / count, z / count)));
-        } else {
-            seen.position().ifPresent(position -> see(player, position));
+        if (hasParts) {
+            player.see();
+        } else if (seen.position().isPresent()) {
+            see(player, seen.position().get());
         }
         if (player.isKnown() && !players.contains(player)) {
             players.add(player);
@@ -258,7 +249,8 @@ public final class LocalFieldView {
     }
 
     private PlayerItem playerOf(SeenPlayer seen) {
-        for (PlayerItem player : players) {
+        for (int i = 0; i < players.size(); i++) {
+            PlayerItem player = players.get(i);
             if (player.number() == seen.number() && player.team().equals(seen.team())) {
                 return player;
             }
@@ -275,7 +267,7 @@ public final class LocalFieldView {
         List<LineItem> items = new ArrayList<>(seen.size());
         for (SeenLine line : seen) {
             if (isFinite(line.start()) && isFinite(line.end())) {
-                items.add(new LineItem(facingForward(line.start()), facingForward(line.end())));
+                items.add(new LineItem(vision.facingForward(line.start()), vision.facingForward(line.end())));
             }
         }
         return List.copyOf(items);
@@ -283,15 +275,10 @@ public final class LocalFieldView {
 
     private boolean see(FieldItem item, PolarPosition position) {
         if (isFinite(position)) {
-            item.see(facingForward(position));
+            item.see(position);
             return true;
         }
         return false;
-    }
-
-    private Direction facingForward(PolarPosition seen) {
-        Direction direction = new Direction(seen.distanceMetres(), seen.horizontalDegrees(), seen.verticalDegrees());
-        return transformation.toFacingForward(direction, yawDegrees, pitchDegrees);
     }
 
     private static boolean isFinite(PolarPosition position) {

@@ -4,6 +4,7 @@ import java.util.EnumMap;
 import java.util.Map;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.nao.BodyPart;
+import org.robonewbie.nao.Vector3;
 
 /**
  * Another robot as this robot remembers it. It is where the middle of its visible parts was; each part can be asked as well.
@@ -23,6 +24,24 @@ public final class PlayerItem extends FieldItem {
         for (BodyPart part : BodyPart.values()) {
             parts.put(part, new FieldItem(part + " of " + team + " " + number, vision, mistakes));
         }
+    }
+
+    @Override
+    Direction calculatedDirection() {
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        int count = 0;
+        for (FieldItem part : parts.values()) {
+            if (part.lastSeenSeconds() == lastSeenSeconds()) {
+                Vector3 place = part.position();
+                x += place.x();
+                y += place.y();
+                z += place.z();
+                count++;
+            }
+        }
+        return count == 0 ? super.calculatedDirection() : Direction.of(new Vector3(x / count, y / count, z / count));
     }
 
     /**

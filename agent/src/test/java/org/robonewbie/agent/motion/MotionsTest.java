@@ -8,6 +8,7 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -135,6 +136,28 @@ class MotionsTest {
     }
 
     @Test
+    void makesAFirstStepBeforeItWalksAndStopsBeforeItTurns() throws IOException {
+        file("walk", "// start: walking\n// end: walking\n100 1" + ZEROS);
+        file("start-walking", "// start: stance\n// end: walking\n100 2" + ZEROS);
+        file("turn", "// start: stance\n// end: stance\n100 3" + ZEROS);
+        file("lie", "// start: lying on back\n// end: stance\n100 4" + ZEROS);
+        Motions motions = motions();
+
+        List<String> played = new ArrayList<>();
+        for (String name : List.of("walk", "walk", "turn", "lie")) {
+            motions.start(name);
+            while (!motions.isFinished()) {
+                cycles(motions, 1);
+                motions.current()
+                        .filter(now -> played.isEmpty() || !now.equals(played.get(played.size() - 1)))
+                        .ifPresent(played::add);
+            }
+        }
+
+        assertThat(played).containsExactly("stand", "start-walking", "walk", "stop-walking", "turn", "lie");
+    }
+
+    @Test
     void choosesTheWayToGetUpByTheSideOnWhichTheRobotLies() throws IOException {
         file("stand-up-from-front", "100 1" + ZEROS);
         Motions motions = motions();
@@ -194,6 +217,26 @@ class MotionsTest {
         cycles(motions, 2);
 
         assertThat(motions.current()).contains("own-way-up");
+    }
+
+    @Test
+    void makesAFirstStepAgainAfterGettingUp() throws IOException {
+        file("stand-up-from-back", "// start: lying on back\n// end: stance\n40 10" + ZEROS);
+        file("start-walking", "// start: stance\n// end: walking\n40 2" + ZEROS);
+        file("walk", "// start: walking\n// end: walking\n40 1" + ZEROS);
+        Motions motions = motions();
+        bodyPosition = BodyPosition.LYING_ON_BACK;
+
+        motions.start("walk");
+        cycles(motions, 1);
+        String first = motions.current().orElse("");
+        bodyPosition = BodyPosition.UPRIGHT;
+        cycles(motions, 2);
+        String second = motions.current().orElse("");
+        cycles(motions, 2);
+
+        assertThat(List.of(first, second)).containsExactly("stand-up-from-back", "start-walking");
+        assertThat(motions.current()).contains("walk");
     }
 
     @Test

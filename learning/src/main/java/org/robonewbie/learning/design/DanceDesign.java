@@ -2,6 +2,7 @@ package org.robonewbie.learning.design;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.robonewbie.agent.walk.FootPlace;
 import org.robonewbie.agent.walk.FootPose;
 import org.robonewbie.agent.walk.Stance;
@@ -12,10 +13,15 @@ import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
-/** A short dance on the spot: the feet stay where they are, and inverse kinematics finds the legs for what the hips do. */
+/**
+ * A short dance on the spot: the feet stay where they are, and inverse kinematics finds the legs for what the hips do. Each beat
+ * begins and ends softly.
+ */
 public final class DanceDesign extends DrawnDesign {
 
-    private static final int BEAT_MILLIS = 400;
+    private static final int BEAT_MILLIS = 560;
+    private static final int SLOW_BEAT_MILLIS = 800;
+    private static final int KEYFRAMES_PER_BEAT = 4;
     private static final double HIGH = 0.345;
     private static final double LOW = 0.305;
     private static final double LEAN_DEGREES = 4;
@@ -27,9 +33,8 @@ public final class DanceDesign extends DrawnDesign {
     /** What the body does in one beat: hips to the left, torso height, twist to the left, arms, head to the left and up. */
     private record Beat(double left, double height, double twist, Arm leftArm, Arm rightArm, double look, double nod) {}
 
-    private static final Arm HANGING = new Arm(-95, 10, -90, -40);
-    private static final Arm RAISED = new Arm(75, 25, 0, -20);
-    private static final Arm ON_HIP = new Arm(-95, 45, 0, -85);
+    private static final Arm RAISED = new Arm(60, 25, 0, -20);
+    private static final Arm ON_HIP = new Arm(-70, 45, 0, -85);
     private static final Arm FORWARD = new Arm(0, 10, 0, -10);
     private static final Arm WIDE = new Arm(10, 85, 0, -10);
     private static final Arm FOLDED = new Arm(-30, 20, -90, -85);
@@ -50,8 +55,7 @@ public final class DanceDesign extends DrawnDesign {
             new Beat(0.03, HIGH, 0, WIDE, ON_HIP, 20, 0),
             new Beat(-0.03, HIGH, 0, ON_HIP, WIDE, -20, 0),
             new Beat(0, LOW, 0, FOLDED, FOLDED, 0, -20),
-            new Beat(0, HIGH, 0, RAISED, RAISED, 0, 25),
-            new Beat(0, HIGH, 0, HANGING, HANGING, 0, 0));
+            new Beat(0, HIGH, 0, RAISED, RAISED, 0, 25));
 
     /** Describes the dance. */
     public DanceDesign() {}
@@ -59,9 +63,34 @@ public final class DanceDesign extends DrawnDesign {
     @Override
     List<DescribedMotion> motions() {
         List<Keyframe> keyframes = new ArrayList<>();
-        BEATS.forEach(beat -> keyframes.add(new Keyframe(BEAT_MILLIS, posture(beat))));
-        keyframes.add(new Keyframe(BEAT_MILLIS, Stance.POSTURE));
+        Posture before = Stance.POSTURE;
+        for (Beat beat : BEATS) {
+            Posture posture = posture(beat);
+            keyframes.addAll(softly(before, posture, keyframes.isEmpty() ? SLOW_BEAT_MILLIS : BEAT_MILLIS));
+            before = posture;
+        }
+        keyframes.addAll(softly(before, Stance.POSTURE, SLOW_BEAT_MILLIS));
         return List.of(new DescribedMotion(new Motion("dance", keyframes), "dances on the spot", "stance", "stance"));
+    }
+
+    private static List<Keyframe> softly(Posture from, Posture to, int millis) {
+        return IntStream.rangeClosed(1, KEYFRAMES_PER_BEAT)
+                .mapToObj(i -> new Keyframe(
+                        millis / KEYFRAMES_PER_BEAT,
+                        Costs.rounded(between(from, to, smooth((double) i / KEYFRAMES_PER_BEAT)))))
+                .toList();
+    }
+
+    private static double smooth(double part) {
+        return part * part * (3 - 2 * part);
+    }
+
+    private static Posture between(Posture from, Posture to, double part) {
+        double[] degrees = from.toArray();
+        for (Joint joint : Joint.values()) {
+            degrees[joint.ordinal()] += part * (to.degrees(joint) - from.degrees(joint));
+        }
+        return Posture.of(degrees);
     }
 
     private static Posture posture(Beat beat) {

@@ -14,7 +14,8 @@ public final class Designs {
     private static final double[] WALK = {
         -0.32, -1.62, 0.87, -0.5, 0.65, -0.39, 1.02, 0.18, 1.26, 0.03, 0.29, -0.99, 1.26, -1.19, 3.3
     };
-    private static final double[] FAST = {-0.9, -1.6, 1.3, 0, 1.2, -0.9, -0.2, 0.3, 1.3, -0.3, -0.4, -1, 0.9, -1.5, 5.8
+    private static final double[] FAST = {
+        -0.51, -1.75, 2.51, 0.42, 2.01, -0.2, -1.82, 0.3, 0.66, -1.01, -2.44, -0.6, 1.63, -0.22, 6.56
     };
     private static final double[] KICK = {
         -0.8, -3.9, -1.3, -3.2, 1.1, -0.1, 0.9, -3.4, 1.4, -3.1, 1.3, -0.7, -2.7, 1.2, -4.9, 3.8, -1.0, 2.6, -0.4, 1.4,
@@ -32,7 +33,7 @@ public final class Designs {
             Map.entry(
                     "walk-forward-fast",
                     () -> new WalkDesign(
-                            "walk-forward-fast", true, 360, 9, 0.36, 180, FAST, new SearchPlan(1, 0.3, 12, 50, 3, 3))),
+                            "walk-forward-fast", true, 320, 8, 0.42, 180, FAST, new SearchPlan(1, 0.1, 12, 24, 5, 3))),
             Map.entry(
                     "turn-left",
                     () -> new FootworkDesign(

@@ -7,25 +7,31 @@ import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.gait.Footsteps;
 import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.learning.trial.Course;
+import org.robonewbie.learning.trial.Library;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 
 /**
- * A walk forward: a cycle of two steps that begins anywhere between the stance and itself, and the stop that leads back to the
- * stance. Searched for are the gait and the length of its steps.
+ * A walk forward: the first step out of the stance, a cycle of two steps, and the stop that leads back to the stance. Searched
+ * for are the gait and the length of its steps.
  */
 public final class WalkDesign extends SearchedDesign {
 
+    private static final String START = "start-walking";
     private static final String STOP = "stop-walking";
+    private static final String STANCE = "stance";
+    private static final String WALKING = "walking";
     private static final int STEP_LENGTH = Gait.PARAMETERS;
     private static final double METRES_PER_COORDINATE = 0.02;
     private static final double TRIAL_SECONDS = 5;
     private static final double PUSH_NEWTONS = 8;
+    private static final int TAKING_UP_MILLIS = 160;
+    private static final double FIRST_STEP = 0.65;
     private static final int STOP_MILLIS = 400;
 
     private final String name;
-    private final boolean withStop;
+    private final boolean withStartAndStop;
     private final int stepMillis;
     private final int keyframesPerStep;
     private final double wantedSpeed;
@@ -35,7 +41,7 @@ public final class WalkDesign extends SearchedDesign {
      * Describes a walk.
      *
      * @param name name of the walk
-     * @param withStop whether its stop is shipped as {@code stop-walking}
+     * @param withStartAndStop whether its first step and its stop are shipped as {@code start-walking} and {@code stop-walking}
      * @param stepMillis time of one step
      * @param keyframesPerStep postures in each step
      * @param wantedSpeed metres per second; more brings nothing
@@ -45,7 +51,7 @@ public final class WalkDesign extends SearchedDesign {
      */
     public WalkDesign(
             String name,
-            boolean withStop,
+            boolean withStartAndStop,
             int stepMillis,
             int keyframesPerStep,
             double wantedSpeed,
@@ -54,7 +60,7 @@ public final class WalkDesign extends SearchedDesign {
             SearchPlan plan) {
         super(start, plan);
         this.name = name;
-        this.withStop = withStop;
+        this.withStartAndStop = withStartAndStop;
         this.stepMillis = stepMillis;
         this.keyframesPerStep = keyframesPerStep;
         this.wantedSpeed = wantedSpeed;
@@ -66,25 +72,27 @@ public final class WalkDesign extends SearchedDesign {
         var walk = new DescribedMotion(
                 walk(x),
                 "two steps forward, left foot first; played again and again it is a walk",
-                "stance, walking",
-                "walking");
-        return withStop
+                WALKING,
+                WALKING);
+        return withStartAndStop
                 ? List.of(
+                        new DescribedMotion(start(x), "makes the first step of a walk, right foot first", STANCE, WALKING),
                         walk,
-                        new DescribedMotion(stop(x), "sets the feet side by side after a walk", "walking", "stance"))
+                        new DescribedMotion(stop(x), "sets the feet side by side after a walk", WALKING, STANCE))
                 : List.of(walk);
     }
 
     @Override
     public double cost(double[] x, long seed) {
         Course course = new Course(seed, PUSH_NEWTONS);
+        course.play(withStartAndStop ? start(x) : Library.motion(START));
         Motion walk = walk(x);
         while (course.watch().seconds() < TRIAL_SECONDS && course.play(walk)) {
             // one cycle of two steps after the other
         }
         double seconds = course.watch().seconds();
         double speed = course.forward() / seconds;
-        boolean good = course.play(stop(x)) && course.endsInStance();
+        boolean good = course.play(withStartAndStop ? stop(x) : Library.motion(STOP)) && course.endsInStance();
         if (!good) {
             return 6 - 3 * seconds / TRIAL_SECONDS - Math.min(0.5, Math.max(0, speed));
         }
@@ -102,6 +110,12 @@ public final class WalkDesign extends SearchedDesign {
 
     private static double stepLength(double[] x) {
         return METRES_PER_COORDINATE * x[STEP_LENGTH];
+    }
+
+    private Motion start(double[] x) {
+        Footsteps first = Footsteps.fromStance(gait(x), TAKING_UP_MILLIS)
+                .step(Leg.RIGHT, FootPlace.RIGHT.moved(FIRST_STEP * stepLength(x), 0));
+        return new Motion(START, first.keyframes());
     }
 
     private Motion walk(double[] x) {

@@ -32,6 +32,7 @@ public final class Footsteps {
     private FootPlace left;
     private FootPlace right;
     private double vigour = 1;
+    private int takingUpMillis;
 
     /**
      * Begins with both feet on the ground.
@@ -44,6 +45,19 @@ public final class Footsteps {
         this.gait = gait;
         this.left = left;
         this.right = right;
+    }
+
+    /**
+     * Begins in the stance: before the first foot swings, the body takes up the gait without a jerk.
+     *
+     * @param gait how the robot steps
+     * @param durationMillis time for that
+     * @return steps of a robot with its feet side by side
+     */
+    public static Footsteps fromStance(Gait gait, int durationMillis) {
+        Footsteps steps = new Footsteps(gait, FootPlace.LEFT, FootPlace.RIGHT);
+        steps.takingUpMillis = durationMillis;
+        return steps;
     }
 
     /**
@@ -69,10 +83,12 @@ public final class Footsteps {
         Carriage before = Carriage.of(gait, vigour);
         Carriage after = Carriage.of(gait, vigourAtEnd);
         Step step = new Step(gait, leg, place(leg), target, place(leg.other()), before, after);
+        if (takingUpMillis > 0 && keyframes.isEmpty()) {
+            keyframes.add(new Keyframe(takingUpMillis, posture(step, 0)));
+        }
         for (int i = 1; i <= gait.keyframesPerStep(); i++) {
             double time = (double) i / gait.keyframesPerStep();
-            Posture posture = rounded(step.posture(kinematics, time, Correction.NONE));
-            keyframes.add(new Keyframe(gait.stepMillis() / gait.keyframesPerStep(), posture));
+            keyframes.add(new Keyframe(gait.stepMillis() / gait.keyframesPerStep(), posture(step, time)));
         }
         vigour = vigourAtEnd;
         putDown(leg, target);
@@ -98,6 +114,10 @@ public final class Footsteps {
      */
     public List<Keyframe> keyframes() {
         return List.copyOf(keyframes);
+    }
+
+    private Posture posture(Step step, double time) {
+        return rounded(step.posture(kinematics, time, Correction.NONE));
     }
 
     private FootPlace place(Leg leg) {

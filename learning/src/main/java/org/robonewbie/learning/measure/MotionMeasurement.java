@@ -35,7 +35,7 @@ public final class MotionMeasurement {
      * @param out where the table goes
      */
     public MotionMeasurement(int seeds, PrintStream out) {
-        this(seeds, 0, "", out);
+        this(seeds, 1, "", out);
     }
 
     /**

@@ -54,6 +54,7 @@ final class WalkChecks {
     }
 
     private static void walkFiveMetres(Course course, String name) {
+        course.play(Library.motion("start-walking"));
         Motion walk = Library.motion(name);
         while (course.forward() < WAY && isInTime(course) && course.play(walk)) {
             // one cycle of two steps after the other

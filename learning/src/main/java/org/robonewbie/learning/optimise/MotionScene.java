@@ -83,6 +83,7 @@ final class MotionScene {
         Course course = new Course(start(), seed, PUSH_NEWTONS, eye);
         place(course, seed);
         if (loop) {
+            course.play(Library.motion("start-walking"));
             while (course.watch().seconds() < WALK_SECONDS && course.play(candidate)) {
                 // one cycle after the other
             }

@@ -26,6 +26,7 @@ final class VisionReader {
     private final List<SeenPlayer> players = new ArrayList<>();
     private final List<SeenLine> lines = new ArrayList<>();
     private final List<SeenBodyPart> parts = new ArrayList<>();
+    private PolarPosition position = new PolarPosition(0, 0, 0);
     private Optional<PolarPosition> ball = Optional.empty();
     private Optional<Vector3> ownPosition = Optional.empty();
     private OptionalDouble ownOrientation = OptionalDouble.empty();
@@ -65,7 +66,7 @@ final class VisionReader {
         } else if (reader.atomIs("P")) {
             readPlayer();
         } else if (reader.atomIs("B")) {
-            ball = readPosition();
+            ball = readPosition(reader.depth()) ? Optional.of(position) : Optional.empty();
         } else if (reader.atomIs("mypos")) {
             ownPosition = Readings.vector(reader);
         } else if (reader.atomIs("myorien")) {
@@ -80,9 +81,8 @@ final class VisionReader {
     private void readLandmark() {
         for (Landmark landmark : LANDMARKS) {
             if (reader.atomIs(landmark.simSparkName())) {
-                Optional<PolarPosition> position = readPosition();
-                if (position.isPresent()) {
-                    landmarks.add(new SeenLandmark(landmark, position.get()));
+                if (readPosition(reader.depth())) {
+                    landmarks.add(new SeenLandmark(landmark, position));
                 }
                 return;
             }
@@ -91,10 +91,10 @@ final class VisionReader {
 
     private void readLine() {
         int depth = reader.depth();
-        Optional<PolarPosition> start = readPosition(depth);
-        Optional<PolarPosition> end = readPosition(depth);
-        if (start.isPresent() && end.isPresent()) {
-            lines.add(new SeenLine(start.get(), end.get()));
+        boolean hasStart = readPosition(depth);
+        PolarPosition start = position;
+        if (hasStart && readPosition(depth)) {
+            lines.add(new SeenLine(start, position));
         }
     }
 
@@ -102,7 +102,7 @@ final class VisionReader {
         parts.clear();
         String team = "";
         int number = 0;
-        Optional<PolarPosition> position = Optional.empty();
+        Optional<PolarPosition> place = Optional.empty();
         int depth = reader.depth();
         while (reader.nextList(depth)) {
             if (reader.atomIs("team")) {
@@ -110,52 +110,48 @@ final class VisionReader {
             } else if (reader.atomIs("id")) {
                 number = reader.next() == Token.ATOM ? reader.integer() : 0;
             } else if (reader.atomIs("pol")) {
-                position = readPolar();
+                place = readPolar() ? Optional.of(position) : Optional.empty();
             } else {
                 readBodyPart();
             }
         }
-        players.add(new SeenPlayer(team, number, parts, position));
+        players.add(new SeenPlayer(team, number, parts, place));
     }
 
     private void readBodyPart() {
         for (BodyPart part : BODY_PARTS) {
             if (reader.atomIs(part.simSparkName())) {
-                Optional<PolarPosition> position = readPosition();
-                if (position.isPresent()) {
-                    parts.add(new SeenBodyPart(part, position.get()));
+                if (readPosition(reader.depth())) {
+                    parts.add(new SeenBodyPart(part, position));
                 }
                 return;
             }
         }
     }
 
-    private Optional<PolarPosition> readPosition() {
-        return readPosition(reader.depth());
-    }
-
-    /** Finds the next {@code (pol …)} in the list of the given depth. */
-    private Optional<PolarPosition> readPosition(int depth) {
+    /** Finds the next {@code (pol …)} in the list of the given depth and keeps it as {@link #position}. */
+    private boolean readPosition(int depth) {
         while (reader.nextList(depth)) {
             if (reader.atomIs("pol")) {
                 return readPolar();
             }
         }
-        return Optional.empty();
+        return false;
     }
 
-    private Optional<PolarPosition> readPolar() {
+    private boolean readPolar() {
         if (!reader.nextNumber()) {
-            return Optional.empty();
+            return false;
         }
         double distance = reader.number();
         if (!reader.nextNumber()) {
-            return Optional.empty();
+            return false;
         }
         double horizontal = reader.number();
         if (!reader.nextNumber()) {
-            return Optional.empty();
+            return false;
         }
-        return Optional.of(new PolarPosition(distance, horizontal, reader.number()));
+        position = new PolarPosition(distance, horizontal, reader.number());
+        return true;
     }
 }
