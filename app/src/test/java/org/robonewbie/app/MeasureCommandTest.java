@@ -35,7 +35,8 @@ class MeasureCommandTest {
     @Test
     void letsTheExampleAgentsPlayAndPrintsHowWellTheyDo() throws IOException {
         ByteArrayOutputStream printed = new ByteArrayOutputStream();
-        AgentMeasurement measurement = new AgentMeasurement(1, 1, new PrintStream(printed, true, StandardCharsets.UTF_8));
+        AgentMeasurement measurement =
+                new AgentMeasurement(1, 1, new PrintStream(printed, true, StandardCharsets.UTF_8));
 
         measurement.run("BetterSoccer", Optional.empty());
         measurement.run("WalkToBall", Optional.empty());

@@ -277,7 +277,9 @@ public final class Motions {
             possible.stream()
                     .filter(bridge -> MotionStates.canStartAfter(bridge, file))
                     .findFirst()
-                    .or(() -> states.isStance() ? Optional.empty() : possible.stream().findFirst())
+                    .or(() -> states.isStance()
+                            ? Optional.empty()
+                            : possible.stream().findFirst())
                     .ifPresent(this::prepareNow);
         }
     }

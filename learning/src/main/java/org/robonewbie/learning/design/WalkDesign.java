@@ -70,13 +70,11 @@ public final class WalkDesign extends SearchedDesign {
     @Override
     public List<DescribedMotion> motions(double[] x) {
         var walk = new DescribedMotion(
-                walk(x),
-                "two steps forward, left foot first; played again and again it is a walk",
-                WALKING,
-                WALKING);
+                walk(x), "two steps forward, left foot first; played again and again it is a walk", WALKING, WALKING);
         return withStartAndStop
                 ? List.of(
-                        new DescribedMotion(start(x), "makes the first step of a walk, right foot first", STANCE, WALKING),
+                        new DescribedMotion(
+                                start(x), "makes the first step of a walk, right foot first", STANCE, WALKING),
                         walk,
                         new DescribedMotion(stop(x), "sets the feet side by side after a walk", WALKING, STANCE))
                 : List.of(walk);
