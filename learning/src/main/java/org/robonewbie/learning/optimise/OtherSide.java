@@ -56,6 +56,10 @@ public final class OtherSide {
             BallPlace ball = BallPlace.of(mirrored.property("ball").get()).mirrored();
             mirrored = mirrored.withProperty("ball", ball.toString());
         }
+        if (mirrored.property("made by").isPresent()) {
+            mirrored = mirrored.withProperty(
+                    "made by", mirrored.property("made by").get() + " --both-sides");
+        }
         mirrored.save(of(file));
     }
 
