@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.robonewbie.nao.Joint;
@@ -139,6 +140,26 @@ class SoccerWorldTest {
                     .containsExactlyInAnyOrder(left, right);
             assertThat(contact.position().z()).isBetween(0.0, 0.7);
         });
+    }
+
+    @Test
+    @Timeout(120)
+    void manyRobotsThatArePutIntoEachOtherComeApartInTime() {
+        SoccerWorld pitch = new SoccerWorld(SoccerField.LEAGUE);
+        for (int i = 0; i < 11; i++) {
+            Robot robot = pitch.addRobot(RobotType.values()[i % 3]);
+            robot.moveUpright(new Vector3(-0.5 + 0.01 * (i % 4), 0.4 + 0.01 * (i % 3), 0.4), -90);
+        }
+
+        for (int i = 0; i < 60; i++) {
+            pitch.step();
+        }
+
+        double span = pitch.robots().stream()
+                .mapToDouble(robot -> robot.torso().position().distanceTo(new Vector3(-0.5, 0.4, 0.4)))
+                .max()
+                .orElseThrow();
+        assertThat(span).isBetween(0.2, 5.0);
     }
 
     @Test

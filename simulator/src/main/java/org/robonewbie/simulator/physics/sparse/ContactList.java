@@ -3,6 +3,7 @@ package org.robonewbie.simulator.physics.sparse;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.robonewbie.simulator.physics.Collider;
 import org.robonewbie.simulator.physics.Contact;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
@@ -14,6 +15,8 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
  */
 final class ContactList implements OdeCollisions.Listener {
 
+    private static final int FEW_POINTS_BETWEEN_ROBOTS = 400;
+
     private final Surfaces surfaces;
     private final List<Contact> points = new ArrayList<>();
     private final List<Contact> readOnly = Collections.unmodifiableList(points);
@@ -21,6 +24,8 @@ final class ContactList implements OdeCollisions.Listener {
     private final List<ContactJoint> joints = new ArrayList<>();
     private final List<ContactJoint> spentJoints = new ArrayList<>();
     private boolean mayPointAtRemoved;
+    private long step;
+    private int pointsBetweenRobots;
 
     ContactList(Surfaces surfaces) {
         this.surfaces = surfaces;
@@ -32,6 +37,8 @@ final class ContactList implements OdeCollisions.Listener {
 
     /** Forgets the contacts of the last step. */
     void begin() {
+        step++;
+        pointsBetweenRobots = 0;
         dissolve();
         for (int i = 0; i < points.size() && !mayPointAtRemoved; i++) {
             spentPoints.add((ContactPoint) points.get(i));
@@ -67,9 +74,26 @@ final class ContactList implements OdeCollisions.Listener {
             point.set(one, other, numbers, i);
             points.add(point);
         }
-        if (one.material() != SparseCollider.NO_MATERIAL && other.material() != SparseCollider.NO_MATERIAL) {
+        if (one.material() != SparseCollider.NO_MATERIAL
+                && other.material() != SparseCollider.NO_MATERIAL
+                && mayPush(one.crowd(), other.crowd(), count)) {
             join(one, other, from);
         }
+    }
+
+    /** Where there are many contacts, two robots need room in both their crowds. */
+    private boolean mayPush(@Nullable Crowd one, @Nullable Crowd other, int count) {
+        if (one == null || other == null) {
+            return true;
+        }
+        boolean areFew = pointsBetweenRobots < FEW_POINTS_BETWEEN_ROBOTS;
+        if (!areFew && (!one.hasRoom(step) || !other.hasRoom(step))) {
+            return false;
+        }
+        pointsBetweenRobots += count;
+        one.add(step, count);
+        other.add(step, count);
+        return true;
     }
 
     private void join(SparseCollider one, SparseCollider other, int from) {

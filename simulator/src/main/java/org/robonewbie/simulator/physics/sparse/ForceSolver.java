@@ -15,6 +15,8 @@ final class ForceSolver {
 
     private static final int ROUNDS_WITHOUT_PROGRESS = 10;
     private static final int MOST_ROUNDS = 1000;
+    private static final int FEWEST_ROUNDS = 40;
+    private static final int MOST_ROUNDS_TIMES_ROWS = 200_000;
     private static final double FORCE_TOLERANCE = 1e-10;
     private static final double MOTION_TOLERANCE = 1e-9;
 
@@ -31,7 +33,7 @@ final class ForceSolver {
         guess();
         int fewest = Integer.MAX_VALUE;
         int patience = ROUNDS_WITHOUT_PROGRESS;
-        for (int round = 0; round < MOST_ROUNDS; round++) {
+        for (int round = mostRounds(); round > 0; round--) {
             computeForces(plan, joints, bodies);
             int wrong = countWrong(plan, joints);
             if (wrong == 0) {
@@ -45,6 +47,12 @@ final class ForceSolver {
             }
             change(plan, patience < 0);
         }
+    }
+
+    /** A pile of robots in each other, which no forces part well, shall not stop the world for long. */
+    private int mostRounds() {
+        int affordable = MOST_ROUNDS_TIMES_ROWS / Math.max(1, rows.count);
+        return Math.max(FEWEST_ROUNDS, Math.min(MOST_ROUNDS, affordable));
     }
 
     /** A row that cannot push at all is at its limit for good; the others are free at first. */

@@ -20,6 +20,7 @@ final class SparseAssembly implements Assembly {
     private final SparsePhysicsWorld world;
     private final OdeCollisions.Group twins;
     private final boolean removable;
+    private final Crowd crowd = new Crowd();
     private final List<Body> bodies = new ArrayList<>();
     private final List<FormGroup> movers = new ArrayList<>();
     private final List<Form> fixtures = new ArrayList<>();
@@ -48,7 +49,8 @@ final class SparseAssembly implements Assembly {
     @Override
     public Collider addCollider(RigidBody body, Shape shape, Material material, Object owner) {
         Body carrier = (Body) body;
-        SparseCollider collider = new SparseCollider(carrier, world.surfaces().numberOf(material), owner);
+        SparseCollider collider = new SparseCollider(
+                carrier, world.surfaces().numberOf(material), owner, removable ? crowd : null);
         OdeCollisions.Form twin = twins.add(shape, collider, true);
         Form form = Form.of(shape, collider, carrier.place(), carrier.rotation, twin);
         carrier.attach(form);
@@ -58,12 +60,12 @@ final class SparseAssembly implements Assembly {
 
     @Override
     public Collider addFixture(Pose pose, Shape shape, Material material, Object owner) {
-        return place(pose, shape, new SparseCollider(null, world.surfaces().numberOf(material), owner));
+        return place(pose, shape, new SparseCollider(null, world.surfaces().numberOf(material), owner, null));
     }
 
     @Override
     public Collider addTrigger(Pose pose, Shape shape, Object owner) {
-        return place(pose, shape, new SparseCollider(null, SparseCollider.NO_MATERIAL, owner));
+        return place(pose, shape, new SparseCollider(null, SparseCollider.NO_MATERIAL, owner, null));
     }
 
     /** A robot's parts never touch each other and make one group; of the scenery each part is one of its own. */

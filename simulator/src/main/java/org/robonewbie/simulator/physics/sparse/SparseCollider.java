@@ -12,6 +12,7 @@ final class SparseCollider implements Collider {
     private final @Nullable Body body;
     private final int material;
     private final Object owner;
+    private final @Nullable Crowd crowd;
 
     /**
      * Makes a collider.
@@ -19,11 +20,18 @@ final class SparseCollider implements Collider {
      * @param body what carries it; none for ground, walls and triggers
      * @param material number of its material in {@link Surfaces}, or {@link #NO_MATERIAL}
      * @param owner what it belongs to
+     * @param crowd counts what touches its robot; none for all else
      */
-    SparseCollider(@Nullable Body body, int material, Object owner) {
+    SparseCollider(@Nullable Body body, int material, Object owner, @Nullable Crowd crowd) {
         this.body = body;
         this.material = material;
         this.owner = owner;
+        this.crowd = crowd;
+    }
+
+    @Nullable
+    Crowd crowd() {
+        return crowd;
     }
 
     @Nullable

@@ -59,7 +59,7 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
 
     @Override
     public Collider addGround(Material material, Object owner) {
-        SparseCollider ground = new SparseCollider(null, surfaces.numberOf(material), owner);
+        SparseCollider ground = new SparseCollider(null, surfaces.numberOf(material), owner, null);
         finder.setGround(ground);
         return ground;
     }
