@@ -49,8 +49,8 @@ final class SparseAssembly implements Assembly {
     @Override
     public Collider addCollider(RigidBody body, Shape shape, Material material, Object owner) {
         Body carrier = (Body) body;
-        SparseCollider collider = new SparseCollider(
-                carrier, world.surfaces().numberOf(material), owner, removable ? crowd : null);
+        SparseCollider collider =
+                new SparseCollider(carrier, world.surfaces().numberOf(material), owner, removable ? crowd : null);
         OdeCollisions.Form twin = twins.add(shape, collider, true);
         Form form = Form.of(shape, collider, carrier.place(), carrier.rotation, twin);
         carrier.attach(form);
