@@ -186,7 +186,7 @@ class NastyClientsTest {
                     .isBetween(-130.0, 130.0);
         }
 
-        assertSaid("NaN for hinge he1");
+        awaitSaid("NaN for hinge he1");
     }
 
     @Test
@@ -217,8 +217,8 @@ class NastyClientsTest {
                     .isEmpty();
         }
 
-        assertSaid("a third team \"Suns\" cannot");
-        assertSaid("number 1 of team \"Moons\" is taken");
+        awaitSaid("a third team \"Suns\" cannot");
+        awaitSaid("number 1 of team \"Moons\" is taken");
     }
 
     @Test
