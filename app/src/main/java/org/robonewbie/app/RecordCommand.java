@@ -14,6 +14,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import org.robonewbie.learning.dataset.DataSet;
 import org.robonewbie.learning.dataset.RunTables;
 import org.robonewbie.learning.dataset.TableFormat;
@@ -42,11 +44,12 @@ import picocli.CommandLine.Parameters;
             "  robonewbie record Agent_SimpleSoccer --runs 20 --seconds 60",
             "  robonewbie record MyAgent.java --runs 100 --seed 7 --seconds 10 --format csv --out falls",
             "  robonewbie record MyAgent.java --runs 5 --messages -- --pose -2,1,90",
-            "  robonewbie record Agent_Team.java --robots 4       a program that brings four robots"
+            "  robonewbie record MyTeam.java --robots 4           a program that brings four robots"
         })
 final class RecordCommand implements Callable<Integer> {
 
     private static final int MOST_ROBOTS = 22;
+    private static final long PATIENCE_SECONDS = 20;
 
     @Mixin
     final HelpOption help = new HelpOption();
@@ -146,12 +149,23 @@ final class RecordCommand implements Callable<Integer> {
         try (RunTables tables = set.begin(run, seed + run - 1)) {
             try (Simulator simulator = Simulator.start(settings, Console.silent())) {
                 simulator.control().addObserver(tables);
+                CompletableFuture.delayedExecutor(PATIENCE_SECONDS, TimeUnit.SECONDS)
+                        .execute(() -> giveUpIfNotBegun(simulator));
                 int code = silently(program, simulator.agentPort());
                 if (code != ExitCode.OK) {
                     throw new IOException(agentAndOptions.get(0) + " failed in run " + run + ", see above.");
                 }
             }
             return set.add(tables);
+        }
+    }
+
+    /** The world waits for all robots; if some never come, it would wait for ever. */
+    private void giveUpIfNotBegun(Simulator simulator) {
+        if (simulator.cycles() == 0) {
+            System.err.println(agentAndOptions.get(0) + " has not brought " + robots + " robots within "
+                    + PATIENCE_SECONDS + " s. Say with --robots how many it brings.");
+            simulator.close();
         }
     }
 

@@ -71,7 +71,8 @@ class RecordCommandTest {
         assertThat(record(taken).err()).contains("holds a data set already. Name another folder");
         assertThat(record(folder.resolve("x"), "--runs", "0").err()).contains("--runs 0: give a number of at least 1.");
         assertThat(record(folder.resolve("x"), "--robots", "23").err()).contains("give a number from 1 to 22");
-        assertThat(Printed.by("record", "Agent_BasicStructure", "--seconds", "0").err())
+        assertThat(Printed.by("record", "Agent_BasicStructure", "--seconds", "0")
+                        .err())
                 .contains("give a number greater than 0");
         assertThat(record(folder.resolve("x"), "--format", "xls").exitCode()).isEqualTo(2);
         assertThat(folder.resolve("x")).doesNotExist();
