@@ -155,7 +155,8 @@ class StreamMeasurement {
 
     private static String act(int index, int cycle) {
         if (cycle == 3) {
-            return String.format(Locale.ROOT, "(beam %.1f %.1f 0)", -1.0 - index % 11 / 3, 1.5 * (index % 3 - 1));
+            return String.format(
+                    Locale.ROOT, "(beam %.1f %.1f 0)", -1.0 - Math.floorDiv(index % 11, 3), 1.5 * (index % 3 - 1));
         }
         StringBuilder all = new StringBuilder();
         for (Joint joint : Joint.values()) {
