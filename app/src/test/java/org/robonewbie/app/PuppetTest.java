@@ -125,7 +125,7 @@ class PuppetTest {
     }
 
     private WorldSnapshot addPuppet() throws InterruptedException {
-        await(now -> true);
+        awaitSightOfTheStudio();
         order("{'do':'addPuppet','side':'left'}");
         long born = await(now -> now.robots().size() == 1 && now.robots().get(0).number() == 1)
                 .cycle();

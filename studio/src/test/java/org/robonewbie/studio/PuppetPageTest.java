@@ -134,7 +134,7 @@ class PuppetPageTest {
         browser.await("studio.replay.state.index > 150");
         browser.click("#start-here");
 
-        browser.await("location.hash === '#field' && studio.state.frame?.paused"
+        browser.await("location.hash === '#field' && !studio.cursor.recorded && studio.state.frame?.paused"
                 + " && studio.state.frame.robots[0]?.torso[2] < 0.25");
         browser.await("document.querySelector('.team.left').textContent === 'Ada'");
         browser.await("document.querySelector('.score').textContent.replace(/\\s/g, '') === '1:0'");

@@ -34,7 +34,7 @@ let hasDrawn = false;
 /** The scene that the picture is made for. @type {object | undefined} */
 let pictured;
 const cursor = new TimeCursor();
-/** Each drawing of the panels costs a quarter of a picture. */
+/** Nobody reads faster than that, and letting the browser lay out texts costs time that pictures need. */
 const panels = paced(drawPanels, 90);
 
 const note = notes();
@@ -110,17 +110,21 @@ const chooseCamera = (mode) => {
 };
 const shadows = options.get('shadows') === 'on';
 const setShadows = (/** @type {boolean} */ on) => (view.setShadows(on), touch());
+const goLive = () => {
+  cursor.goLive();
+  touch();
+};
 const draws = [
   scoreBoardPanel(),
   transportPanel(time),
   cameraPanel(desk, { choose: chooseCamera, shadows, setShadows }),
   trainerPanel(send),
-  scenePanel(token, note),
+  scenePanel(token, note, goLive),
   banner(),
 ];
 const happenings = new Happenings();
 const drawTimeLine = timeLinePanel(cursor, touch);
-const rooms = new RoomDesk({ token, note, quality: () => chooser.quality, robotOfRun, send, goTo: (seconds) => (cursor.goTo(seconds * 50), touch()) });
+const rooms = new RoomDesk({ token, note, quality: () => chooser.quality, robotOfRun, send, goLive, goTo: (seconds) => (cursor.goTo(seconds * 50), touch()) });
 const room = roomsPanel(enter);
 setShadows(shadows);
 const puppet = new PuppetPanel({ now: () => state, chosen: () => desk.chosen, choose: (index) => (desk.choose(index), touch()), isHere: () => room() === 'field', send });

@@ -24,9 +24,10 @@ export function startFrom(token, recording, moment) {
 /**
  * @param {string} token
  * @param {(text: string) => void} note
+ * @param {() => void} goLive shows what happens now
  * @returns {(state: import('../state/studio-state.js').StudioState) => void} draws the scenes
  */
-export function scenePanel(token, note) {
+export function scenePanel(token, note, goLive) {
   const name = element('input', { id: 'scene-name', placeholder: 'Name', 'aria-label': 'Name of the scene', maxlength: '60' });
   const list = element('select', { id: 'scene-list', 'aria-label': 'Saved scenes' });
   /** What would undo each change, the newest last. @type {Array<() => Promise<void>>} */
@@ -58,9 +59,10 @@ export function scenePanel(token, note) {
     name.value = '';
     note(`Scene "${chosen}" is saved.`);
   });
-  const back = control('scene-restore', 'Go back to it', 'Puts everything where it was, with the clock stopped', () =>
-    ask(token, `scenes/${encodeURIComponent(list.value)}`, { method: 'POST' }),
-  );
+  const back = control('scene-restore', 'Go back to it', 'Puts everything where it was, with the clock stopped', async () => {
+    await ask(token, `scenes/${encodeURIComponent(list.value)}`, { method: 'POST' });
+    goLive();
+  });
   const rename = control('scene-rename', 'Rename', 'Gives the chosen scene the name that is written above', async () => {
     const [from, to] = [list.value, name.value.trim()];
     if (to === '') {

@@ -16,7 +16,7 @@ const LIST_MILLISECONDS = 3000;
 const BEHIND_MOMENTS = 100;
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
 
-/** @param {{token: string, note: (text: string) => void}} surroundings */
+/** @param {{token: string, note: (text: string) => void, goLive: () => void}} surroundings */
 export async function openReplayRoom(surroundings) {
   const room = new ReplayRoom(surroundings, await loadModels(surroundings.token));
   await room.refresh();
@@ -25,7 +25,7 @@ export async function openReplayRoom(surroundings) {
 
 class ReplayRoom {
   /**
-   * @param {{token: string, note: (text: string) => void}} surroundings
+   * @param {{token: string, note: (text: string) => void, goLive: () => void}} surroundings
    * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
    */
   constructor(surroundings, models) {
@@ -244,6 +244,7 @@ class ReplayRoom {
     try {
       await startFrom(this.surroundings.token, this.file?.name ?? '', Math.round(this.state.index));
       location.hash = '#field';
+      this.surroundings.goLive();
       this.surroundings.note('The clock stands at this moment. Press play to go on from here.');
     } catch (error) {
       this.surroundings.note(/** @type {Error} */ (error).message);

@@ -1,5 +1,7 @@
 /** Makes one HTML file that plays a recording anywhere: with all scripts, styles and the recording inside. */
 
+import { withoutCommands } from '../state/replay/recording-source.js';
+
 const SCRIPT = /^(import|export)([^'"]*?from\s*|\s*)(['"])(\.{1,2}\/[^'"]+|three)\3/gm;
 const START = 'replay/player.js';
 const STYLES = ['theme.css', 'layout.css', 'replay.css'];
@@ -21,7 +23,7 @@ export async function standalonePage(packed, models, name) {
     ['three', dataAddress(three[1].replaceAll('./three.core.min.js', 'three-core'))],
   ]);
   const styles = (await Promise.all(STYLES.map(text))).join('\n');
-  const recording = base64(new Uint8Array(await new Blob(/** @type {BlobPart[]} */ (packed)).arrayBuffer()));
+  const recording = base64(await withoutWhatThePageLeavesOut(packed));
   return `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>${name.replaceAll(/[<&]/g, '')} · RoboNewbie</title>
 <style>${styles}</style>
@@ -30,6 +32,28 @@ export async function standalonePage(packed, models, name) {
 <script type="application/json" id="models">${JSON.stringify(models)}</script>
 <script type="text/plain" id="recording">${recording}</script>
 <script type="module">import 'studio/${START}';</script></body></html>`;
+}
+
+/** @param {Uint8Array[]} packed @returns {Promise<Uint8Array>} packed again */
+async function withoutWhatThePageLeavesOut(packed) {
+  const shown = withoutCommands(await unpacked(packed));
+  const stream = new Blob(/** @type {BlobPart[]} */ (shown)).stream().pipeThrough(new CompressionStream('gzip'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** @param {Uint8Array[]} packed @returns {Promise<Uint8Array>} a recording that still grows, as far as it goes */
+async function unpacked(packed) {
+  const stream = new Blob(/** @type {BlobPart[]} */ (packed)).stream().pipeThrough(new DecompressionStream('gzip')).getReader();
+  /** @type {Uint8Array[]} */
+  const parts = [];
+  try {
+    for (let part = await stream.read(); !part.done; part = await stream.read()) {
+      parts.push(part.value);
+    }
+  } catch {
+    // The run goes on: its file has no end yet.
+  }
+  return new Uint8Array(await new Blob(/** @type {BlobPart[]} */ (parts)).arrayBuffer());
 }
 
 /** @param {string} path @param {Map<string, string>} scripts */

@@ -24,13 +24,12 @@
  * @property {'goal' | 'foul' | 'playmode' | 'fall' | 'warning' | 'log'} kind
  * @property {string} text
  */
+import { COMMANDS, EndOfBytes, MAGIC, Source } from './recording-source.js';
 
-const MAGIC = 'RoboNewbie recording\n';
 const VERSION = 1;
 const HEADER = 1;
 const GAME = 2;
 const ROBOTS = 3;
-const COMMANDS = 4;
 const EVENT = 5;
 const CYCLE = 6;
 const POSE_NUMBERS = 7;
@@ -179,48 +178,6 @@ export class RecordingReader {
       }
       at += POSE_NUMBERS + this.hingesOf(type);
     }
-  }
-}
-
-class EndOfBytes extends Error {}
-
-class Source {
-  /** @param {Uint8Array} content */
-  constructor(content) {
-    this.content = content;
-    this.at = 0;
-  }
-
-  /** @param {number} count */
-  bytes(count) {
-    if (this.at + count > this.content.length) {
-      throw new EndOfBytes();
-    }
-    this.at += count;
-    return this.content.subarray(this.at - count, this.at);
-  }
-
-  /** @returns {number} */
-  unsigned() {
-    let value = 0;
-    for (let factor = 1; ; factor *= 128) {
-      const byte = this.bytes(1)[0];
-      value += (byte & 127) * factor;
-      if (byte < 128) {
-        return value;
-      }
-    }
-  }
-
-  /** @returns {number} */
-  signed() {
-    const value = this.unsigned();
-    return value % 2 === 0 ? value / 2 : -(value + 1) / 2;
-  }
-
-  /** @returns {string} */
-  text() {
-    return new TextDecoder().decode(this.bytes(this.unsigned()));
   }
 }
 

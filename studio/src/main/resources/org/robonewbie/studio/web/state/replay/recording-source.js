@@ -1,0 +1,78 @@
+/** The pieces of which a recording consists; the format is described in docs/recording-format.md. Pure. */
+
+export const MAGIC = 'RoboNewbie recording\n';
+export const COMMANDS = 4;
+
+/** Thrown where the bytes end in the middle of something. */
+export class EndOfBytes extends Error {}
+
+/** Bytes that are read one thing after the other. */
+export class Source {
+  /** @param {Uint8Array} content */
+  constructor(content) {
+    this.content = content;
+    this.at = 0;
+  }
+
+  /** @param {number} count */
+  bytes(count) {
+    if (this.at + count > this.content.length) {
+      throw new EndOfBytes();
+    }
+    this.at += count;
+    return this.content.subarray(this.at - count, this.at);
+  }
+
+  /** @returns {number} */
+  unsigned() {
+    let value = 0;
+    for (let factor = 1; ; factor *= 128) {
+      const byte = this.bytes(1)[0];
+      value += (byte & 127) * factor;
+      if (byte < 128) {
+        return value;
+      }
+    }
+  }
+
+  /** @returns {number} */
+  signed() {
+    const value = this.unsigned();
+    return value % 2 === 0 ? value / 2 : -(value + 1) / 2;
+  }
+
+  /** @returns {string} */
+  text() {
+    return new TextDecoder().decode(this.bytes(this.unsigned()));
+  }
+}
+
+/**
+ * Leaves out what the robots' programs commanded, which is half of a recording in which much moves.
+ *
+ * @param {Uint8Array} recording
+ * @returns {Uint8Array[]} what is left, in pieces
+ */
+export function withoutCommands(recording) {
+  const source = new Source(recording);
+  const kept = [];
+  let from = 0;
+  try {
+    source.bytes(MAGIC.length);
+    source.unsigned();
+    while (source.at < recording.length) {
+      const start = source.at;
+      const [kind] = source.bytes(1);
+      source.bytes(source.unsigned());
+      if (kind === COMMANDS) {
+        kept.push(recording.subarray(from, start));
+        from = source.at;
+      }
+    }
+  } catch (error) {
+    if (!(error instanceof EndOfBytes)) {
+      throw error;
+    }
+  }
+  return [...kept, recording.subarray(from)];
+}
