@@ -2,8 +2,11 @@ package org.robonewbie.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.BufferedInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.net.Socket;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
@@ -12,6 +15,8 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
@@ -24,11 +29,13 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 /**
  * Measures how many bytes per second one page of the studio gets on the wire while 22 robots move all their joints in real
  * time, for {@code docs/performance.md}: with and without the messages of one robot, packed as browsers ask for and not; and
- * how large the recording grows, which is what the HTML export adds to a page of fixed size. It is not part of the usual tests, since it takes a minute: {@code -Dtest=StreamMeasurement}.
+ * how large the recording and the text in an exported page grow. It is not part of the usual tests, since it takes a minute: {@code -Dtest=StreamMeasurement}.
  */
 class StreamMeasurement {
 
     private static final int SECONDS = 10;
+    private static final int COMMANDS = 4;
+    private static final int HEAD_BYTES = 22;
     private static final String PACKED = "Sec-WebSocket-Extensions: permessage-deflate\r\n";
 
     @TempDir
@@ -65,13 +72,43 @@ class StreamMeasurement {
             }
             cycles = studio.feed().now().cycle();
         }
-        double perMinute = Files.size(recording) / 1e6 / (cycles / 3000.0);
+        double minutes = cycles / 3000.0;
+        double perMinute = Files.size(recording) / 1e6 / minutes;
         System.out.printf(
                 Locale.ROOT,
                 "recording: %.2f MB per minute, as text in an HTML file %.2f MB per minute%n",
                 perMinute,
-                perMinute * 4 / 3);
+                packedWithoutCommands(recording) / 1e6 * 4 / 3 / minutes);
         assertThat(perMinute).isPositive();
+    }
+
+    /** What the page that plays a recording anywhere holds of it. */
+    private static int packedWithoutCommands(Path recording) throws IOException {
+        ByteArrayOutputStream packed = new ByteArrayOutputStream();
+        try (DataInputStream in = new DataInputStream(
+                        new GZIPInputStream(new BufferedInputStream(Files.newInputStream(recording))));
+                OutputStream out = new GZIPOutputStream(packed)) {
+            out.write(in.readNBytes(HEAD_BYTES));
+            for (int kind = in.read(); kind >= 0; kind = in.read()) {
+                byte[] content = in.readNBytes(unsigned(in));
+                if (kind != COMMANDS) {
+                    out.write(new byte[] {(byte) kind, (byte) content.length, (byte) (content.length >> 7)});
+                    out.write(content);
+                }
+            }
+        }
+        return packed.size();
+    }
+
+    private static int unsigned(DataInputStream in) throws IOException {
+        int value = 0;
+        for (int shift = 0; ; shift += 7) {
+            int next = in.readUnsignedByte();
+            value |= (next & 127) << shift;
+            if (next < 128) {
+                return value;
+            }
+        }
     }
 
     private static double measure(URI studio, String extension, String command) throws IOException {
