@@ -8,9 +8,7 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.agent.log.Mistakes;
@@ -38,14 +36,7 @@ class MotionSequenceTest {
         file("stand", "// start: standing\n// end: stance\n100 0" + ZEROS);
         Motions motions = motions();
 
-        Set<String> played = new LinkedHashSet<>();
-        for (String name : List.of("walk", "walk", "turn", "turn")) {
-            motions.start(name);
-            while (!motions.isFinished()) {
-                cycles(motions, 1);
-                motions.current().ifPresent(played::add);
-            }
-        }
+        List<String> played = play(motions, "walk", "walk", "turn", "turn");
 
         assertThat(played).containsExactly("stand", "walk", "stop-walking", "turn");
     }
@@ -58,16 +49,7 @@ class MotionSequenceTest {
         file("lie", "// start: lying on back\n// end: stance\n100 4" + ZEROS);
         Motions motions = motions();
 
-        List<String> played = new ArrayList<>();
-        for (String name : List.of("walk", "walk", "turn", "lie")) {
-            motions.start(name);
-            while (!motions.isFinished()) {
-                cycles(motions, 1);
-                motions.current()
-                        .filter(now -> played.isEmpty() || !now.equals(played.get(played.size() - 1)))
-                        .ifPresent(played::add);
-            }
-        }
+        List<String> played = play(motions, "walk", "walk", "turn", "lie");
 
         assertThat(played).containsExactly("stand", "start-walking", "walk", "stop-walking", "turn", "lie");
     }
@@ -174,6 +156,21 @@ class MotionSequenceTest {
     private void file(String name, String text) throws IOException {
         Files.createDirectories(folder.resolve("motions"));
         Files.writeString(folder.resolve("motions").resolve(name + ".txt"), text);
+    }
+
+    /** Plays motions to their ends and lists what is seen one after the other. */
+    private List<String> play(Motions motions, String... names) {
+        List<String> played = new ArrayList<>();
+        for (String name : names) {
+            motions.start(name);
+            while (!motions.isFinished()) {
+                cycles(motions, 1);
+                motions.current()
+                        .filter(now -> played.isEmpty() || !now.equals(played.get(played.size() - 1)))
+                        .ifPresent(played::add);
+            }
+        }
+        return played;
     }
 
     private void cycles(Motions motions, int count) {

@@ -9,18 +9,12 @@ import { RecordingReader } from '../state/replay/recording-reader.js';
 import { advanced, atMoment, BEGINNING, frameOf, MOMENTS_PER_SECOND, sceneOf } from '../state/replay/replay-state.js';
 import { initialState, withConnection, withScene, withFrame } from '../state/studio-state.js';
 import { ReplayLine } from './replay-line.js';
+import { unpack } from './unpack.js';
 
 const models = JSON.parse(byId('models').textContent ?? '{}');
 const reader = new RecordingReader((type) => models[type].hinges.length);
 const packed = Uint8Array.from(atob(byId('recording').textContent ?? ''), (letter) => letter.charCodeAt(0));
-const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')).getReader();
-try {
-  for (let part = await stream.read(); !part.done; part = await stream.read()) {
-    reader.push(part.value);
-  }
-} catch {
-  // A run that was cut off has no end; what came before is good.
-}
+await unpack([packed], (part) => reader.push(part));
 
 document.documentElement.dataset.theme = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
 const view = new FieldView(byId('stage'), QUALITIES[1]);

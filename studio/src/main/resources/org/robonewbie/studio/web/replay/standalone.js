@@ -1,6 +1,7 @@
 /** Makes one HTML file that plays a recording anywhere: with all scripts, styles and the recording inside. */
 
 import { withoutCommands } from '../state/replay/recording-source.js';
+import { unpack } from './unpack.js';
 
 const SCRIPT = /^(import|export)([^'"]*?from\s*|\s*)(['"])(\.{1,2}\/[^'"]+|three)\3/gm;
 const START = 'replay/player.js';
@@ -36,24 +37,12 @@ export async function standalonePage(packed, models, name) {
 
 /** @param {Uint8Array[]} packed @returns {Promise<Uint8Array>} packed again */
 async function withoutWhatThePageLeavesOut(packed) {
-  const shown = withoutCommands(await unpacked(packed));
-  const stream = new Blob(/** @type {BlobPart[]} */ (shown)).stream().pipeThrough(new CompressionStream('gzip'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
-/** @param {Uint8Array[]} packed @returns {Promise<Uint8Array>} a recording that still grows, as far as it goes */
-async function unpacked(packed) {
-  const stream = new Blob(/** @type {BlobPart[]} */ (packed)).stream().pipeThrough(new DecompressionStream('gzip')).getReader();
   /** @type {Uint8Array[]} */
   const parts = [];
-  try {
-    for (let part = await stream.read(); !part.done; part = await stream.read()) {
-      parts.push(part.value);
-    }
-  } catch {
-    // The run goes on: its file has no end yet.
-  }
-  return new Uint8Array(await new Blob(/** @type {BlobPart[]} */ (parts)).arrayBuffer());
+  await unpack(packed, (part) => parts.push(part));
+  const whole = new Uint8Array(await new Blob(/** @type {BlobPart[]} */ (parts)).arrayBuffer());
+  const shown = new Blob(/** @type {BlobPart[]} */ (withoutCommands(whole)));
+  return new Uint8Array(await new Response(shown.stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer());
 }
 
 /** @param {string} path @param {Map<string, string>} scripts */
