@@ -20,7 +20,11 @@ import picocli.CommandLine.Option;
             "",
             "In Python, after \"pip install ./python\":",
             "  import gymnasium, robonewbie",
-            "  env = gymnasium.make(\"RoboNewbie/Walk-v0\")"
+            "  env = gymnasium.make(\"RoboNewbie/Walk-v0\")",
+            "",
+            "Examples:",
+            "  robonewbie gym",
+            "  robonewbie gym --port 4000"
         })
 final class GymCommand implements Callable<Integer> {
 

@@ -33,8 +33,9 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "record",
         description = {
-            "Let an agent run many times and write a data set: tables of what the robot felt, what it commanded, what was true,",
-            "and what happened in the game. docs/datasets.md tells what the columns mean and how to read them."
+            "Let an agent run many times and write a data set.",
+            "Its tables hold what the robot felt, what it commanded, what was true, and what happened in the game. docs/datasets.md"
+                    + " tells what the columns mean and how to read them."
         },
         customSynopsis = "robonewbie record AGENT [OPTIONS] [-- OPTIONS OF THE AGENT]",
         sortOptions = false,

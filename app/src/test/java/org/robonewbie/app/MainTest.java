@@ -5,10 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 class MainTest {
 
@@ -20,8 +21,24 @@ class MainTest {
         assertThat(help.out()).contains("demo", "run", "simulator", "studio", "fidelity", "doctor");
     }
 
+    static Set<String> commands() {
+        return Main.commandLine().getSubcommands().keySet();
+    }
+
     @ParameterizedTest
-    @ValueSource(strings = {"demo", "run", "simulator", "studio", "fidelity", "doctor"})
+    @MethodSource("commands")
+    void listOfCommandsTellsEachInAWholeSentence(String command) {
+        assertThat(Main.commandLine()
+                        .getSubcommands()
+                        .get(command)
+                        .getCommandSpec()
+                        .usageMessage()
+                        .description()[0])
+                .endsWith(".");
+    }
+
+    @ParameterizedTest
+    @MethodSource("commands")
     void everyCommandHasHelpWithExamples(String command) {
         Printed help = Printed.by(command, "--help");
 
