@@ -34,7 +34,7 @@ record OpenedFile(StudioFolders folders, String place) {
         }
         String name = String.valueOf(file.getFileName());
         if (name.toLowerCase(Locale.ROOT).endsWith(MOTION)) {
-            return motion(file, name.substring(0, name.length() - MOTION.length()));
+            return motion(file);
         }
         Path recording = isRecording(file) ? file : converted(file, name);
         String title = String.valueOf(recording.getFileName()).replace(".part", "");
@@ -42,12 +42,17 @@ record OpenedFile(StudioFolders folders, String place) {
         return new OpenedFile(StudioFolders.ofWorkingDirectory().withRecording(recording), "#replay/" + encoded(shown));
     }
 
-    private static OpenedFile motion(Path file, String name) {
+    /** Names the room that shows a motion of the studio's folder. */
+    static String motionPlace(Path file) {
+        String name = String.valueOf(file.getFileName());
+        return "#motion/" + encoded(name.substring(0, name.length() - MOTION.length()));
+    }
+
+    private static OpenedFile motion(Path file) {
         Path folder = Optional.ofNullable(file.getParent()).orElse(file);
         StudioFolders folders = StudioFolders.ofWorkingDirectory();
         return new OpenedFile(
-                new StudioFolders(folder, folders.scenes(), folders.recordings(), Optional.empty()),
-                "#motion/" + encoded(name));
+                new StudioFolders(folder, folders.scenes(), folders.recordings(), Optional.empty()), motionPlace(file));
     }
 
     private static boolean isRecording(Path file) {

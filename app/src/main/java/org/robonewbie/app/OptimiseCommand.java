@@ -9,9 +9,9 @@ import java.util.concurrent.Callable;
 import org.robonewbie.learning.design.MotionWorkshop;
 import org.robonewbie.learning.objective.StandardObjective;
 import org.robonewbie.learning.optimise.EngineSubject;
-import org.robonewbie.learning.optimise.Generation;
 import org.robonewbie.learning.optimise.MotionSubject;
 import org.robonewbie.learning.optimise.Optimisation;
+import org.robonewbie.learning.optimise.OptimisationListener;
 import org.robonewbie.learning.optimise.OptimisationPlan;
 import org.robonewbie.learning.optimise.OptimisationResult;
 import org.robonewbie.learning.optimise.OtherSide;
@@ -32,7 +32,8 @@ import picocli.CommandLine.Parameters;
             "",
             "Objectives: distance-walked, walk-speed, energy, stability, kick-distance, time-to-score.",
             "The same seed and the same options give the same result, on any number of threads. An interrupted run goes on",
-            "with --resume. Exit code 1: nothing better was found."
+            "with --resume. A page of the studio shows the progress; after the end the program waits until the page is closed,",
+            "with --headless it opens none. Exit code 1: nothing better was found."
         },
         footer = {
             "",
@@ -40,7 +41,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie optimise kick-right --objective kick-distance",
             "  robonewbie optimise my-walk.txt --objective walk-speed --generations 60 --seed 3",
             "  robonewbie optimise my-walk.txt --objective walk-speed --generations 60 --seed 3 --resume",
-            "  robonewbie optimise walk-engine --objective stability --threads 1",
+            "  robonewbie optimise walk-engine --objective stability --threads 1 --headless",
             "  robonewbie optimise turn-left --again      make the library's motion again"
         })
 final class OptimiseCommand implements Callable<Integer> {
@@ -111,10 +112,10 @@ final class OptimiseCommand implements Callable<Integer> {
     private boolean again;
 
     @Mixin
-    final WithoutStudioOption withoutStudio = new WithoutStudioOption();
+    final SearchStudioOptions studio = new SearchStudioOptions();
 
     @Override
-    public Integer call() throws IOException {
+    public Integer call() throws IOException, InterruptedException {
         try {
             return again ? makeAgain() : optimise();
         } catch (IllegalArgumentException wrong) {
@@ -129,7 +130,7 @@ final class OptimiseCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    private int optimise() throws IOException {
+    private int optimise() throws IOException, InterruptedException {
         if (objective.isEmpty()) {
             throw new CalledWronglyException("Say at what " + name
                     + " shall become better: --objective NAME. There are: " + StandardObjective.labels() + ".");
@@ -150,18 +151,31 @@ final class OptimiseCommand implements Callable<Integer> {
                 population,
                 trials,
                 threads);
-        OptimisationResult result = new Optimisation(subject, wanted, plan, file)
-                .run(resume, generation -> System.out.println(line(generation, wanted.unit())));
+        OptimisationResult result = run(subject, wanted, plan, file);
+        return result.isBetter() ? ExitCode.OK : ExitCode.SOFTWARE;
+    }
+
+    private OptimisationResult run(Subject subject, StandardObjective wanted, OptimisationPlan plan, Path file)
+            throws IOException, InterruptedException {
+        var optimisation = new Optimisation(subject, wanted, plan, file);
+        OptimisationListener console = new SearchConsole(wanted.unit(), file);
+        if (studio.isHeadless) {
+            return finished(optimisation.run(resume, console), file);
+        }
+        try (SearchStudio pages = SearchStudio.open(studio, subject, wanted, plan, optimisation, file)) {
+            System.out.println("Studio: " + pages.address());
+            pages.showBrowser();
+            OptimisationResult result = finished(optimisation.run(resume, pages.and(console)), file);
+            pages.awaitUnwatched();
+            return result;
+        }
+    }
+
+    private OptimisationResult finished(OptimisationResult result, Path file) throws IOException {
         if (result.isBetter() && bothSides) {
             OtherSide.write(file);
         }
-        System.out.println("before: " + result.words(result.before()));
-        System.out.println("after:  " + result.words(result.after()));
-        System.out.println(
-                result.isBetter()
-                        ? "Written to " + file + "."
-                        : "Nothing better was found, so nothing is written. More --generations or another --seed may help.");
-        return result.isBetter() ? ExitCode.OK : ExitCode.SOFTWARE;
+        return result;
     }
 
     private String plainName() {
@@ -189,21 +203,5 @@ final class OptimiseCommand implements Callable<Integer> {
                     path + " cannot be read: " + file.errors().get(0));
         }
         return file;
-    }
-
-    private static String line(Generation generation, String unit) {
-        long seconds = Math.round(generation.secondsLeft());
-        return String.format(
-                Locale.ROOT,
-                "generation %d/%d: best %.3f %s, mean %.3f %s, %.0f%% succeed, %d:%02d left",
-                generation.number(),
-                generation.of(),
-                generation.best(),
-                unit,
-                generation.mean(),
-                unit,
-                100 * generation.success(),
-                seconds / 60,
-                seconds % 60);
     }
 }

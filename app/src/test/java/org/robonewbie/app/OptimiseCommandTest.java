@@ -3,12 +3,31 @@ package org.robonewbie.app;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.WebSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.learning.objective.StandardObjective;
+import org.robonewbie.learning.optimise.Attempt;
+import org.robonewbie.learning.optimise.Cloud;
+import org.robonewbie.learning.optimise.Generation;
+import org.robonewbie.learning.optimise.MotionSubject;
+import org.robonewbie.learning.optimise.Optimisation;
+import org.robonewbie.learning.optimise.OptimisationPlan;
+import org.robonewbie.learning.optimise.Subject;
+import org.robonewbie.learning.trial.Library;
+import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.studio.search.SearchBoard;
 import picocli.CommandLine;
 
 class OptimiseCommandTest {
@@ -17,7 +36,7 @@ class OptimiseCommandTest {
     private Path folder;
 
     @Test
-    void makesAMotionOfTheLibraryAgain() throws IOException {
+    void makesAMotionOfTheLibraryAgain() throws Exception {
         OptimiseCommand command = command("turn-left-small", "--again", "--output", folder.toString());
 
         assertThat(command.call()).isZero();
@@ -26,7 +45,7 @@ class OptimiseCommandTest {
     }
 
     @Test
-    void leavesACheckpointAndCanGoOn() throws IOException {
+    void leavesACheckpointAndCanGoOn() throws Exception {
         Path output = folder.resolve("kick-right.txt");
         String[] options = {
             "kick-right",
@@ -39,7 +58,8 @@ class OptimiseCommandTest {
             "--generations",
             "1",
             "--output",
-            output.toString()
+            output.toString(),
+            "--headless"
         };
 
         command(options).call();
@@ -79,13 +99,68 @@ class OptimiseCommandTest {
     }
 
     @Test
-    void refusesMotionFilesThatCannotBeRead() throws IOException {
+    void refusesMotionFilesThatCannotBeRead() throws Exception {
         Path file = Files.writeString(folder.resolve("broken.txt"), "200 1 2 3\n");
 
         assertThatThrownBy(
                         () -> command(file.toString(), "--objective", "energy").call())
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessageContaining("broken.txt cannot be read");
+    }
+
+    @Test
+    void showsTheSearchOnAPageOfTheStudio() throws Exception {
+        Path output = folder.resolve("kick.txt");
+        StandardObjective objective = StandardObjective.KICK_DISTANCE;
+        MotionFile motion = Library.file("kick-right");
+        Subject subject = new MotionSubject("kick-right", motion, objective);
+        OptimisationPlan plan = new OptimisationPlan(1, 2, 4, 1, 0.1, 1);
+        var optimisation = new Optimisation(subject, objective, plan, output);
+        try (SearchStudio studio =
+                SearchStudio.open(new SearchStudioOptions(), subject, objective, plan, optimisation, output)) {
+            List<Double> middle = Collections.nCopies(subject.dimension(), 0.0);
+            List<Double> spread = Collections.nCopies(subject.dimension(), 0.1);
+
+            studio.begins(new Attempt(5.5, 1, 0));
+            studio.reached(new Generation(
+                    1,
+                    2,
+                    new Generation.Score(5.9, 5.7, 1),
+                    new Cloud(0.1, middle, spread),
+                    new Generation.Pace(8, 30)));
+
+            assertThat(toldTo(studio.address()))
+                    .contains("\"subject\":\"kick-right\"", "\"before\":5.5", "\"best\":5.9", "\"trialsPerSecond\":8.0")
+                    .contains("keyframe 1, time", "#motion/kick-so-far");
+        }
+    }
+
+    /** What a page hears first. */
+    private static String toldTo(URI page) throws Exception {
+        CompletableFuture<String> heard = new CompletableFuture<>();
+        StringBuilder text = new StringBuilder();
+        WebSocket socket = HttpClient.newHttpClient()
+                .newWebSocketBuilder()
+                .header("Origin", "http://" + page.getAuthority())
+                .buildAsync(
+                        URI.create("ws://" + page.getAuthority() + SearchBoard.PATH + "?" + page.getQuery()),
+                        new WebSocket.Listener() {
+                            @Override
+                            public @Nullable CompletionStage<?> onText(WebSocket one, CharSequence part, boolean last) {
+                                text.append(part);
+                                if (last) {
+                                    heard.complete(text.toString());
+                                }
+                                one.request(1);
+                                return null;
+                            }
+                        })
+                .join();
+        try {
+            return heard.get(60, TimeUnit.SECONDS);
+        } finally {
+            socket.abort();
+        }
     }
 
     private static OptimiseCommand command(String... arguments) {

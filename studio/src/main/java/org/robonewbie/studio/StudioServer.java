@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.URI;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.eclipse.jetty.server.Handler;
@@ -20,6 +21,8 @@ import org.robonewbie.studio.motion.MotionRoom;
 import org.robonewbie.studio.replay.ReplayRoom;
 import org.robonewbie.studio.replay.RunNotes;
 import org.robonewbie.studio.scene.SceneRoom;
+import org.robonewbie.studio.search.SearchBoard;
+import org.robonewbie.studio.search.SearchSpectator;
 
 /**
  * The studio of one running simulation: a web server on 127.0.0.1 with the pages and the live feed on one port.
@@ -74,6 +77,17 @@ public final class StudioServer implements Viewer.View {
      */
     public static StudioServer start(SimulationControl simulation, int port, AccessToken token, StudioFolders folders)
             throws IOException {
+        return start(simulation, port, token, folders, Optional.empty());
+    }
+
+    /** Starts the studio, also with the page of a search. */
+    static StudioServer start(
+            SimulationControl simulation,
+            int port,
+            AccessToken token,
+            StudioFolders folders,
+            Optional<SearchBoard> board)
+            throws IOException {
         silenceServerTalk();
         QueuedThreadPool threads = new QueuedThreadPool(MAX_THREADS, 2);
         threads.setName("studio");
@@ -89,7 +103,7 @@ public final class StudioServer implements Viewer.View {
         LiveFeed feed = new LiveFeed(simulation, new RunNotes(folders.recordings())::keep);
         AccessRule rule = new AccessRule(openPort, token);
         String policy = WebFiles.contentSecurityPolicy(openPort);
-        server.setHandler(new AccessGuard(rule, policy, live(server, feed, folders)));
+        server.setHandler(new AccessGuard(rule, policy, live(server, feed, folders, board)));
         run(server);
         feed.start();
         return new StudioServer(server, feed, URI.create("http://127.0.0.1:" + openPort + "/?token=" + token.text()));
@@ -101,12 +115,14 @@ public final class StudioServer implements Viewer.View {
         }
     }
 
-    private static Handler live(Server server, LiveFeed feed, StudioFolders folders) {
+    private static Handler live(Server server, LiveFeed feed, StudioFolders folders, Optional<SearchBoard> board) {
         WebSocketUpgradeHandler live = WebSocketUpgradeHandler.from(server, container -> {
             container.setIdleTimeout(QUIET_LIMIT);
             container.setMaxTextMessageSize(MAX_COMMAND_BYTES);
             container.setMaxBinaryMessageSize(MAX_COMMAND_BYTES);
             container.addMapping(AccessRule.LIVE_PATH, (request, response, callback) -> new Spectator(feed));
+            board.ifPresent(search -> container.addMapping(
+                    SearchBoard.PATH, (request, response, callback) -> new SearchSpectator(search)));
         });
         MotionRoom motionRoom = new MotionRoom(folders.motions(), SceneWriter.model(NaoModel.of(RobotType.TYPE_0)));
         ReplayRoom replayRoom =

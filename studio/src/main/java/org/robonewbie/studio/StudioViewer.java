@@ -1,8 +1,10 @@
 package org.robonewbie.studio;
 
 import java.io.IOException;
+import java.util.Optional;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.Viewer;
+import org.robonewbie.studio.search.SearchBoard;
 
 /**
  * Shows simulations in the browser; found by {@link java.util.ServiceLoader}.
@@ -29,14 +31,34 @@ public final class StudioViewer implements Viewer {
      * @throws IOException if the port cannot be opened
      */
     public static View open(SimulationControl simulation, int port, StudioFolders folders) throws IOException {
+        return open(simulation, port, folders, Optional.empty());
+    }
+
+    /**
+     * Starts to show a search, and beside it what is in some folders.
+     *
+     * @param simulation a world for the other rooms
+     * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
+     * @param folders what of the disk the pages may use
+     * @param board what the search writes to; {@link SearchBoard#page} tells where it is shown
+     * @return the open view
+     * @throws IOException if the port cannot be opened
+     */
+    public static View open(SimulationControl simulation, int port, StudioFolders folders, SearchBoard board)
+            throws IOException {
+        return open(simulation, port, folders, Optional.of(board));
+    }
+
+    private static View open(SimulationControl simulation, int port, StudioFolders folders, Optional<SearchBoard> board)
+            throws IOException {
         AccessToken token = AccessToken.ofUser();
         if (port != 0) {
-            return StudioServer.start(simulation, port, token, folders);
+            return StudioServer.start(simulation, port, token, folders, board);
         }
         try {
-            return StudioServer.start(simulation, USUAL_PORT, token, folders);
+            return StudioServer.start(simulation, USUAL_PORT, token, folders, board);
         } catch (IOException e) {
-            return StudioServer.start(simulation, 0, token, folders);
+            return StudioServer.start(simulation, 0, token, folders, board);
         }
     }
 }

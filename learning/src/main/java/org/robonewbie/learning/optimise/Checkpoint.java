@@ -9,18 +9,22 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.robonewbie.learning.optimise.Generation.Score;
 
 /**
- * The memory of an optimisation: what it searches for, and the costs of all candidates so far, one generation in each line. Since
- * the same costs lead to the same candidates, this is all it takes to go on exactly where it was interrupted. The file is written
- * anew after each generation, all at once.
+ * The memory of an optimisation: what it searches for, and in each line the costs of all candidates of a generation and, after a
+ * bar, its score for people. Since the same costs lead to the same candidates, this is all it takes to go on exactly where it was
+ * interrupted. The file is written anew after each generation, all at once.
  */
 final class Checkpoint {
 
+    private static final String BAR = " | ";
+
     private final Path file;
     private final String question;
-    private final List<double[]> generations = new ArrayList<>();
+    private final List<Line> generations = new ArrayList<>();
 
     private Checkpoint(Path file, String question) {
         this.file = file;
@@ -49,21 +53,19 @@ final class Checkpoint {
                     + "\nGive the same options as before, or leave out --resume.");
         }
         Checkpoint checkpoint = new Checkpoint(file, question);
-        lines.stream().skip(1).map(line -> costs(file, line)).forEach(checkpoint.generations::add);
+        lines.stream().skip(1).map(line -> line(file, line)).forEach(checkpoint.generations::add);
         return checkpoint;
     }
 
-    /** Lists the costs of all generations so far. */
-    List<double[]> generations() {
+    /** Lists all generations so far. */
+    List<Line> generations() {
         return List.copyOf(generations);
     }
 
     /** Adds a generation and writes the file. */
-    void add(double[] costs) {
-        generations.add(costs.clone());
-        String text = generations.stream()
-                .map(line -> Arrays.stream(line).mapToObj(Double::toString).collect(Collectors.joining(" ")))
-                .collect(Collectors.joining("\n", question + "\n", "\n"));
+    void add(double[] costs, Score score) {
+        generations.add(new Line(costs.clone(), score));
+        String text = generations.stream().map(Line::toString).collect(Collectors.joining("\n", question + "\n", "\n"));
         try {
             Path temporary = file.resolveSibling(file.getFileName() + ".part");
             Files.writeString(temporary, text);
@@ -73,14 +75,34 @@ final class Checkpoint {
         }
     }
 
-    private static double[] costs(Path file, String line) {
+    private static Line line(Path file, String text) {
+        String[] halves = text.split(Pattern.quote(BAR), -1);
         try {
-            return Arrays.stream(line.split(" ", -1))
-                    .mapToDouble(Double::parseDouble)
-                    .toArray();
-        } catch (NumberFormatException e) {
+            double[] score = numbers(halves[1]);
+            return new Line(numbers(halves[0]), new Score(score[0], score[1], score[2]));
+        } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
             throw new IllegalArgumentException(
-                    file + " cannot be understood: \"" + line + "\". Leave out --resume.", e);
+                    file + " cannot be understood: \"" + text + "\". Leave out --resume.", e);
+        }
+    }
+
+    private static double[] numbers(String text) {
+        return Arrays.stream(text.split(" ", -1))
+                .mapToDouble(Double::parseDouble)
+                .toArray();
+    }
+
+    private static String text(double... numbers) {
+        return Arrays.stream(numbers).mapToObj(Double::toString).collect(Collectors.joining(" "));
+    }
+
+    /** What is known of one generation. */
+    @SuppressWarnings("ArrayRecordComponent")
+    record Line(double[] costs, Score score) {
+
+        @Override
+        public String toString() {
+            return text(costs) + BAR + text(score.best(), score.mean(), score.success());
         }
     }
 }

@@ -6,9 +6,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.robonewbie.agent.motion.PostureFollower;
 import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.agent.walk.WalkStyle;
@@ -22,6 +24,39 @@ public final class EngineSubject implements Subject {
 
     /** What the walk engine is called on the command line. */
     public static final String NAME = "walk-engine";
+
+    /** What the coordinates of {@link WalkStyle#of} change, in their order. */
+    private static final List<String> NAMES = List.of(
+            "gait: height of the torso",
+            "gait: lean",
+            "gait: feet behind the hips",
+            "gait: sway",
+            "gait: phase of the sway",
+            "gait: lift of the foot",
+            "gait: time on both feet",
+            "gait: roll",
+            "gait: hip of the swinging leg",
+            "gait: toes",
+            "gait: bounce",
+            "gait: phase of the bounce",
+            "gait: distance of the feet",
+            "gait: skew of the lift",
+            "balance: ankle against bowing",
+            "balance: ankle against the speed of bowing",
+            "balance: hip against bowing",
+            "balance: hip against the speed of bowing",
+            "balance: ankle against leaning aside",
+            "balance: ankle against the speed of leaning aside",
+            "balance: hip against leaning aside",
+            "balance: hip against the speed of leaning aside",
+            "balance: step against bowing",
+            "balance: step against the speed of bowing",
+            "balance: step against leaning aside",
+            "balance: step against the speed of leaning aside",
+            "style: change of speed in a step",
+            "style: lean for speed",
+            "style: feet ahead for speed",
+            "style: lean for a change of speed");
 
     private static final double SIZE = 0.5;
     private static final double SECONDS = 7;
@@ -51,6 +86,14 @@ public final class EngineSubject implements Subject {
     }
 
     @Override
+    public List<SubjectNumber> numbers(double[] coordinates) {
+        double[] numbers = shifted(coordinates);
+        return IntStream.range(0, numbers.length)
+                .mapToObj(i -> new SubjectNumber(NAMES.get(i), "", numbers[i], SIZE))
+                .toList();
+    }
+
+    @Override
     public String fingerprint() {
         return Integer.toHexString(Arrays.hashCode(WalkStyle.coordinates()));
     }
@@ -72,7 +115,7 @@ public final class EngineSubject implements Subject {
     public void save(double[] coordinates, Map<String, String> facts, Path file) throws IOException {
         String text = facts.entrySet().stream()
                 .map(fact -> "// " + fact.getKey() + ": " + fact.getValue() + "\n")
-                .collect(Collectors.joining("", "", text(numbers(coordinates)) + "\n"));
+                .collect(Collectors.joining("", "", text(shifted(coordinates)) + "\n"));
         Path temporary = file.resolveSibling(file.getFileName() + ".part");
         Files.writeString(temporary, text, StandardCharsets.UTF_8);
         Files.move(temporary, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
@@ -95,10 +138,10 @@ public final class EngineSubject implements Subject {
     }
 
     private static WalkStyle style(double[] coordinates) {
-        return WalkStyle.standard(numbers(coordinates));
+        return WalkStyle.standard(shifted(coordinates));
     }
 
-    private static double[] numbers(double[] coordinates) {
+    private static double[] shifted(double[] coordinates) {
         double[] numbers = WalkStyle.coordinates();
         for (int i = 0; i < coordinates.length; i++) {
             numbers[i] = Math.round(100 * (numbers[i] + SIZE * coordinates[i])) / 100.0;

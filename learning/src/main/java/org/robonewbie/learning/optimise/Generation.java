@@ -5,9 +5,39 @@ package org.robonewbie.learning.optimise;
  *
  * @param number from 1
  * @param of how many there will be
- * @param best the value of its best candidate, in the unit of the objective
- * @param mean the mean value of all its candidates
- * @param success share of all its trials that ended as they should, 0 to 1
- * @param secondsLeft how long the rest will take, estimated from this run
+ * @param score how its candidates did
+ * @param cloud from where the next generation will be drawn
+ * @param pace how fast the search is; {@link Pace#UNKNOWN} for a generation from before an interruption
  */
-public record Generation(int number, int of, double best, double mean, double success, double secondsLeft) {}
+public record Generation(int number, int of, Score score, Cloud cloud, Pace pace) {
+
+    /**
+     * How the candidates of a generation did.
+     *
+     * @param best the value of the best candidate, in the unit of the objective
+     * @param mean the mean value of all candidates
+     * @param success share of all trials that ended as they should, 0 to 1
+     */
+    public record Score(double best, double mean, double success) {}
+
+    /**
+     * How fast a search is.
+     *
+     * @param trialsPerSecond trials in each second of the clock, 0 if unknown
+     * @param secondsLeft how long the rest will take, estimated from this run
+     */
+    public record Pace(double trialsPerSecond, double secondsLeft) {
+
+        /** The pace of what was done in an earlier run. */
+        public static final Pace UNKNOWN = new Pace(0, 0);
+    }
+
+    /**
+     * Tells whether this generation was tried before an interruption.
+     *
+     * @return whether it comes from the checkpoint
+     */
+    public boolean isRemembered() {
+        return pace.equals(Pace.UNKNOWN);
+    }
+}

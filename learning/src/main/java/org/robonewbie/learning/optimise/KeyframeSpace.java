@@ -2,6 +2,7 @@ package org.robonewbie.learning.optimise;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Mirror;
@@ -69,6 +70,23 @@ final class KeyframeSpace {
             }
         }
         return new Motion(motion.name(), keyframes);
+    }
+
+    /** Explains the numbers of the motion that belongs to coordinates. */
+    List<SubjectNumber> numbers(double[] coordinates) {
+        List<Keyframe> keyframes = motion(coordinates).keyframes();
+        List<SubjectNumber> numbers = new ArrayList<>();
+        for (int i = 0; i < joints.size(); i++) {
+            Keyframe keyframe = keyframes.get(i);
+            String place = "keyframe " + (i + 1) + ", ";
+            numbers.add(new SubjectNumber(place + "time", "ms", keyframe.durationMillis(), MILLIS_PER_COORDINATE));
+            for (Joint joint : joints.get(i)) {
+                double degrees = keyframe.posture().degrees(joint);
+                String name = joint.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+                numbers.add(new SubjectNumber(place + name, "degrees", degrees, DEGREES_PER_COORDINATE));
+            }
+        }
+        return numbers;
     }
 
     private static int millis(int before, double change) {

@@ -3,6 +3,7 @@ package org.robonewbie.learning.optimise;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.robonewbie.learning.objective.Objective;
@@ -49,6 +50,11 @@ public final class MotionSubject implements Subject {
     @Override
     public int dimension() {
         return space.dimension();
+    }
+
+    @Override
+    public List<SubjectNumber> numbers(double[] coordinates) {
+        return space.numbers(coordinates);
     }
 
     @Override

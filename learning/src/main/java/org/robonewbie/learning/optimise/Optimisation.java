@@ -1,6 +1,7 @@
 package org.robonewbie.learning.optimise;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -8,9 +9,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
-import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import org.robonewbie.learning.objective.Objective;
+import org.robonewbie.learning.optimise.Generation.Pace;
+import org.robonewbie.learning.optimise.Generation.Score;
 import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
 
 /**
@@ -56,22 +58,25 @@ public final class Optimisation {
      * Searches, compares, and writes the result if it is better than the start.
      *
      * @param resume whether an interrupted run goes on; the result is that of a run that was never interrupted
-     * @param listener is told about each new generation
+     * @param listener is told about each generation, also about those from before the interruption
      * @return how much better it has become
      * @throws IOException if a file cannot be read or written
      */
-    public OptimisationResult run(boolean resume, Consumer<Generation> listener) throws IOException {
+    public OptimisationResult run(boolean resume, OptimisationListener listener) throws IOException {
         Checkpoint checkpoint = resume
                 ? Checkpoint.resume(checkpointFile(), question())
                 : Checkpoint.begin(checkpointFile(), question());
         try (Workers workers = new Workers(plan.threads())) {
             Attempt before = compared(workers, new double[subject.dimension()]);
+            listener.begins(before);
             double[] found = search(workers, checkpoint, scale(before), listener);
             Attempt after = compared(workers, found);
             OptimisationResult result = new OptimisationResult(objective, before, after, TRIALS_OF_COMPARISON);
             if (result.isBetter()) {
                 subject.save(found, facts(result), output);
             }
+            Files.deleteIfExists(fileSoFar());
+            listener.ends(result);
             return result;
         }
     }
@@ -85,42 +90,61 @@ public final class Optimisation {
         return output.resolveSibling(output.getFileName() + ".checkpoint");
     }
 
-    private double[] search(Workers workers, Checkpoint checkpoint, double scale, Consumer<Generation> listener) {
+    /**
+     * Tells where the present state of the search can be looked at while it goes on.
+     *
+     * @return the file beside the output, which is there from the first generation to the end
+     */
+    public Path fileSoFar() {
+        String name = String.valueOf(output.getFileName());
+        int dot = name.lastIndexOf('.');
+        String ending = dot > 0 ? name.substring(dot) : "";
+        return output.resolveSibling(name.substring(0, name.length() - ending.length()) + "-so-far" + ending);
+    }
+
+    private double[] search(Workers workers, Checkpoint checkpoint, double scale, OptimisationListener listener)
+            throws IOException {
         var cloud = new CovarianceMatrixAdaptation(
                 new double[subject.dimension()], plan.step(), plan.population(), plan.seed());
-        List<double[]> known = checkpoint.generations();
+        List<Checkpoint.Line> known = checkpoint.generations();
         long begin = System.nanoTime();
         for (int i = 0; i < plan.generations(); i++) {
             List<double[]> candidates = cloud.ask();
             if (i < known.size()) {
-                cloud.tell(known.get(i));
+                cloud.tell(known.get(i).costs());
+                listener.reached(generation(i, known.get(i).score(), cloud, Pace.UNKNOWN));
             } else {
                 List<List<Attempt>> attempts = attempts(workers, candidates, firstSeed(i));
                 double[] costs = attempts.stream()
                         .mapToDouble(trials -> Attempt.cost(trials, sign(), scale))
                         .toArray();
+                Score score = score(attempts, costs);
                 cloud.tell(costs);
-                checkpoint.add(costs);
-                double perGeneration = (System.nanoTime() - begin) / 1e9 / (i + 1 - known.size());
-                listener.accept(generation(i, attempts, costs, perGeneration));
+                checkpoint.add(costs, score);
+                subject.save(cloud.mean(), Map.of("so far", "generation " + (i + 1)), fileSoFar());
+                double seconds = (System.nanoTime() - begin) / 1e9 / (i + 1 - known.size());
+                listener.reached(generation(i, score, cloud, pace(seconds, i + 1)));
             }
         }
         return cloud.mean();
     }
 
-    private Generation generation(int index, List<List<Attempt>> attempts, double[] costs, double secondsEach) {
+    private Generation generation(int index, Score score, CovarianceMatrixAdaptation cloud, Pace pace) {
+        return new Generation(index + 1, plan.generations(), score, Cloud.of(cloud), pace);
+    }
+
+    private Pace pace(double secondsPerGeneration, int done) {
+        double trials = (double) plan.population() * plan.trials();
+        return new Pace(trials / secondsPerGeneration, secondsPerGeneration * (plan.generations() - done));
+    }
+
+    private static Score score(List<List<Attempt>> attempts, double[] costs) {
         List<Attempt> means = attempts.stream().map(Attempt::mean).toList();
         int best = IntStream.range(0, costs.length)
                 .reduce((a, b) -> costs[b] < costs[a] ? b : a)
                 .orElseThrow();
         Attempt all = Attempt.mean(means);
-        return new Generation(
-                index + 1,
-                plan.generations(),
-                means.get(best).value(),
-                all.value(),
-                all.success(),
-                secondsEach * (plan.generations() - index - 1));
+        return new Score(means.get(best).value(), all.value(), all.success());
     }
 
     private List<List<Attempt>> attempts(Workers workers, List<double[]> candidates, long firstSeed) {

@@ -2,6 +2,7 @@ package org.robonewbie.learning.optimise;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -23,6 +24,14 @@ public interface Subject {
      * @return number of coordinates, at least 1
      */
     int dimension();
+
+    /**
+     * Explains a candidate to people.
+     *
+     * @param coordinates how far each number is changed
+     * @return its numbers, in the order of the coordinates
+     */
+    List<SubjectNumber> numbers(double[] coordinates);
 
     /**
      * Identifies the present state, so that a search is not continued with something else.

@@ -161,6 +161,17 @@ public final class CovarianceMatrixAdaptation {
         return step;
     }
 
+    /**
+     * Tells how far the next candidates will lie apart in each coordinate.
+     *
+     * @return standard deviations, all greater than 0
+     */
+    public double[] spread() {
+        return IntStream.range(0, dimension)
+                .mapToDouble(i -> step * Math.sqrt(covariance[i][i]))
+                .toArray();
+    }
+
     private static double[] parentWeights(int parents) {
         double[] raw = IntStream.rangeClosed(1, parents)
                 .mapToDouble(i -> Math.log(parents + 0.5) - Math.log(i))

@@ -34,4 +34,12 @@ class EngineSubjectTest {
 
         assertThat(Files.readString(file)).startsWith("// made by: test\n2.10, -1.50, 1.10");
     }
+
+    @Test
+    void namesItsNumbers() {
+        assertThat(engine.numbers(new double[engine.dimension()]))
+                .hasSize(engine.dimension())
+                .first()
+                .isEqualTo(new SubjectNumber("gait: height of the torso", "", 2.1, 0.5));
+    }
 }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Random;
 
@@ -32,6 +33,13 @@ final class Hill implements Subject {
     @Override
     public int dimension() {
         return 4;
+    }
+
+    @Override
+    public List<SubjectNumber> numbers(double[] coordinates) {
+        return Arrays.stream(coordinates)
+                .mapToObj(x -> new SubjectNumber("way", "m", x, 1))
+                .toList();
     }
 
     @Override

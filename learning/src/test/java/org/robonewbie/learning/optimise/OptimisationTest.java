@@ -2,8 +2,10 @@ package org.robonewbie.learning.optimise;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -49,11 +51,13 @@ class OptimisationTest {
     void goesOnAsIfItHadNeverBeenInterrupted() throws IOException {
         Path whole = folder.resolve("whole.txt");
         Path broken = folder.resolve("broken.txt");
+        List<Generation> known = new ArrayList<>();
         List<Generation> later = new ArrayList<>();
         new Optimisation(new Hill(), OBJECTIVE, plan(12, 2), whole).run(false, new ArrayList<>()::add);
         var interrupted = new Optimisation(new Hill(), OBJECTIVE, plan(12, 2), broken);
 
         assertThatThrownBy(() -> interrupted.run(false, generation -> {
+                    known.add(generation);
                     if (generation.number() == 5) {
                         throw new IllegalStateException("interrupted");
                     }
@@ -61,9 +65,37 @@ class OptimisationTest {
                 .hasMessage("interrupted");
         interrupted.run(true, later::add);
 
-        assertThat(later).hasSize(7);
-        assertThat(later.get(0).number()).isEqualTo(6);
+        assertThat(later).hasSize(12);
+        assertThat(later).filteredOn(Generation::isRemembered).hasSize(5);
+        assertThat(later.subList(0, 5)).zipSatisfy(known, (again, first) -> {
+            assertThat(again.score()).isEqualTo(first.score());
+            assertThat(again.cloud()).isEqualTo(first.cloud());
+        });
         assertThat(broken).hasSameTextualContentAs(whole);
+    }
+
+    @Test
+    void canBeLookedAtWhileItGoesOn() throws IOException {
+        var optimisation = new Optimisation(new Hill(), OBJECTIVE, plan(2, 1), folder.resolve("hill.txt"));
+        List<String> seen = new ArrayList<>();
+
+        optimisation.run(false, generation -> seen.add(content(optimisation.fileSoFar())));
+
+        assertThat(optimisation.fileSoFar()).hasFileName("hill-so-far.txt").doesNotExist();
+        assertThat(seen.get(1)).contains("so far: generation 2");
+    }
+
+    @Test
+    void tellsHowFarItsCloudSpreads() throws IOException {
+        List<Generation> generations = new ArrayList<>();
+
+        new Optimisation(new Hill(), OBJECTIVE, plan(40, 1), folder.resolve("hill.txt")).run(false, generations::add);
+
+        Cloud first = generations.get(0).cloud();
+        Cloud last = generations.get(39).cloud();
+        assertThat(first.spread()).allSatisfy(spread -> assertThat(spread).isBetween(0.2, 1.0));
+        assertThat(last.spread()).allSatisfy(spread -> assertThat(spread).isLessThan(0.2));
+        assertThat(last.middle()).allSatisfy(x -> assertThat(x).isCloseTo(1, within(0.3)));
     }
 
     @Test
@@ -94,11 +126,11 @@ class OptimisationTest {
         var optimisation = new Optimisation(new Hill(), OBJECTIVE, plan(2, 1), file);
         optimisation.run(false, new ArrayList<>()::add);
         Path checkpoint = optimisation.checkpointFile();
-        Files.writeString(checkpoint, Files.readAllLines(checkpoint).get(0) + "\n1.0 many 2.0\n");
+        Files.writeString(checkpoint, Files.readAllLines(checkpoint).get(0) + "\n1.0 many 2.0 | 1.0 1.0 1.0\n");
 
         assertThatThrownBy(() -> optimisation.run(true, new ArrayList<>()::add))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("cannot be understood: \"1.0 many 2.0\"");
+                .hasMessageContaining("cannot be understood: \"1.0 many 2.0 | 1.0 1.0 1.0\"");
     }
 
     @Test
@@ -120,6 +152,14 @@ class OptimisationTest {
         assertThatThrownBy(() -> new OptimisationPlan(1, 1, 4, 1, 0, 1))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("--step 0.0: give a number greater than 0, at most 10.");
+    }
+
+    private static String content(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     private static OptimisationPlan plan(int generations, int threads) {

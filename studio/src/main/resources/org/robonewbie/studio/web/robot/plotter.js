@@ -8,7 +8,7 @@ const COLOURS = 6;
 let loading;
 
 /** @returns {any} the library, undefined as long as it is not there */
-const library = () => /** @type {any} */ (window).uPlot;
+export const uPlot = () => /** @type {any} */ (window).uPlot;
 
 /** @returns {Promise<void>} */
 export function loadPlotter() {
@@ -30,21 +30,20 @@ export function loadPlotter() {
  */
 export function newPlot(place, names, { width, seek, zoomed }) {
   place.replaceChildren();
-  if (!library() || width < 50 || names.length === 0) {
+  if (!uPlot() || width < 50 || names.length === 0) {
     return undefined;
   }
   const style = getComputedStyle(place);
   const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
-  const axis = { stroke: () => colour('--faint'), grid: { stroke: () => colour('--edge'), width: 1 }, ticks: { show: false }, font: '12px system-ui, sans-serif' };
   let moment = 0;
-  const plot = new (library())(
+  const plot = new (uPlot())(
     {
       width,
       height: HEIGHT,
       legend: { show: false },
       cursor: { sync: { key: 'robot', setSeries: false }, drag: { x: true, y: false, setScale: false }, points: { size: 6 } },
       scales: { x: { time: false }, y: { range: roomy } },
-      axes: [{ ...axis, size: 22, gap: 2 }, { ...axis, size: 46, gap: 2 }],
+      axes: axes(colour),
       series: [{}, ...names.map((name, i) => ({ label: name, stroke: () => colour(`--curve-${i % COLOURS}`), width: 1.5, spanGaps: true, points: { show: false }, dash: i < COLOURS ? undefined : [6, 3] }))],
       hooks: {
         draw: [(/** @type {any} */ drawn) => drawMoment(drawn, moment, colour('--ink'))],
@@ -76,8 +75,14 @@ export function newPlot(place, names, { width, seek, zoomed }) {
   return plot;
 }
 
+/** Axes in the colours of the theme. @param {(name: string) => string} colour */
+export function axes(colour) {
+  const axis = { stroke: () => colour('--faint'), grid: { stroke: () => colour('--edge'), width: 1 }, ticks: { show: false }, font: '12px system-ui, sans-serif' };
+  return [{ ...axis, size: 22, gap: 2 }, { ...axis, size: 46, gap: 2 }];
+}
+
 /** A flat curve lies in the middle. @param {any} _ @param {number | null} least @param {number | null} most */
-function roomy(_, least, most) {
+export function roomy(_, least, most) {
   const [low, high] = [least ?? 0, most ?? 1];
   const room = Math.max((high - low) * 0.08, Math.abs(high) * 0.005, 0.01);
   return [low - room, high + room];

@@ -1,0 +1,54 @@
+package org.robonewbie.app;
+
+import java.nio.file.Path;
+import java.util.Locale;
+import org.robonewbie.learning.optimise.Attempt;
+import org.robonewbie.learning.optimise.Generation;
+import org.robonewbie.learning.optimise.OptimisationListener;
+import org.robonewbie.learning.optimise.OptimisationResult;
+
+/** Prints how an optimisation goes on; what was printed before an interruption is not printed again. */
+record SearchConsole(String unit, Path file) implements OptimisationListener {
+
+    @Override
+    public void begins(Attempt before) {
+        System.out.printf(Locale.ROOT, "start: %.3f %s%n", before.value(), unit);
+    }
+
+    @Override
+    public void reached(Generation generation) {
+        if (!generation.isRemembered()) {
+            System.out.println(line(generation));
+        }
+    }
+
+    @Override
+    public void ends(OptimisationResult result) {
+        System.out.println("before: " + result.words(result.before()));
+        System.out.println("after:  " + result.words(result.after()));
+        System.out.println(outcome(result, file));
+    }
+
+    /** Says what has come out. */
+    static String outcome(OptimisationResult result, Path file) {
+        return result.isBetter()
+                ? "Written to " + file + "."
+                : "Nothing better was found, so nothing is written. More --generations or another --seed may help.";
+    }
+
+    private String line(Generation generation) {
+        long seconds = Math.round(generation.pace().secondsLeft());
+        return String.format(
+                Locale.ROOT,
+                "generation %d/%d: best %.3f %s, mean %.3f %s, %.0f%% succeed, %d:%02d left",
+                generation.number(),
+                generation.of(),
+                generation.score().best(),
+                unit,
+                generation.score().mean(),
+                unit,
+                100 * generation.score().success(),
+                seconds / 60,
+                seconds % 60);
+    }
+}

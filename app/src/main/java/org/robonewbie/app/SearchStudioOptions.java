@@ -1,0 +1,16 @@
+package org.robonewbie.app;
+
+import picocli.CommandLine.Option;
+
+/** How a search is shown to people. */
+final class SearchStudioOptions {
+
+    @Option(names = "--headless", description = "Open no page; the program ends as soon as the search does.")
+    boolean isHeadless;
+
+    @Option(names = "--no-browser", description = "Print the address of the page and open no browser.")
+    boolean isWithoutBrowser;
+
+    @Option(names = "--port", paramLabel = "N", description = "Port of the page (3400, or any free one).")
+    int port;
+}

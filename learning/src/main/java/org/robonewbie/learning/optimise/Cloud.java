@@ -1,0 +1,29 @@
+package org.robonewbie.learning.optimise;
+
+import java.util.Arrays;
+import java.util.List;
+import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
+
+/**
+ * From where the next candidates of a search are drawn, in coordinates of its {@link Subject}.
+ *
+ * @param step size of the whole cloud (sigma); a search that has settled makes it small
+ * @param middle the centre, which would be the result if the search ended now
+ * @param spread standard deviation in each coordinate
+ */
+public record Cloud(double step, List<Double> middle, List<Double> spread) {
+
+    /** Copies the lists. */
+    public Cloud {
+        middle = List.copyOf(middle);
+        spread = List.copyOf(spread);
+    }
+
+    static Cloud of(CovarianceMatrixAdaptation search) {
+        return new Cloud(search.step(), list(search.mean()), list(search.spread()));
+    }
+
+    private static List<Double> list(double[] numbers) {
+        return Arrays.stream(numbers).boxed().toList();
+    }
+}

@@ -1,0 +1,27 @@
+package org.robonewbie.learning.optimise;
+
+/** Is told how an optimisation goes on; one call at a time. */
+@FunctionalInterface
+public interface OptimisationListener {
+
+    /**
+     * Hears how well the start does, before the first generation.
+     *
+     * @param before the mean of the trials of comparison
+     */
+    default void begins(Attempt before) {}
+
+    /**
+     * Hears about each generation. After an interruption it is first told once more what it has been told before.
+     *
+     * @param generation what it has reached
+     */
+    void reached(Generation generation);
+
+    /**
+     * Hears what came out; the file of the result is written already if it is better.
+     *
+     * @param result the comparison with the start
+     */
+    default void ends(OptimisationResult result) {}
+}

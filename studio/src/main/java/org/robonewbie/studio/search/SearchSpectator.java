@@ -1,0 +1,61 @@
+package org.robonewbie.studio.search;
+
+import org.eclipse.jetty.websocket.api.Callback;
+import org.eclipse.jetty.websocket.api.Session;
+import org.jspecify.annotations.Nullable;
+
+/** A page that looks at a {@link SearchBoard}. If it is slower than the search it misses something, and then gets all anew. */
+public final class SearchSpectator extends Session.Listener.AbstractAutoDemanding {
+
+    private final SearchBoard board;
+    private boolean busy;
+    private boolean missed;
+
+    /**
+     * Expects a page.
+     *
+     * @param board what it will look at
+     */
+    public SearchSpectator(SearchBoard board) {
+        this.board = board;
+    }
+
+    @Override
+    public void onWebSocketOpen(Session session) {
+        super.onWebSocketOpen(session);
+        board.add(this);
+    }
+
+    @Override
+    public void onWebSocketClose(int statusCode, @Nullable String reason, Callback callback) {
+        board.remove(this);
+        callback.succeed();
+    }
+
+    @Override
+    public void onWebSocketError(Throwable cause) {
+        board.remove(this);
+    }
+
+    /** Sends news, unless the page is still busy with others. Called by the board only, which nobody else writes to meanwhile. */
+    synchronized void offer(String json) {
+        missed |= busy;
+        if (!busy) {
+            busy = true;
+            getSession().sendText(json, Callback.from(this::sent, failure -> {}));
+        }
+    }
+
+    private void sent() {
+        if (becomesFree()) {
+            board.tellAgain(this);
+        }
+    }
+
+    private synchronized boolean becomesFree() {
+        boolean again = missed;
+        busy = false;
+        missed = false;
+        return again;
+    }
+}

@@ -1,0 +1,42 @@
+/** Curves over the rounds of a search. */
+import { axes, roomy, uPlot } from '../robot/plotter.js';
+
+/**
+ * @typedef {object} Curve
+ * @property {string} label
+ * @property {string} colour name of a colour of the theme
+ * @property {number[]} [dash]
+ * @property {boolean} [points] whether each value is marked
+ */
+
+/**
+ * Makes an empty plot that fills its place.
+ *
+ * @param {HTMLElement} place
+ * @param {readonly Curve[]} curves
+ */
+export function searchPlot(place, curves) {
+  const style = getComputedStyle(place);
+  const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
+  const size = () => ({ width: Math.max(60, place.clientWidth), height: Math.max(60, place.clientHeight) });
+  const series = curves.map(({ label, colour: name, dash, points }) => ({ label, dash, stroke: () => colour(name), width: 2, points: { show: points ?? false, size: 4 } }));
+  const plot = new (uPlot())(
+    {
+      ...size(),
+      legend: { show: false },
+      cursor: { drag: { x: false, y: false }, points: { size: 7 }, sync: { key: 'search' } },
+      scales: { x: { time: false, range: wholeRounds }, y: { range: roomy } },
+      axes: axes(colour),
+      series: [{}, ...series],
+    },
+    [[], ...curves.map(() => [])],
+    place,
+  );
+  new ResizeObserver(() => plot.setSize(size())).observe(place);
+  return plot;
+}
+
+/** Also a single round has room. @param {any} _ @param {number | null} least @param {number | null} most */
+function wholeRounds(_, least, most) {
+  return [Math.min(1, least ?? 1), Math.max(2, most ?? 2)];
+}

@@ -1,0 +1,123 @@
+/** What is known of a search for better numbers. */
+
+/**
+ * @typedef {object} Task
+ * @property {string} subject
+ * @property {string} objective
+ * @property {string} unit
+ * @property {boolean} isLargerBetter
+ * @property {number} rounds
+ * @property {string} method
+ */
+/** @typedef {{number: number, best: number, mean: number, success: number, step: number, trialsPerSecond: number, secondsLeft: number}} Round */
+/** @typedef {{name: string, unit: string, start: number, value: number, spread: number, size: number}} SearchedNumber */
+/** @typedef {'waiting' | 'running' | 'ended' | 'lost' | 'refused'} Phase */
+
+/**
+ * @typedef {object} Search
+ * @property {Phase} phase
+ * @property {string} refusal why the page was refused
+ * @property {Task | undefined} task
+ * @property {readonly Round[]} rounds
+ * @property {readonly SearchedNumber[]} numbers
+ * @property {number | undefined} before the value of the start
+ * @property {number | undefined} after the value of the result
+ * @property {string} outcome
+ * @property {string} place where the present state can be looked at, as the end of an address
+ */
+
+/** @returns {Search} */
+export function initialSearch() {
+  return { phase: 'waiting', refusal: '', task: undefined, rounds: [], numbers: [], before: undefined, after: undefined, outcome: '', place: '' };
+}
+
+/**
+ * @param {Search} search
+ * @param {any} news a message of the board
+ * @returns {Search}
+ */
+export function withNews(search, news) {
+  if (news.kind === 'whole') {
+    const { task, rounds, numbers = [], before, after, outcome = '', place = '' } = news;
+    return { ...search, phase: outcome ? 'ended' : 'running', task, rounds, numbers, before, after, outcome, place };
+  }
+  return { ...search, rounds: [...search.rounds, news.round], numbers: news.numbers, place: news.place };
+}
+
+/** What a search has told stays, but nothing more can be looked at. @param {Search} search @returns {Search} */
+export function withoutLine(search) {
+  return { ...search, place: '', phase: search.phase === 'running' ? 'lost' : search.phase };
+}
+
+/** @param {Search} search @param {string} refusal @returns {Search} */
+export function withRefusal(search, refusal) {
+  return { ...search, phase: 'refused', refusal };
+}
+
+/** Columns for the plot of the objective: round, best, mean, start. @param {Search} search */
+export function valueCurves({ rounds, before }) {
+  return [rounds.map((round) => round.number), rounds.map((round) => round.best), rounds.map((round) => round.mean), rounds.map(() => before ?? null)];
+}
+
+/** Columns for the plot of the spread. @param {Search} search */
+export function stepCurve({ rounds }) {
+  return [rounds.map((round) => round.number), rounds.map((round) => round.step)];
+}
+
+/** @param {Search} search @returns {Array<[string, string]>} names and values for people */
+export function facts({ task, rounds, before, after, phase }) {
+  if (!task) {
+    return [];
+  }
+  const last = rounds.at(-1);
+  const value = (/** @type {number | undefined} */ number) => (number === undefined ? '–' : `${number.toFixed(3)} ${task.unit}`);
+  return [
+    ['Round', `${last?.number ?? 0} of ${task.rounds}`],
+    ['Start', value(before)],
+    ['Best of this round', value(last?.best)],
+    ['Mean', value(last?.mean)],
+    ...(after === undefined ? [] : [/** @type {[string, string]} */ (['Result', value(after)])]),
+    ['Trials that succeed', last ? `${Math.round(100 * last.success)} %` : '–'],
+    ['Trials per second', last && last.trialsPerSecond > 0 ? last.trialsPerSecond.toFixed(last.trialsPerSecond < 10 ? 1 : 0) : '–'],
+    ['Time left', phase === 'running' && last && last.trialsPerSecond > 0 ? duration(last.secondsLeft) : '–'],
+  ];
+}
+
+/** @param {Search} search @returns {{tone: string, text: string}} */
+export function sentence({ phase, refusal, outcome, rounds }) {
+  switch (phase) {
+    case 'waiting':
+      return { tone: '', text: 'Waiting for the optimisation …' };
+    case 'lost':
+      return { tone: 'trouble', text: 'The program has ended or does not answer. An interrupted run goes on with the same command and --resume.' };
+    case 'refused':
+      return { tone: 'trouble', text: refusal };
+    case 'ended':
+      return { tone: 'done', text: outcome };
+    default:
+      return { tone: '', text: rounds.length === 0 ? 'The first candidates are being tried …' : '' };
+  }
+}
+
+/** @param {number} seconds @returns {string} such as 1:05:09 */
+export function duration(seconds) {
+  const whole = Math.max(0, Math.round(seconds));
+  const two = (/** @type {number} */ number) => String(number).padStart(2, '0');
+  const [hours, minutes] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60];
+  return hours > 0 ? `${hours}:${two(minutes)}:${two(whole % 60)}` : `${minutes}:${two(whole % 60)}`;
+}
+
+/**
+ * The numbers with the largest changes first, each with where its bar lies between 0 and 1.
+ *
+ * @param {readonly SearchedNumber[]} numbers
+ * @param {number} most how many are wanted
+ */
+export function bars(numbers, most) {
+  const reach = Math.max(0.5, ...numbers.map(({ start, value, spread, size }) => (Math.abs(value - start) + spread) / size));
+  const change = (/** @type {SearchedNumber} */ { start, value, size }) => (value - start) / size;
+  return [...numbers]
+    .sort((a, b) => Math.abs(change(b)) - Math.abs(change(a)))
+    .slice(0, most)
+    .map((number) => ({ ...number, at: 0.5 + change(number) / reach / 2, half: number.spread / number.size / reach / 2 }));
+}
