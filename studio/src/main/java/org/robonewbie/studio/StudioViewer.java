@@ -51,12 +51,18 @@ public final class StudioViewer implements Viewer {
 
     private static View open(SimulationControl simulation, int port, StudioFolders folders, Optional<SearchBoard> board)
             throws IOException {
+        return port == 0
+                ? openAtUsual(USUAL_PORT, simulation, folders, board)
+                : StudioServer.start(simulation, port, AccessToken.ofUser(), folders, board);
+    }
+
+    /** Takes a port if it is free, and any other if it is not. */
+    static View openAtUsual(
+            int port, SimulationControl simulation, StudioFolders folders, Optional<SearchBoard> board)
+            throws IOException {
         AccessToken token = AccessToken.ofUser();
-        if (port != 0) {
-            return StudioServer.start(simulation, port, token, folders, board);
-        }
         try {
-            return StudioServer.start(simulation, USUAL_PORT, token, folders, board);
+            return StudioServer.start(simulation, port, token, folders, board);
         } catch (IOException e) {
             return StudioServer.start(simulation, 0, token, folders, board);
         }

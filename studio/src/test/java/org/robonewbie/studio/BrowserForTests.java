@@ -20,6 +20,7 @@ final class BrowserForTests implements BeforeAllCallback, AfterTestExecutionCall
 
     @Override
     public void afterTestExecution(ExtensionContext context) {
+        browser(context).evaluate("(() => { try { localStorage.clear(); } catch { return; } })()");
         browser(context).visit("about:blank");
         browser(context).forgetComplaints();
     }

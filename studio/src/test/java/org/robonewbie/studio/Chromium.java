@@ -21,18 +21,23 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** A real browser without a window, steered by the Chrome DevTools protocol. */
 final class Chromium implements AutoCloseable, WebSocket.Listener {
 
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long PATIENCE_SECONDS = 120;
+
+    private static final Pattern PAGE_IS_LEFT =
+            Pattern.compile("context was destroyed|Cannot find (default execution )?context|navigated or closed");
 
     private final Process process;
     private final Path profile;
@@ -41,6 +46,7 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
     private final Map<Integer, CompletableFuture<JsonObject>> calls = new ConcurrentHashMap<>();
     private final List<String> complaints = new CopyOnWriteArrayList<>();
     private final StringBuilder text = new StringBuilder();
+    private volatile CompletableFuture<Boolean> frozen = new CompletableFuture<>();
     private String session = "";
 
     private Chromium(Process process, Path profile, URI address) {
@@ -66,6 +72,9 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
                 "--no-first-run",
                 "--disable-extensions",
                 "--disable-background-networking",
+                "--disable-background-timer-throttling",
+                "--disable-backgrounding-occluded-windows",
+                "--disable-renderer-backgrounding",
                 "--user-data-dir=" + profile,
                 "about:blank"));
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
@@ -116,11 +125,13 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
         call("Emulation.setDeviceMetricsOverride", metrics);
     }
 
+    /** Opens an address and waits until the page before it has gone and this one is there. */
     void visit(String address) {
         JsonObject place = new JsonObject();
         place.addProperty("url", address);
-        call("Page.navigate", place);
-        await("document.readyState === 'complete'");
+        evaluate("window.isLeft = true");
+        boolean isOther = call("Page.navigate", place).has("loaderId");
+        await((isOther ? "!window.isLeft && " : "") + "document.readyState === 'complete'");
     }
 
     /** Computes a JavaScript expression in the page. */
@@ -141,12 +152,24 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
     void await(String condition) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         String guarded = "(() => { try { return Boolean(" + condition + "); } catch { return false; } })()";
-        while (!evaluate(guarded).getAsBoolean()) {
+        while (!holds(guarded)) {
             if (System.nanoTime() > end) {
                 throw new AssertionError("Not within " + PATIENCE_SECONDS + " s: " + condition + "; page says "
                         + complaints + " and shows " + evaluate("document.body.innerText"));
             }
             LockSupport.parkNanos(30_000_000);
+        }
+    }
+
+    /** A condition does not hold in a page that is just being left. */
+    private boolean holds(String condition) {
+        try {
+            return evaluate(condition).getAsBoolean();
+        } catch (CompletionException e) {
+            if (PAGE_IS_LEFT.matcher(String.valueOf(e.getMessage())).find()) {
+                return false;
+            }
+            throw e;
         }
     }
 
@@ -167,9 +190,36 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
 
     /** Clicks as soon as the element is there and can be used, as a person would; a disabled one swallows the click. */
     void click(String selector) {
-        String element = "document.querySelector(" + quoted(selector) + ")";
-        await(element + " && !" + element + ".disabled");
-        evaluate(element + ".click()");
+        clickElement("document.querySelector(" + quoted(selector) + ")");
+    }
+
+    /** Clicks what a JavaScript expression finds, as soon as it is there and can be used. */
+    void clickElement(String expression) {
+        await("(() => { const found = " + expression + "; const ready = found && !found.disabled;"
+                + " if (ready) { found.click(); } return ready; })()");
+    }
+
+    /** Writes into a field or chooses from a list, as soon as it can be used; as a person does, who leaves the field then. */
+    void fill(String selector, String value) {
+        await("(() => { const field = document.querySelector(" + quoted(selector) + ");"
+                + " const ready = field && !field.disabled;"
+                + " if (ready) { field.focus(); field.value = " + quoted(value) + ";"
+                + " field.dispatchEvent(new Event('input', {bubbles: true}));"
+                + " field.dispatchEvent(new Event('change', {bubbles: true})); field.blur(); } return ready; })()");
+    }
+
+    /** Stops all scripts of the page, as if it hung, and returns when they stand. */
+    void freeze() {
+        frozen = new CompletableFuture<>();
+        call("Debugger.enable", new JsonObject());
+        call("Debugger.pause", new JsonObject());
+        frozen.orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS).join();
+    }
+
+    /** Lets the scripts of the page go on. */
+    void thaw() {
+        call("Debugger.resume", new JsonObject());
+        call("Debugger.disable", new JsonObject());
     }
 
     void press(String key) {
@@ -272,6 +322,7 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
         switch (message.get("method").getAsString()) {
             case "Runtime.exceptionThrown" ->
                 complaints.add(parameters.get("exceptionDetails").toString());
+            case "Debugger.paused" -> frozen.complete(true);
             case "Runtime.consoleAPICalled" -> noteConsole(parameters);
             case "Log.entryAdded" -> noteLog(parameters.getAsJsonObject("entry"));
             case "Network.requestWillBeSent" ->

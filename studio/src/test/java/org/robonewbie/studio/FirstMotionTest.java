@@ -51,14 +51,14 @@ class FirstMotionTest {
                 browser.await(FRAMES + ".length === " + keyframe + " && !studio.motion.stale");
                 dragTheArm(keyframe == 2 ? 40 : -60);
             }
+            browser.evaluate(
+                    "(function look() { window.hasPlayed ||= " + STATE + ".playing; requestAnimationFrame(look); })()");
             press("▶ Play");
-            browser.await(STATE + ".playing");
-            browser.await("!" + STATE + ".playing");
+            browser.await("window.hasPlayed && !" + STATE + ".playing");
             press("Try on a physical robot");
             browser.await(STATE + ".trial && !" + STATE + ".playing");
             press("Save");
-            browser.await("document.querySelector('#answer')");
-            browser.evaluate("document.querySelector('#answer').value = 'my-first'");
+            browser.fill("#answer", "my-first");
             browser.click("#accept");
             Path file = folder.resolve("my-first.txt");
             SmallSimulation.awaitTrue(() -> Files.exists(file));
@@ -82,11 +82,8 @@ class FirstMotionTest {
 
     /** Presses the button or link that has this text. */
     private void press(String text) {
-        browser.evaluate("document.querySelector('[data-pressed]')?.removeAttribute('data-pressed')");
-        browser.await("(void [...document.querySelectorAll('button, a')].find(each => each.offsetParent"
-                + " && each.textContent.trim() === " + Chromium.quoted(text) + ")?.setAttribute('data-pressed', ''),"
-                + " document.querySelector('[data-pressed]'))");
-        browser.click("[data-pressed]");
+        browser.clickElement("[...document.querySelectorAll('button, a')].find(each => each.offsetParent"
+                + " && each.textContent.trim() === " + Chromium.quoted(text) + ")");
     }
 
     private void dragTheArm(double up) {

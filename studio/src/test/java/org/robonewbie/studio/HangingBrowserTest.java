@@ -2,18 +2,18 @@ package org.robonewbie.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.concurrent.CompletableFuture;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Three real pages, of which one hangs and one vanishes with its browser: the third and the simulation go on. */
 @InBrowser(width = 640, height = 360)
-@Timeout(240)
+@Timeout(600)
 class HangingBrowserTest {
 
     private static final String SEES = "studio.state.frame && studio.view.drawCalls > 0";
-    private static final String HANG =
-            "(() => { for (const end = performance.now() + 6000; performance.now() < end; ); })()";
 
     private final Chromium hanging;
 
@@ -32,20 +32,24 @@ class HangingBrowserTest {
             try (Chromium vanishing = Chromium.open(640, 360)) {
                 vanishing.visit(address);
                 vanishing.await(SEES);
-                assertThat(studio.spectators()).isEqualTo(3);
+                SmallSimulation.awaitTrue(() -> studio.spectators() == 3);
             }
 
-            CompletableFuture<Void> hang = CompletableFuture.runAsync(() -> hanging.evaluate(HANG));
+            hanging.freeze();
+            List<Long> behind = new ArrayList<>();
             long start = TestPage.cycleOf(third.nextFrame());
             long cycle = start;
             while (cycle < start + 100) {
                 third.seen();
                 cycle = TestPage.cycleOf(third.nextFrame());
+                behind.add(simulation.latest().cycle() - cycle);
             }
+            hanging.thaw();
 
-            assertThat(hang).as("still hanging").isNotDone();
-            assertThat(simulation.latest().cycle() - cycle).as("cycles behind").isLessThan(60);
-            hang.join();
+            behind.sort(Comparator.naturalOrder());
+            assertThat(behind.get(behind.size() / 2))
+                    .as("cycles behind, usually")
+                    .isLessThan(60);
             hanging.await("studio.state.frame.cycle > " + cycle);
             assertThat(hanging.complaints()).isEmpty();
         }

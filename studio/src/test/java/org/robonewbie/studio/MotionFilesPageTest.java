@@ -88,9 +88,7 @@ class MotionFilesPageTest {
     void workIsThereAgainAfterTheBrowserWasKilled() throws IOException {
         try (Chromium killed = Chromium.open(1366, 768)) {
             visitMotion(killed);
-            killed.evaluate("(() => { const field = document.querySelector(\"[data-joint='NECK_PITCH']\");"
-                    + " field.focus(); field.value = '7.5';"
-                    + " field.dispatchEvent(new Event('input')); field.dispatchEvent(new Event('change')); })()");
+            killed.fill("[data-joint='NECK_PITCH']", "7.5");
             Path draft = folder.resolve(".studio").resolve("drafts").resolve("mine.txt");
             SmallSimulation.awaitTrue(() -> Files.exists(draft));
         }
@@ -104,9 +102,9 @@ class MotionFilesPageTest {
     @Test
     void postureOfARecordedMomentBecomesAKeyframe() {
         browser.visit(studio.address() + "&quality=lowest&theme=light#replay");
-        browser.await("studio.replay?.state.count > 150 && studio.cursor.recorded && !studio.replay.stale");
+        browser.await("studio.replay?.file?.isWhole && studio.cursor.recorded && !studio.replay.stale");
         browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");
-        browser.await("studio.replay.state.index > 150 && !studio.replay.stale");
+        browser.await("studio.replay.state.index === studio.replay.state.count - 1 && !studio.replay.stale");
         String knee = "studio.state.scene.models.TYPE_0.hinges.findIndex(hinge => hinge.joint === 'LEFT_KNEE_PITCH')";
         browser.await("studio.cursor.recorded.frame.robots.length === 1");
         double recorded = browser.evaluate("studio.cursor.recorded.frame.robots[0].degrees[" + knee + "]")

@@ -53,6 +53,21 @@ class RobotPageTest {
         studio.telemetry().accept(new TelemetryMessage(TEAM, number, seconds, item));
     }
 
+    /** Says something again and again until the page shows it: what is no log is not kept for pages that come later. */
+    private void tellUntil(String condition, TelemetryItem item) {
+        double now = now();
+        SmallSimulation.awaitTrue(() -> {
+            tell(1, now, item);
+            return browser.evaluate("Boolean(" + condition + ")").getAsBoolean();
+        });
+    }
+
+    /** Stops the world, and returns when the page shows that it stands. */
+    private void pause() {
+        simulation.pause();
+        browser.await("studio.state.frame.paused");
+    }
+
     @Test
     void jointsOfTheRunningRobotAreShown() {
         browser.await("[...document.querySelectorAll('.joint-row')].some(row =>"
@@ -69,23 +84,25 @@ class RobotPageTest {
 
     @Test
     void robotTellsWhatItThinks() {
-        tell(1, now(), new TelemetryItem.LogEntry("WARNING", "the ball is <b>far</b>"));
-        tell(1, now(), new TelemetryItem.MotionProgress("walk-forward", 3));
-        tell(1, now(), new TelemetryItem.PlotValue("courage", 7));
-        tell(
-                1,
-                now(),
-                new TelemetryItem.Belief(
-                        List.of(new BelievedThing("ball", new Vector3(1, 0.2, -0.4), 0, true)),
-                        Optional.of(new BelievedPose(-0.5, 0.4, 20))));
+        pause();
+        double now = now();
+
+        tell(1, now, new TelemetryItem.LogEntry("WARNING", "the ball is <b>far</b>"));
+        tell(1, now, new TelemetryItem.MotionProgress("walk-forward", 3));
 
         browser.await("document.querySelector('.log .warning')?.textContent.includes('<b>far</b>')");
         browser.await("document.querySelector('.robot-motion').textContent"
                 + " === 'Motion walk-forward, on the way to keyframe 3'");
+        tellUntil(
+                "document.querySelector('[data-value=\"agent/courage\"]')", new TelemetryItem.PlotValue("courage", 7));
+        tellUntil(
+                "document.querySelector('.map .belief.ball')",
+                new TelemetryItem.Belief(
+                        List.of(new BelievedThing("ball", new Vector3(1, 0.2, -0.4), 0, true)),
+                        Optional.of(new BelievedPose(-0.5, 0.4, 20))));
         browser.await("document.querySelectorAll('.map .belief.ball').length === 1");
         browser.await("document.querySelectorAll('.map .belief-self').length === 1");
         browser.await("document.querySelectorAll('.map .truth').length === 6");
-        browser.await("document.querySelector('[data-value=\"agent/courage\"]')");
     }
 
     @Test
@@ -108,8 +125,12 @@ class RobotPageTest {
 
     @Test
     void drawingsOfOlderCyclesVanish() {
-        tell(1, now(), new TelemetryItem.Picture(List.of(new Drawing.Circle(Vector3.ZERO, 1, "red"))));
-        browser.await("document.querySelectorAll('.map .drawing').length === 1");
+        pause();
+        tellUntil(
+                "document.querySelectorAll('.map .drawing').length === 1",
+                new TelemetryItem.Picture(List.of(new Drawing.Circle(Vector3.ZERO, 1, "red"))));
+
+        simulation.resume();
 
         browser.await("document.querySelectorAll('.map .drawing').length === 0");
     }
@@ -120,8 +141,7 @@ class RobotPageTest {
         tell(1, now(), new TelemetryItem.LogEntry("ERROR", "mistake"));
         browser.await("document.querySelectorAll('.log li').length === 2");
 
-        browser.evaluate("(() => { const list = document.querySelector('#log-level'); list.value = 'WARNING';"
-                + " list.dispatchEvent(new Event('change')); })()");
+        browser.fill("#log-level", "WARNING");
 
         browser.await("document.querySelector('.log').textContent.includes('mistake')"
                 + " && !document.querySelector('.log').textContent.includes('detail')");
@@ -131,37 +151,34 @@ class RobotPageTest {
     void valuesOfTheTreeAreDrawnTogetherHeldAndSavedAsTable() {
         browser.click("#add-plot");
         for (String value : List.of("torso/x", "joint angle/neck yaw")) {
-            browser.await("document.querySelector('[data-value=\"" + value + "\"]')");
-            browser.evaluate("document.querySelector('[data-value=\"" + value + "\"]').click()");
+            browser.click("[data-value=\"" + value + "\"]");
         }
         browser.await("studio.robot.plots.rows[3]?.plot?.series.length === 3");
         browser.await("studio.robot.plots.rows[3].plot.data[2].length > 10");
 
         browser.click("#hold-curves");
-        browser.await("document.querySelector('#hold-curves').ariaPressed === 'true'");
-        double end =
-                browser.evaluate("studio.robot.plots.rows[3].plot.scales.x.max").getAsDouble();
-        double now = now();
-        browser.await("studio.robot.plots.moment.seconds > " + (now + 0.5));
+        browser.await("studio.robot.plots.rows[3].plot.scales.x.max === studio.robot.plots.heldAt");
+        double end = browser.evaluate("studio.robot.plots.heldAt").getAsDouble();
+        browser.await("studio.robot.plots.moment.seconds > " + (end + 0.5));
 
         assertThat(browser.evaluate("studio.robot.plots.rows[3].plot.scales.x.max")
                         .getAsDouble())
                 .isEqualTo(end);
         browser.evaluate("(() => { URL.createObjectURL = blob => { window.saved = blob; return '#'; }; })()");
         browser.click("#curves-csv");
+        browser.await("window.saved");
         browser.evaluate("saved.text().then(text => { window.table = text; })");
         browser.await("window.table?.includes('seconds,') && window.table.includes('joint angle/neck yaw')");
-        browser.evaluate("localStorage.clear()");
     }
 
     @Test
     void allRoomsFollowOneMomentWhileTheSimulationGoesOn() {
-        tell(1, now(), new TelemetryItem.LogEntry("INFO", "here I was"));
         double then = now();
+        tell(1, then, new TelemetryItem.LogEntry("INFO", "here I was"));
         browser.await("studio.cursor.history.last * 0.02 > " + (then + 1));
 
-        browser.evaluate("[...document.querySelectorAll('.log-time')].find(each =>"
-                + " each.parentElement.textContent.includes('here I was')).click()");
+        browser.clickElement("[...document.querySelectorAll('.log-time')].find(each =>"
+                + " each.parentElement.textContent.includes('here I was'))");
 
         browser.await("document.querySelector('#time-line').dataset.tense === 'past'");
         browser.await("Math.abs(studio.robot.plots.moment.seconds - " + then + ") < 0.06");
@@ -188,10 +205,11 @@ class RobotPageTest {
             browser.await("document.querySelectorAll('.command.limit').length === 1");
             browser.await("document.querySelectorAll('.press').length === 2");
             for (String value : List.of("commanded speed/neck pitch", "joint speed/neck pitch")) {
-                browser.await("document.querySelector('[data-value=\"" + value + "\"]')");
-                browser.evaluate("document.querySelector('[data-value=\"" + value + "\"]').click()");
+                browser.click("[data-value=\"" + value + "\"]");
             }
             browser.await("studio.robot.plots.moment.seconds > 4");
+            robot.simulator().control().pause();
+            browser.await("studio.state.frame.paused && studio.robot.plots.moment.frame === studio.state.frame");
             List<BelievedThing> things = List.of(new BelievedThing("ball", new Vector3(1.9, -0.2, -0.4), 0.1, true));
             double now = browser.evaluate("studio.robot.plots.moment.seconds").getAsDouble();
             TelemetryItem belief = new TelemetryItem.Belief(things, Optional.of(new BelievedPose(-1.6, 0.3, 10)));
@@ -208,7 +226,7 @@ class RobotPageTest {
 
             browser.press("m");
             browser.await("document.querySelector('#perceptor-message').textContent.includes('(GYR (n torso)')");
-            browser.evaluate("document.querySelector('#message-search').value = 'lae1'");
+            browser.fill("#message-search", "lae1");
             browser.await("!document.querySelector('#perceptor-message').textContent.includes('GYR')"
                     + " && document.querySelector('#effector-message').textContent.includes('(lae1 9.5)')");
             picture("studio-robot-messages.png");

@@ -28,6 +28,7 @@ import org.robonewbie.simulator.world.SoccerWorld;
 /** A simulation of the real world with robots that hold a posture instead of being steered by agents. */
 final class SmallSimulation implements SimulationControl, AutoCloseable {
 
+    private static final long PATIENCE_SECONDS = 120;
     private static final double STANDING_HEIGHT = 0.366;
     private static final double SPEED_PER_DEGREE = 0.12;
 
@@ -47,10 +48,10 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
 
     /** Waits until something has happened, or until it is clear that it never will. */
     static void awaitTrue(BooleanSupplier condition) {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         while (!condition.getAsBoolean()) {
             if (System.nanoTime() > end) {
-                throw new AssertionError("It did not happen within 20 s.");
+                throw new AssertionError("It did not happen within " + PATIENCE_SECONDS + " s.");
             }
             LockSupport.parkNanos(5_000_000);
         }
@@ -110,6 +111,7 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
         return this;
     }
 
+    /** The newest state that all observers have been told. */
     WorldSnapshot latest() {
         return latest;
     }
@@ -124,8 +126,9 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
             if (!paused || stepping) {
                 advance();
             }
-            latest = snapshot();
-            observers.forEach(observer -> observer.cycleEnded(latest));
+            WorldSnapshot ended = snapshot();
+            observers.forEach(observer -> observer.cycleEnded(ended));
+            latest = ended;
             double wait = paused ? 5 * WorldSnapshot.CYCLE_SECONDS : WorldSnapshot.CYCLE_SECONDS / speed;
             next = Math.max(System.nanoTime(), next + (long) (1e9 * wait));
             while (cyclesToStep.get() == 0 && orders.isEmpty() && System.nanoTime() < next) {
@@ -217,6 +220,11 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
             floats[i] = (float) values[i];
         }
         return floats;
+    }
+
+    /** Whether all steps that were asked for are done. */
+    boolean standsStill() {
+        return cyclesToStep.get() == 0;
     }
 
     @Override

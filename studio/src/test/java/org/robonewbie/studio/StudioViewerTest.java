@@ -7,6 +7,7 @@ import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.ServiceLoader;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -41,23 +42,27 @@ class StudioViewerTest {
     @Test
     void nextRunHasTheSameAddress() throws IOException {
         try (SmallSimulation simulation = new SmallSimulation()) {
-            URI first = addressOfARun(simulation);
+            URI first = addressOfARun(simulation, 0);
 
-            assertThat(addressOfARun(simulation)).isEqualTo(first);
+            assertThat(addressOfARun(simulation, first.getPort())).isEqualTo(first);
         }
     }
 
-    private URI addressOfARun(SmallSimulation simulation) throws IOException {
-        try (Viewer.View view = viewer.open(simulation, 0)) {
+    private URI addressOfARun(SmallSimulation simulation, int usualPort) throws IOException {
+        try (Viewer.View view = openAtUsual(usualPort, simulation)) {
             return view.address();
         }
+    }
+
+    private Viewer.View openAtUsual(int usualPort, SmallSimulation simulation) throws IOException {
+        return StudioViewer.openAtUsual(usualPort, simulation, new StudioFolders(home, Optional.empty()), Optional.empty());
     }
 
     @Test
     void secondRunAtTheSameTimeTakesAnotherPort() throws IOException {
         try (SmallSimulation simulation = new SmallSimulation();
-                Viewer.View first = viewer.open(simulation, 0);
-                Viewer.View second = viewer.open(simulation, 0)) {
+                Viewer.View first = openAtUsual(0, simulation);
+                Viewer.View second = openAtUsual(first.address().getPort(), simulation)) {
             assertThat(second.address().getPort()).isNotEqualTo(first.address().getPort());
         }
     }
@@ -83,7 +88,9 @@ class StudioViewerTest {
             long paused = page.nextPausedCycle();
             page.send("{\"do\":\"step\",\"cycles\":7}");
 
-            assertThat(page.nextCycleAfter(paused)).isEqualTo(paused + 7);
+            assertThat(page.nextCycleFrom(paused + 7)).isEqualTo(paused + 7);
+            page.seen();
+            assertThat(TestPage.cycleOf(page.nextFrame())).as("still standing").isEqualTo(paused + 7);
             assertThat(view.isWatched()).isTrue();
         }
     }

@@ -19,7 +19,7 @@ import java.util.function.Predicate;
 /** A page without a browser: talks to the studio over a real WebSocket. */
 final class TestPage implements AutoCloseable, WebSocket.Listener {
 
-    private static final long PATIENCE_SECONDS = 20;
+    private static final long PATIENCE_SECONDS = 120;
 
     private final BlockingQueue<JsonObject> messages = new LinkedBlockingQueue<>();
     private final BlockingQueue<ByteBuffer> frames = new LinkedBlockingQueue<>();
@@ -66,14 +66,14 @@ final class TestPage implements AutoCloseable, WebSocket.Listener {
         return cycleOf(frame);
     }
 
-    /** Looks on until the world has left a cycle and stands again. */
-    long nextCycleAfter(long cycle) throws InterruptedException {
-        long last = cycle;
-        for (long now = cycle; now == cycle || now != last; now = cycleOf(nextFrame())) {
-            last = now;
+    /** Looks on until the world has reached a cycle; the page has not yet said that it has seen this frame. */
+    long nextCycleFrom(long cycle) throws InterruptedException {
+        long now = cycleOf(nextFrame());
+        while (now < cycle) {
             seen();
+            now = cycleOf(nextFrame());
         }
-        return last;
+        return now;
     }
 
     static long cycleOf(ByteBuffer frame) {

@@ -32,7 +32,7 @@ import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
-@Timeout(60)
+@Timeout(600)
 class MonitoredSimulationTest implements SimulationObserver {
 
     private static final int ELBOW = NaoModel.of(RobotType.TYPE_4).hingeIndex(Joint.LEFT_ARM_YAW);
@@ -104,9 +104,9 @@ class MonitoredSimulationTest implements SimulationObserver {
     }
 
     private WorldSnapshot await(Predicate<WorldSnapshot> condition) throws InterruptedException {
-        WorldSnapshot snapshot = seen.poll(20, TimeUnit.SECONDS);
+        WorldSnapshot snapshot = seen.poll(120, TimeUnit.SECONDS);
         while (snapshot != null && !condition.test(snapshot)) {
-            snapshot = seen.poll(20, TimeUnit.SECONDS);
+            snapshot = seen.poll(120, TimeUnit.SECONDS);
         }
         assertThat(snapshot).as("what should be seen").isNotNull();
         return snapshot;

@@ -76,6 +76,7 @@ export class CameraDesk {
   jumpTo(view) {
     this.view = view;
     this.shown = view;
+    this.isStill = false;
   }
 
   /** @param {number} robot index of the robot to follow */

@@ -55,6 +55,10 @@ export class Editor {
     /** Whether the file was changed on the disk and here, so that the person must decide. */
     this.conflict = false;
     this.busy = false;
+    /** Whether the file is being written just now. */
+    this.saving = false;
+    /** How often a motion was asked for; an answer that comes after a later wish is not shown. */
+    this.wishes = 0;
     this.draftTimer = 0;
     this.marksTimer = 0;
   }
@@ -83,6 +87,9 @@ export class Editor {
   async begin(wanted) {
     await this.refresh();
     this.postures = readPostures(await this.files.postures());
+    if (this.wishes > 0) {
+      return;
+    }
     const last = wanted ?? localStorage.getItem(LAST_FILE) ?? '';
     const isOwn = this.list.own.some(({ name }) => name === last);
     if (this.list.drafts.some(({ name }) => name === NAMELESS) && !isOwn) {
@@ -101,9 +108,10 @@ export class Editor {
 
   /** Looks whether another program has changed the open file. */
   async lookAtDisk() {
-    const { name } = this.state;
+    const { name, version } = this.state;
     await this.refresh();
-    const verdict = this.state.name === name ? judgeDisk(this.state, this.list.own) : 'same';
+    const isSame = this.state.name === name && this.state.version === version;
+    const verdict = isSame && !this.saving ? judgeDisk(this.state, this.list.own) : 'same';
     this.conflict = verdict === 'ask';
     if (verdict === 'reload') {
       await this.reload();
@@ -116,7 +124,11 @@ export class Editor {
 
   /** Takes the file as it is on the disk; what was here can be brought back by undo. */
   async reload() {
+    const wish = this.wishes;
     const { document, version } = await this.files.read('motions', this.state.name);
+    if (wish !== this.wishes) {
+      return;
+    }
     this.conflict = false;
     const taken = edited(this.state, document, 'Load again from the disk');
     this.set(selected({ ...taken, version, saved: document }, this.state.last));
@@ -134,11 +146,15 @@ export class Editor {
    * @param {string} name
    */
   async open(shelf, name) {
+    const wish = ++this.wishes;
     await this.#keepDraft();
     const { document, version } = await this.files.read(shelf, name);
     const isOwn = shelf === 'motions';
     const draft = this.list.drafts.some((each) => each.name === name) ? (await this.files.read('drafts', name)).document : undefined;
     const isNew = draft !== undefined && textOf(draft) !== textOf(document);
+    if (wish !== this.wishes) {
+      return;
+    }
     this.conflict = false;
     this.set(withFile(this.state, { name, version: isOwn ? version : '', document, draft: isNew ? draft : undefined }));
     localStorage.setItem(LAST_FILE, name);
@@ -149,16 +165,12 @@ export class Editor {
 
   /** Begins a motion with one keyframe: standing. */
   async create() {
-    await this.#keepDraft();
-    const document = withInserted(EMPTY_DOCUMENT, 0, { millis: 500, degrees: this.state.start });
-    this.set(withFile(this.state, { name: '', version: '', document }));
+    await this.#begin(withInserted(EMPTY_DOCUMENT, 0, { millis: 500, degrees: this.state.start }));
   }
 
   /** @param {readonly Keyframe[]} frames @param {string} name */
   async take(frames, name) {
-    await this.#keepDraft();
-    const document = frames.reduce((each, frame, i) => withInserted(each, i, frame), EMPTY_DOCUMENT);
-    this.set(withFile(this.state, { name: '', version: '', document }));
+    await this.#begin(frames.reduce((each, frame, i) => withInserted(each, i, frame), EMPTY_DOCUMENT));
     this.listener.note(`${frames.length} keyframes were taken from ${name}. Save them under a name of your own.`);
   }
 
@@ -167,11 +179,19 @@ export class Editor {
     const name = asName ?? this.state.name;
     const document = documentOf(this.state);
     const known = asName === undefined || asName === this.state.name ? this.state.version : '';
-    const version = await this.files.write(name, document, known);
     const nameBefore = this.state.name || NAMELESS;
-    this.conflict = false;
-    this.set(withSaved(this.state, name, version, document));
-    localStorage.setItem(LAST_FILE, name);
+    const wish = this.wishes;
+    this.saving = true;
+    try {
+      const version = await this.files.write(name, document, known);
+      if (wish === this.wishes) {
+        this.conflict = false;
+        this.set(withSaved(this.state, name, version, document));
+        localStorage.setItem(LAST_FILE, name);
+      }
+    } finally {
+      this.saving = false;
+    }
     await Promise.all([nameBefore, name].map((each) => this.files.removeDraft(each)));
     await this.refresh();
     this.listener.note(`Saved. An agent plays it with motions.start("${name}").`);
@@ -182,7 +202,12 @@ export class Editor {
     this.busy = true;
     this.listener.changed();
     try {
-      const trial = await this.files.trial(documentOf(this.state), start);
+      const document = documentOf(this.state);
+      const trial = await this.files.trial(document, start);
+      if (documentOf(this.state) !== document) {
+        this.listener.note('The motion was changed meanwhile. Try it again.');
+        return;
+      }
       this.set({ ...atTime({ ...this.state, trial }, 0), playing: true });
       const fall = trial.fallSeconds;
       if (start === 'standing') {
@@ -208,8 +233,20 @@ export class Editor {
     }
   }
 
+  /** Begins with something that has no name yet. @param {import('../state/motion/motion-text.js').MotionDocument} document */
+  async #begin(document) {
+    const wish = ++this.wishes;
+    await this.#keepDraft();
+    if (wish === this.wishes) {
+      this.set(withFile(this.state, { name: '', version: '', document }));
+    }
+  }
+
   async #openDraft() {
     const { document } = await this.files.read('drafts', NAMELESS);
+    if (this.wishes > 0) {
+      return;
+    }
     this.set(withFile(this.state, { name: '', version: '', document }));
     this.listener.note('Your unsaved new motion was recovered.');
   }

@@ -41,9 +41,13 @@ export function scenePanel(token, note, goLive) {
     }
     undo.disabled = undoing.length === 0;
   };
+  /** Deeds are done one after the other, however fast one clicks. @type {Promise<void>} */
+  let last = Promise.resolve();
   /** @param {string} id @param {string} title @param {string} hint @param {() => Promise<void>} deed */
   const control = (id, title, hint, deed) => {
-    const made = button(title, hint, () => deed().catch((error) => note(error.message)));
+    const made = button(title, hint, () => {
+      last = last.then(deed).catch((error) => note(error.message));
+    });
     made.id = id;
     return made;
   };
@@ -52,11 +56,15 @@ export function scenePanel(token, note, goLive) {
     await put(to, `?was=${encodeURIComponent(from)}`);
     await refresh(to);
   };
+  /** Empties the field, unless another name was written meanwhile. @param {string} used */
+  const forgetName = (used) => {
+    name.value = name.value.trim() === used ? '' : name.value;
+  };
   const save = control('scene-save', 'Save', 'Keeps ball, robots, score and time as they are now', async () => {
     const chosen = name.value.trim() || `Scene ${list.options.length + 1}`;
     await put(chosen);
     await refresh(chosen);
-    name.value = '';
+    forgetName(chosen);
     note(`Scene "${chosen}" is saved.`);
   });
   const back = control('scene-restore', 'Go back to it', 'Puts everything where it was, with the clock stopped', async () => {
@@ -71,7 +79,7 @@ export function scenePanel(token, note, goLive) {
     }
     undoing.push(() => renamed(to, from));
     await renamed(from, to).catch((error) => (undoing.pop(), Promise.reject(error)));
-    name.value = '';
+    forgetName(to);
   });
   const remove = control('scene-remove', 'Delete', 'Takes the chosen scene away; Undo brings it back', async () => {
     const scene = list.value;

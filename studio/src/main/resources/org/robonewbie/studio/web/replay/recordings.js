@@ -59,6 +59,8 @@ export class RecordingFile {
     /** @type {Uint8Array[]} the packed bytes as they came */
     this.packed = [];
     this.open = true;
+    /** Whether all has come that there was when it was asked for. */
+    this.isWhole = false;
     this.timer = 0;
     const unpacking = new DecompressionStream('gzip');
     this.writer = unpacking.writable.getWriter();
@@ -71,6 +73,7 @@ export class RecordingFile {
       this.grown();
     }
     this.notes = notesOf(await loadNotes(this.token, this.name), this.reader.moments[0]?.cycle ?? 0);
+    this.isWhole = true;
     this.grown();
     if (follows && this.open) {
       this.timer = window.setTimeout(() => this.load(true).catch(() => {}), FOLLOW_MILLISECONDS);

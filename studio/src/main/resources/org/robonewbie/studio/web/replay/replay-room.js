@@ -230,8 +230,11 @@ class ReplayRoom {
       speed.value = String(state.speed);
       const seconds = (/** @type {number} */ index) => (Math.max(0, index) / MOMENTS_PER_SECOND).toFixed(2);
       setText(reading, list.length === 0 ? 'Nothing is recorded yet.' : `${seconds(state.index)} of ${seconds(state.count - 1)} s`);
-      for (const control of [csv, log, page, play, start]) {
+      for (const control of [play, start]) {
         control.disabled = state.count === 0;
+      }
+      for (const control of [csv, log, page]) {
+        control.disabled = state.count === 0 || !this.file?.isWhole;
       }
       this.comparison.list(list, this.file?.name ?? '');
       this.comparison.draw(this.file?.reader.moments ?? []);
