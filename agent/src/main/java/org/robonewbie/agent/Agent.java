@@ -62,11 +62,15 @@ public abstract class Agent {
     /** The head's movement to see more; moves only in cycles in which {@code lookAround.look()} is called. */
     protected final LookAround lookAround = new LookAround(nao.motors());
 
+    private final Runnable senseStep = () -> running = sense();
+    private final Runnable thinkStep = this::think;
+    private final Runnable actStep = this::act;
     private final RehearsalPort rehearsal = new RehearsalPort();
     private final PrintStream out = System.out;
     private Session session = new Session(nao, walk, fieldView, rehearsal, OptionalDouble.empty(), System.err);
     private Options options = Options.none();
     private boolean failed;
+    private boolean running;
 
     /** Creates an agent that is not yet connected. */
     protected Agent() {}
@@ -171,10 +175,10 @@ public abstract class Agent {
             Optional<Runnable> giveUp = options.isHeadless() ? Optional.of(() -> System.exit(1)) : Optional.empty();
             try (Watchdog watchdog = new Watchdog(mistakes, giveUp)) {
                 session.askWhenLate(watchdog::slowPlace);
-                boolean running = true;
-                while (running) {
-                    running = cycle(Optional.of(watchdog));
-                }
+                Optional<Watchdog> guard = Optional.of(watchdog);
+                do {
+                    cycle(guard);
+                } while (running);
             }
             return failed || session.isBroken() ? 1 : 0;
         } finally {
@@ -188,30 +192,24 @@ public abstract class Agent {
     }
 
     /** One turn of sense, think and act; whatever fails, the simulator gets its answer. */
-    private boolean cycle(Optional<Watchdog> watchdog) {
+    private void cycle(Optional<Watchdog> watchdog) {
         long before = session.cycles();
-        boolean running = attemptSense();
+        running = true;
+        attempt("sense()", senseStep);
         if (session.cycles() == before && running) {
             mistakes.reportAt("", "sense", () -> "sense() did not call super.sense(); the framework does it.");
             running = session.sense();
         }
         if (running) {
             watchdog.ifPresent(Watchdog::thinkBegins);
-            attempt("think()", this::think);
+            attempt("think()", thinkStep);
             watchdog.ifPresent(Watchdog::thinkEnds);
-            attempt("act()", this::act);
+            attempt("act()", actStep);
             if (session.isAnswerDue()) {
                 mistakes.reportAt("", "act", () -> "act() did not call super.act(); the framework does it.");
                 session.act();
             }
         }
-        return running;
-    }
-
-    private boolean attemptSense() {
-        boolean[] running = {true};
-        attempt("sense()", () -> running[0] = sense());
-        return running[0];
     }
 
     private void attempt(String name, Runnable step) {

@@ -1,7 +1,6 @@
 package org.robonewbie.agent;
 
 import java.io.IOException;
-import java.util.Optional;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
@@ -13,6 +12,7 @@ final class LinkPort implements MessagePort {
     private final AgentLink link;
     private final MessageBuffer buffer;
     private final PerceptorMessageReader reader = new PerceptorMessageReader();
+    private PerceptorMessage message = PerceptorMessage.NOTHING;
 
     /** Creates the port; the raw messages are put into the buffer. */
     LinkPort(AgentLink link, MessageBuffer buffer) {
@@ -21,8 +21,17 @@ final class LinkPort implements MessagePort {
     }
 
     @Override
-    public Optional<PerceptorMessage> receive() throws IOException {
-        return link.receive(buffer) ? Optional.of(reader.read(buffer)) : Optional.empty();
+    public boolean receive() throws IOException {
+        boolean received = link.receive(buffer);
+        if (received) {
+            message = reader.read(buffer);
+        }
+        return received;
+    }
+
+    @Override
+    public PerceptorMessage message() {
+        return message;
     }
 
     @Override

@@ -101,7 +101,7 @@ public class NaoBody extends Sketchbook {
      *     forward, z while it turns left; each cycle
      */
     public final Vector3 getGyro() {
-        return senses.gyro();
+        return senses.torso().gyro();
     }
 
     /**
@@ -111,7 +111,7 @@ public class NaoBody extends Sketchbook {
      *     knocks while it walks; each cycle
      */
     public final Vector3 getAcceleration() {
-        return senses.acceleration();
+        return senses.torso().acceleration();
     }
 
     /**

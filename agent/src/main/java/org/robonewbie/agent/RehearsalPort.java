@@ -2,7 +2,6 @@ package org.robonewbie.agent;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorMessageReader;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -11,11 +10,13 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 /** Gives a robot one perception and keeps its answer, without any simulator. */
 final class RehearsalPort implements MessagePort {
 
-    private Optional<PerceptorMessage> next = Optional.empty();
+    private PerceptorMessage message = PerceptorMessage.NOTHING;
+    private boolean isNew;
     private List<EffectorCommand> answer = List.of();
 
     void put(PerceptorMessage message) {
-        next = Optional.of(message);
+        this.message = message;
+        isNew = true;
         answer = List.of();
     }
 
@@ -24,9 +25,14 @@ final class RehearsalPort implements MessagePort {
     }
 
     @Override
-    public Optional<PerceptorMessage> receive() {
-        Optional<PerceptorMessage> message = next;
-        next = Optional.empty();
+    public boolean receive() {
+        boolean received = isNew;
+        isNew = false;
+        return received;
+    }
+
+    @Override
+    public PerceptorMessage message() {
         return message;
     }
 

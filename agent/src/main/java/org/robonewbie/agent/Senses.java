@@ -2,18 +2,16 @@ package org.robonewbie.agent;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.robonewbie.agent.perception.FallDetector;
+import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.FootForce;
-import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.protocol.perceptor.GameState;
 import org.robonewbie.protocol.perceptor.Heard;
-import org.robonewbie.protocol.perceptor.JointAngles;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
 /** The last readings of all sensors, in the body's frame; a reading that is missing or no number leaves the one before. */
@@ -21,22 +19,11 @@ final class Senses {
 
     static final Joint[] JOINTS = Joint.values();
 
-    private static final PerceptorMessage NOTHING = new PerceptorMessage(
-            OptionalDouble.empty(),
-            Optional.empty(),
-            List.of(),
-            Optional.empty(),
-            Optional.empty(),
-            JointAngles.NONE,
-            FootForces.NONE,
-            Optional.empty());
-
     private final FallDetector falls = new FallDetector();
+    private final TorsoMotion torso = new TorsoMotion();
     private final MessageBuffer buffer = new MessageBuffer();
-    private PerceptorMessage message = NOTHING;
+    private PerceptorMessage message = PerceptorMessage.NOTHING;
     private double seconds;
-    private Vector3 gyro = Vector3.ZERO;
-    private Vector3 acceleration = new Vector3(0, 0, 9.81);
     private PlayMode playMode = PlayMode.BEFORE_KICK_OFF;
     private double playSeconds;
     private int leftScore;
@@ -49,16 +36,29 @@ final class Senses {
     void accept(PerceptorMessage newMessage) {
         message = newMessage;
         seconds = newMessage.seconds().orElse(seconds);
-        if (newMessage.gyro().isPresent() && isFinite(newMessage.gyro().get())) {
-            gyro = toBodyFrame(newMessage.gyro().get());
+        if (newMessage.gyro().isPresent()) {
+            turn(newMessage.gyro().get());
         }
-        if (newMessage.accelerometer().isPresent()
-                && isFinite(newMessage.accelerometer().get())) {
-            acceleration = toBodyFrame(newMessage.accelerometer().get());
-            falls.feel(acceleration);
+        if (newMessage.accelerometer().isPresent()) {
+            push(newMessage.accelerometer().get());
         }
         if (newMessage.gameState().isPresent()) {
             accept(newMessage.gameState().get());
+        }
+    }
+
+    /** Takes in the gyroscope's reading in SimSpark's frame, as {@link #toBodyFrame}. */
+    private void turn(Vector3 raw) {
+        if (isFinite(raw)) {
+            torso.setGyro(raw.y(), 0 - raw.x(), raw.z());
+        }
+    }
+
+    /** Takes in the accelerometer's reading in SimSpark's frame, as {@link #toBodyFrame}. */
+    private void push(Vector3 raw) {
+        if (isFinite(raw)) {
+            torso.setAcceleration(raw.y(), 0 - raw.x(), raw.z());
+            falls.feel(torso);
         }
     }
 
@@ -104,12 +104,8 @@ final class Senses {
         return seconds;
     }
 
-    Vector3 gyro() {
-        return gyro;
-    }
-
-    Vector3 acceleration() {
-        return acceleration;
+    TorsoMotion torso() {
+        return torso;
     }
 
     FootPressure leftFoot() {

@@ -3,7 +3,6 @@ package org.robonewbie.agent;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.robonewbie.agent.log.StudentCode;
@@ -70,11 +69,11 @@ final class Session implements AutoCloseable {
 
     private boolean receive() {
         try {
-            Optional<PerceptorMessage> message = port.receive();
-            if (message.isPresent()) {
-                perceive(message.get());
+            boolean received = port.receive();
+            if (received) {
+                perceive(port.message());
             }
-            return message.isPresent();
+            return received;
         } catch (IOException failure) {
             report(failure);
             return false;
@@ -92,7 +91,7 @@ final class Session implements AutoCloseable {
             walk.reset();
             body.senses().falls().reset();
         }
-        walk.update(body.getGyro(), body.getAcceleration());
+        walk.update(body.senses().torso());
         body.thoughts().act(walk);
         MessageBuffer commands = body.commands().write();
         try {

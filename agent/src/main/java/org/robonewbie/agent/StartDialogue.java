@@ -2,10 +2,8 @@ package org.robonewbie.agent;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.Optional;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.MessageBuffer;
-import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
 /**
  * Brings a robot into the game: builds it, joins a team, waits for number and side, goes to the first place and stands there.
@@ -66,8 +64,10 @@ final class StartDialogue {
     }
 
     private void receive() throws IOException {
-        Optional<PerceptorMessage> message = port.receive();
-        body.accept(message.orElseThrow(() -> new IOException("it has closed the connection")));
+        if (!port.receive()) {
+            throw new IOException("it has closed the connection");
+        }
+        body.accept(port.message());
     }
 
     private void answer() throws IOException {

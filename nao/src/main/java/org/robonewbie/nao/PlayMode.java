@@ -50,8 +50,9 @@ public enum PlayMode {
     /** The right team passes undisturbed. */
     PASS_RIGHT("pass_right");
 
-    private static final Map<String, PlayMode> BY_NAME =
-            Arrays.stream(values()).collect(Collectors.toUnmodifiableMap(PlayMode::simSparkName, mode -> mode));
+    /** The answers of {@link #ofSimSparkName}, which is asked in each cycle and shall make no garbage. */
+    private static final Map<String, Optional<PlayMode>> BY_NAME =
+            Arrays.stream(values()).collect(Collectors.toUnmodifiableMap(PlayMode::simSparkName, Optional::of));
 
     private final String simSparkName;
 
@@ -101,6 +102,6 @@ public enum PlayMode {
      * @return the play mode, or empty for a name of a newer server
      */
     public static Optional<PlayMode> ofSimSparkName(String simSparkName) {
-        return Optional.ofNullable(BY_NAME.get(simSparkName));
+        return BY_NAME.getOrDefault(simSparkName, Optional.empty());
     }
 }

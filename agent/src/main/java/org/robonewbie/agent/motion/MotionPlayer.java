@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.Keyframe;
@@ -40,9 +41,9 @@ public final class MotionPlayer {
     private final Motion motion;
     private final Interpolation interpolation;
     private final int[] keyframeEnds;
-    private Posture start = Posture.ZERO;
+    private final ToDoubleFunction<Joint> plan = this::plannedDegrees;
     private Optional<PostureFollower> follower = Optional.empty();
-    private ToDoubleFunction<Joint> plan = joint -> 0;
+    private List<MotionSection> sections = List.of();
     private double fraction;
     private int cycle;
     private int keyframe;
@@ -183,24 +184,33 @@ public final class MotionPlayer {
     }
 
     private void begin(Motors motors) {
-        start = expected(motors);
+        sections = sectionsFrom(expected(motors));
         follower = Optional.of(new PostureFollower(motors));
     }
 
     private void beginAgain() {
-        start = motion.keyframes().get(keyframe).posture();
+        Posture last = motion.keyframes().get(keyframe).posture();
+        if (!sections.get(0).start().equals(last)) {
+            sections = sectionsFrom(last);
+        }
         cycle = 0;
         keyframe = 0;
     }
 
+    private List<MotionSection> sectionsFrom(Posture start) {
+        return IntStream.range(0, keyframeEnds.length)
+                .mapToObj(index -> new MotionSection(start, motion, index))
+                .toList();
+    }
+
     private void drive(PostureFollower leader) {
         int before = keyframe == 0 ? 0 : keyframeEnds[keyframe - 1];
-        if (cycle == before + 1) {
-            MotionSection section = new MotionSection(start, motion, keyframe);
-            plan = joint -> interpolation.degrees(section, joint, fraction);
-        }
         fraction = (double) (cycle - before) / cyclesOf(keyframe);
         leader.follow(plan, cycle == lengthInCycles() ? 1 : PostureFollower.CORRECTION);
+    }
+
+    private double plannedDegrees(Joint joint) {
+        return interpolation.degrees(sections.get(keyframe), joint, fraction);
     }
 
     private int cyclesOf(int index) {

@@ -227,8 +227,8 @@ public final class Motions {
         if (player.isPresent() && player.get().isFinished()) {
             player = Optional.empty();
         }
-        if (looping && player.isPresent() && playing.filter(this::hasToGetUpFor).isPresent()) {
-            playing.ifPresent(this::prepare);
+        if (looping && player.isPresent() && playing.isPresent() && hasToGetUpFor(playing.get())) {
+            prepare(playing.get());
             player = Optional.empty();
         }
         if (player.isEmpty() && !queue.isEmpty()) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Predicate;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.TeamSide;
@@ -33,7 +34,9 @@ public final class LocalFieldView {
     private final FieldItem.Vision vision = new FieldItem.Vision();
     private final FieldItem ball;
     private final Map<Landmark, FieldItem> landmarks = new EnumMap<>(Landmark.class);
-    private final List<PlayerItem> players = new ArrayList<>();
+    /** All robots that were met since the last beam; each keeps its object, whether it is forgotten meanwhile or not. */
+    private final List<PlayerItem> met = new ArrayList<>();
+
     private List<SeenLine> seenLines = List.of();
     private List<LineItem> lines = List.of();
     private String team = "";
@@ -82,7 +85,6 @@ public final class LocalFieldView {
      */
     public void setTime(double seconds) {
         vision.nowSeconds = seconds;
-        players.removeIf(player -> player.ageSeconds() > PLAYER_MEMORY_SECONDS);
         if (seconds - vision.pictureSeconds > 0.1) {
             forgetLines();
         }
@@ -102,12 +104,15 @@ public final class LocalFieldView {
         if (picture.ball().isPresent()) {
             see(ball, picture.ball().get());
         }
-        for (SeenLandmark seen : picture.landmarks()) {
+        List<SeenLandmark> seenLandmarks = picture.landmarks();
+        for (int i = 0; i < seenLandmarks.size(); i++) { // here and below: an iterator for each picture would be garbage
+            SeenLandmark seen = seenLandmarks.get(i);
             see(landmark(seen.landmark()), seen.position());
         }
-        for (SeenPlayer seen : picture.players()) {
-            if (!isMyself(seen)) {
-                see(seen);
+        List<SeenPlayer> seenPlayers = picture.players();
+        for (int i = 0; i < seenPlayers.size(); i++) {
+            if (!isMyself(seenPlayers.get(i))) {
+                see(seenPlayers.get(i));
             }
         }
         forgetLines();
@@ -118,7 +123,7 @@ public final class LocalFieldView {
     public void forget() {
         ball.forget();
         landmarks.values().forEach(FieldItem::forget);
-        players.clear();
+        met.clear();
         forgetLines();
     }
 
@@ -184,7 +189,7 @@ public final class LocalFieldView {
      * @return team-mates and opponents, in the order in which they were first seen
      */
     public List<PlayerItem> players() {
-        return List.copyOf(players);
+        return players(player -> true);
     }
 
     /**
@@ -193,7 +198,7 @@ public final class LocalFieldView {
      * @return the team-mates without this robot
      */
     public List<PlayerItem> teamMates() {
-        return players.stream().filter(PlayerItem::isTeamMate).toList();
+        return players(PlayerItem::isTeamMate);
     }
 
     /**
@@ -202,7 +207,14 @@ public final class LocalFieldView {
      * @return the opponents
      */
     public List<PlayerItem> opponents() {
-        return players.stream().filter(player -> !player.isTeamMate()).toList();
+        return players(player -> !player.isTeamMate());
+    }
+
+    private List<PlayerItem> players(Predicate<PlayerItem> condition) {
+        return met.stream()
+                .filter(player -> player.ageSeconds() <= PLAYER_MEMORY_SECONDS)
+                .filter(condition)
+                .toList();
     }
 
     /**
@@ -234,7 +246,7 @@ public final class LocalFieldView {
         PlayerItem player = playerOf(seen);
         boolean hasParts = false;
         List<SeenBodyPart> parts = seen.parts();
-        for (int i = 0; i < parts.size(); i++) { // an iterator for each player would be garbage
+        for (int i = 0; i < parts.size(); i++) {
             SeenBodyPart part = parts.get(i);
             hasParts |= see(player.part(part.part()), part.position());
         }
@@ -243,14 +255,14 @@ public final class LocalFieldView {
         } else if (seen.position().isPresent()) {
             see(player, seen.position().get());
         }
-        if (player.isKnown() && !players.contains(player)) {
-            players.add(player);
+        if (player.isKnown() && !met.contains(player)) {
+            met.add(player);
         }
     }
 
     private PlayerItem playerOf(SeenPlayer seen) {
-        for (int i = 0; i < players.size(); i++) {
-            PlayerItem player = players.get(i);
+        for (int i = 0; i < met.size(); i++) {
+            PlayerItem player = met.get(i);
             if (player.number() == seen.number() && player.team().equals(seen.team())) {
                 return player;
             }

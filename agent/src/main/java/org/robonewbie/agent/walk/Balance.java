@@ -1,6 +1,6 @@
 package org.robonewbie.agent.walk;
 
-import org.robonewbie.nao.Vector3;
+import org.robonewbie.agent.perception.TorsoMotion;
 
 /**
  * The sense of balance: how the torso leans, from gyro and accelerometer. The gyro's turning is added up cycle by cycle; since
@@ -20,17 +20,17 @@ final class Balance {
     private double pitchRate;
     private double rollRate;
 
-    /** Takes in the readings of a cycle: x forward, y left, z up; degrees per second and m/s². */
-    void feel(Vector3 gyro, Vector3 acceleration) {
-        pitchDegrees += gyro.y() * CYCLE_SECONDS;
-        rollDegrees += gyro.x() * CYCLE_SECONDS;
-        pitchRate += RATE_SMOOTHING * (gyro.y() - pitchRate);
-        rollRate += RATE_SMOOTHING * (gyro.x() - rollRate);
-        double strength = acceleration.length();
+    /** Takes in the readings of a cycle. */
+    void feel(TorsoMotion torso) {
+        pitchDegrees += torso.pitchRate() * CYCLE_SECONDS;
+        rollDegrees += torso.rollRate() * CYCLE_SECONDS;
+        pitchRate += RATE_SMOOTHING * (torso.pitchRate() - pitchRate);
+        rollRate += RATE_SMOOTHING * (torso.rollRate() - rollRate);
+        double strength = torso.strength();
         if (strength > WEAKEST && strength < STRONGEST) {
             double trust = CYCLE_SECONDS / TRUST_SECONDS;
-            pitchDegrees += trust * (degrees(-acceleration.x(), acceleration.z()) - pitchDegrees);
-            rollDegrees += trust * (degrees(acceleration.y(), acceleration.z()) - rollDegrees);
+            pitchDegrees += trust * (degrees(-torso.forward(), torso.up()) - pitchDegrees);
+            rollDegrees += trust * (degrees(torso.left(), torso.up()) - rollDegrees);
         }
     }
 

@@ -8,7 +8,7 @@ import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.motion.Motors;
 import org.robonewbie.agent.motion.PostureFollower;
 import org.robonewbie.agent.perception.BodyPosition;
-import org.robonewbie.nao.Vector3;
+import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.kinematics.Leg;
 
 /**
@@ -127,11 +127,10 @@ public final class Walk {
     /**
      * Plays one cycle of walking, or of a motion; the framework does this when the robot acts.
      *
-     * @param gyro degrees per second: x forward, y left, z up
-     * @param acceleration m/s²: x forward, y left, z up
+     * @param torso what gyroscope and accelerometer feel
      */
-    public void update(Vector3 gyro, Vector3 acceleration) {
-        engine.feel(gyro, acceleration);
+    public void update(TorsoMotion torso) {
+        engine.feel(torso);
         if (!motions.isFinished() && !preparing) {
             wanted = WalkVelocity.ZERO;
         }

@@ -1,6 +1,6 @@
 package org.robonewbie.agent.walk;
 
-import org.robonewbie.nao.Vector3;
+import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.model.RobotType;
@@ -83,11 +83,10 @@ public final class WalkEngine {
     /**
      * Feels how the torso moves; to be called in each cycle before {@link #next}.
      *
-     * @param gyro degrees per second: x forward, y left, z up
-     * @param acceleration m/s²: x forward, y left, z up
+     * @param torso what gyroscope and accelerometer feel
      */
-    public void feel(Vector3 gyro, Vector3 acceleration) {
-        balance.feel(gyro, acceleration);
+    public void feel(TorsoMotion torso) {
+        balance.feel(torso);
     }
 
     /**

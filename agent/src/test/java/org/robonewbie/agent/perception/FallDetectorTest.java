@@ -31,8 +31,8 @@ class FallDetectorTest {
     void isNotDeceivedByAKnockOfTheFoot() {
         feelForHalfASecond(new Vector3(0, 0, 9.81));
 
-        detector.feel(new Vector3(300, -200, 5));
-        detector.feel(new Vector3(-100, 400, 60));
+        feel(300, -200, 5);
+        feel(-100, 400, 60);
 
         assertThat(detector.bodyPosition()).isEqualTo(BodyPosition.UPRIGHT);
     }
@@ -47,7 +47,7 @@ class FallDetectorTest {
     @Test
     void measuresHowFarTheTorsoLeans() {
         for (int i = 0; i < 200; i++) {
-            detector.feel(new Vector3(9.81 * Math.sin(Math.toRadians(30)), 0, 9.81 * Math.cos(Math.toRadians(30))));
+            feel(9.81 * Math.sin(Math.toRadians(30)), 0, 9.81 * Math.cos(Math.toRadians(30)));
         }
 
         assertThat(detector.tiltDegrees()).isCloseTo(30, within(0.01));
@@ -55,7 +55,13 @@ class FallDetectorTest {
 
     private void feelForHalfASecond(Vector3 acceleration) {
         for (int i = 0; i < 25; i++) {
-            detector.feel(acceleration);
+            feel(acceleration.x(), acceleration.y(), acceleration.z());
         }
+    }
+
+    private void feel(double forward, double left, double up) {
+        TorsoMotion torso = new TorsoMotion();
+        torso.setAcceleration(forward, left, up);
+        detector.feel(torso);
     }
 }

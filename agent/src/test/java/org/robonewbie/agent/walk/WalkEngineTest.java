@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.nao.Vector3;
+import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.model.RobotType;
@@ -15,7 +15,6 @@ import org.robonewbie.nao.motion.Posture;
 
 class WalkEngineTest {
 
-    private static final Vector3 GRAVITY = new Vector3(0, 0, 9.81);
 
     private final WalkEngine engine = new WalkEngine(WalkStyle.STANDARD);
 
@@ -92,8 +91,10 @@ class WalkEngineTest {
     @Test
     void feelsThatTheTorsoBows() {
         Balance balance = new Balance();
+        TorsoMotion torso = new TorsoMotion();
+        torso.setGyro(0, 20, 0);
         for (int i = 0; i < 25; i++) {
-            balance.feel(new Vector3(0, 20, 0), GRAVITY);
+            balance.feel(torso);
         }
 
         assertThat(balance.pitchDegrees()).isBetween(5.0, 10.0);
@@ -103,8 +104,10 @@ class WalkEngineTest {
     @Test
     void believesTheDirectionOfGravityInTheLongRun() {
         Balance balance = new Balance();
+        TorsoMotion torso = new TorsoMotion();
+        torso.setAcceleration(0, 9.81 * Math.sin(0.1), 9.81 * Math.cos(0.1));
         for (int i = 0; i < 400; i++) {
-            balance.feel(Vector3.ZERO, new Vector3(0, 9.81 * Math.sin(0.1), 9.81 * Math.cos(0.1)));
+            balance.feel(torso);
         }
 
         assertThat(balance.rollDegrees()).isCloseTo(Math.toDegrees(0.1), within(0.1));
@@ -121,7 +124,7 @@ class WalkEngineTest {
     private static List<Posture> postures(WalkEngine engine, int cycles) {
         List<Posture> postures = new ArrayList<>();
         for (int i = 0; i < cycles; i++) {
-            engine.feel(Vector3.ZERO, GRAVITY);
+            engine.feel(new TorsoMotion());
             postures.add(engine.next());
         }
         return postures;

@@ -10,13 +10,12 @@ import org.robonewbie.agent.motion.MotionLibrary;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.motion.Motors;
 import org.robonewbie.agent.perception.BodyPosition;
+import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Posture;
 
 class WalkTest {
 
-    private static final Vector3 GRAVITY = new Vector3(0, 0, 9.81);
 
     private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
     private final Motors motors = new Motors();
@@ -115,7 +114,7 @@ class WalkTest {
     /** Cycles of a robot whose joints do what they are told at once. */
     private void cycles(int count) {
         for (int i = 0; i < count; i++) {
-            walk.update(Vector3.ZERO, GRAVITY);
+            walk.update(new TorsoMotion());
             motors.endCycle();
             for (Joint joint : Joint.values()) {
                 double turned = motors.sentDegreesPerSecond(joint) * Motors.CYCLE_SECONDS;

@@ -4,6 +4,7 @@ import java.util.List;
 import org.robonewbie.agent.motion.MotionPlayer;
 import org.robonewbie.agent.motion.Motors;
 import org.robonewbie.agent.motion.PostureFollower;
+import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.learning.experiment.RobotStart;
 import org.robonewbie.learning.experiment.SoccerTrial;
@@ -49,6 +50,7 @@ public final class TrialRobot {
     private final SoccerTrial trial;
     private final Robot robot;
     private final Motors motors = new Motors();
+    private final TorsoMotion torso = new TorsoMotion();
     private long cycles;
 
     /** Puts a robot down at {@link #START} with all joints at 0. */
@@ -124,7 +126,11 @@ public final class TrialRobot {
      * @return whether the observer lets it go on
      */
     public boolean walk(WalkEngine engine, PostureFollower follower, TrialObserver observer) {
-        engine.feel(forwardLeftUp(robot.gyroDegreesPerSecond()), forwardLeftUp(robot.acceleration()));
+        Vector3 gyro = forwardLeftUp(robot.gyroDegreesPerSecond());
+        Vector3 acceleration = forwardLeftUp(robot.acceleration());
+        torso.setGyro(gyro.x(), gyro.y(), gyro.z());
+        torso.setAcceleration(acceleration.x(), acceleration.y(), acceleration.z());
+        engine.feel(torso);
         follower.follow(engine.next());
         return cycle(observer);
     }

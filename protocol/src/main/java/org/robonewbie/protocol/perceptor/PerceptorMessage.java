@@ -30,6 +30,17 @@ public record PerceptorMessage(
         FootForces footForces,
         Optional<Vision> vision) {
 
+    /** A message that says nothing. */
+    public static final PerceptorMessage NOTHING = new PerceptorMessage(
+            OptionalDouble.empty(),
+            Optional.empty(),
+            List.of(),
+            Optional.empty(),
+            Optional.empty(),
+            JointAngles.NONE,
+            FootForces.NONE,
+            Optional.empty());
+
     /** Makes the list unmodifiable. */
     public PerceptorMessage {
         heard = List.copyOf(heard);
