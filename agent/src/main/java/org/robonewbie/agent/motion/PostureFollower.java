@@ -2,6 +2,7 @@ package org.robonewbie.agent.motion;
 
 import java.util.function.ToDoubleFunction;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.MutablePosture;
 import org.robonewbie.nao.motion.Posture;
 
 /**
@@ -49,14 +50,29 @@ public final class PostureFollower {
         follow(next::degrees, CORRECTION);
     }
 
+    /**
+     * Leads the joints to the next posture of a plan that is calculated cycle by cycle.
+     *
+     * @param next where the joints shall be after one cycle
+     */
+    public void follow(MutablePosture next) {
+        for (Joint joint : JOINTS) {
+            follow(joint, next.degrees(joint), CORRECTION);
+        }
+    }
+
     /** Leads the joints to their next angles, making good a part of the difference between plan and robot. */
     void follow(ToDoubleFunction<Joint> next, double correction) {
         for (Joint joint : JOINTS) {
-            int i = joint.ordinal();
-            double angle = Motors.inside(joint, next.applyAsDouble(joint));
-            double error = plannedDegrees[i] - motors.expectedDegrees(joint);
-            motors.setMotionSpeed(joint, (angle - plannedDegrees[i] + correction * error) / Motors.CYCLE_SECONDS);
-            plannedDegrees[i] = angle;
+            follow(joint, next.applyAsDouble(joint), correction);
         }
+    }
+
+    private void follow(Joint joint, double next, double correction) {
+        int i = joint.ordinal();
+        double angle = Motors.inside(joint, next);
+        double error = plannedDegrees[i] - motors.expectedDegrees(joint);
+        motors.setMotionSpeed(joint, (angle - plannedDegrees[i] + correction * error) / Motors.CYCLE_SECONDS);
+        plannedDegrees[i] = angle;
     }
 }

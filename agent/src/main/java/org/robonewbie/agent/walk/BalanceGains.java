@@ -31,21 +31,15 @@ public record BalanceGains(
         double stepRight,
         double stepRightRate) {
 
-    private static final double MOST_DEGREES = 15;
-    private static final double MOST_METRES = 0.05;
-
-    /** What a walk changes. */
-    Correction correction(double pitchError, double pitchRate, double rollError, double rollRate) {
-        return new Correction(
-                limit(anklePitch * pitchError + anklePitchRate * pitchRate, MOST_DEGREES),
-                limit(hipPitch * pitchError + hipPitchRate * pitchRate, MOST_DEGREES),
-                limit(ankleRoll * rollError + ankleRollRate * rollRate, MOST_DEGREES),
-                limit(hipRoll * rollError + hipRollRate * rollRate, MOST_DEGREES),
-                limit(stepForward * pitchError + stepForwardRate * pitchRate, MOST_METRES),
-                -limit(stepRight * rollError + stepRightRate * rollRate, MOST_METRES));
-    }
-
-    private static double limit(double value, double most) {
-        return Math.max(-most, Math.min(most, value));
+    /** Says what a walk changes. */
+    void correct(Correction correction, double pitchError, double pitchRate, double rollError, double rollRate) {
+        correction.setPitch(
+                anklePitch * pitchError + anklePitchRate * pitchRate,
+                hipPitch * pitchError + hipPitchRate * pitchRate,
+                stepForward * pitchError + stepForwardRate * pitchRate);
+        correction.setRoll(
+                ankleRoll * rollError + ankleRollRate * rollRate,
+                hipRoll * rollError + hipRollRate * rollRate,
+                stepRight * rollError + stepRightRate * rollRate);
     }
 }

@@ -1,13 +1,14 @@
 package org.robonewbie.agent.walk;
 
-/**
- * How the torso is carried: what changes slowly, from one step to the next.
- *
- * @param vigour 1 sways and lifts as the gait says, 0 not at all
- * @param leanDegrees how much the torso bows forward
- * @param feetForward how far the ankles stand ahead of the hips, metres
- */
-public record Carriage(double vigour, double leanDegrees, double feetForward) {
+/** How the torso is carried: what changes slowly, from one step to the next. */
+public final class Carriage {
+
+    private double vigour;
+    private double leanDegrees;
+    private double feetForward;
+
+    /** Creates a carriage that is upright and still. */
+    Carriage() {}
 
     /**
      * Carries the torso as a gait does.
@@ -17,14 +18,41 @@ public record Carriage(double vigour, double leanDegrees, double feetForward) {
      * @return the carriage
      */
     public static Carriage of(Gait gait, double vigour) {
-        return new Carriage(vigour, gait.leanDegrees(), gait.feetForward());
+        Carriage carriage = new Carriage();
+        carriage.set(vigour, gait.leanDegrees(), gait.feetForward());
+        return carriage;
     }
 
-    /** The carriage on the way to another one. */
-    Carriage towards(Carriage other, double fraction) {
-        return new Carriage(
-                vigour + fraction * (other.vigour - vigour),
-                leanDegrees + fraction * (other.leanDegrees - leanDegrees),
-                feetForward + fraction * (other.feetForward - feetForward));
+    /** 1 sways and lifts as the gait says, 0 not at all. */
+    double vigour() {
+        return vigour;
+    }
+
+    /** How much the torso bows forward. */
+    double leanDegrees() {
+        return leanDegrees;
+    }
+
+    /** How far the ankles stand ahead of the hips, metres. */
+    double feetForward() {
+        return feetForward;
+    }
+
+    void set(double newVigour, double newLeanDegrees, double newFeetForward) {
+        vigour = newVigour;
+        leanDegrees = newLeanDegrees;
+        feetForward = newFeetForward;
+    }
+
+    void set(Carriage other) {
+        set(other.vigour, other.leanDegrees, other.feetForward);
+    }
+
+    /** Takes the carriage on the way from one to another. */
+    void setBetween(Carriage from, Carriage to, double fraction) {
+        set(
+                from.vigour + fraction * (to.vigour - from.vigour),
+                from.leanDegrees + fraction * (to.leanDegrees - from.leanDegrees),
+                from.feetForward + fraction * (to.feetForward - from.feetForward));
     }
 }

@@ -52,26 +52,9 @@ public record FootPlace(double forward, double left, double yawDegrees) {
      * @return the new place
      */
     public FootPlace then(double forwardMetres, double leftMetres, double degrees) {
-        double cosine = Math.cos(Math.toRadians(yawDegrees));
-        double sine = Math.sin(Math.toRadians(yawDegrees));
-        return new FootPlace(
-                forward + cosine * forwardMetres - sine * leftMetres,
-                left + sine * forwardMetres + cosine * leftMetres,
-                yawDegrees + degrees);
-    }
-
-    /**
-     * Finds a place between two.
-     *
-     * @param other the other end
-     * @param fraction 0 for this place, 1 for the other
-     * @return the place in between
-     */
-    public FootPlace towards(FootPlace other, double fraction) {
-        return new FootPlace(
-                forward + fraction * (other.forward - forward),
-                left + fraction * (other.left - left),
-                yawDegrees + fraction * (other.yawDegrees - yawDegrees));
+        MovingPlace place = new MovingPlace(this);
+        place.go(forwardMetres, leftMetres, degrees);
+        return place.toPlace();
     }
 
     /**
@@ -81,10 +64,8 @@ public record FootPlace(double forward, double left, double yawDegrees) {
      * @return metres forward and to the left of it; z is 0
      */
     public Vector3 seenFrom(FootPlace middle) {
-        double cosine = Math.cos(Math.toRadians(middle.yawDegrees));
-        double sine = Math.sin(Math.toRadians(middle.yawDegrees));
-        double ahead = forward - middle.forward;
-        double aside = left - middle.left;
-        return new Vector3(cosine * ahead + sine * aside, -sine * ahead + cosine * aside, 0);
+        MovingPlace seen = new MovingPlace(this);
+        MovingPlace from = new MovingPlace(middle);
+        return new Vector3(seen.aheadOf(from), seen.leftOf(from), 0);
     }
 }

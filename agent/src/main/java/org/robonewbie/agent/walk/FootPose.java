@@ -1,5 +1,7 @@
 package org.robonewbie.agent.walk;
 
+import org.robonewbie.nao.kinematics.MutablePose;
+
 /**
  * Where a foot is below the torso, in a frame that is level and looks to where the torso looks: the point of its sole below the
  * ankle.
@@ -11,6 +13,23 @@ package org.robonewbie.agent.walk;
  * @param toesUpDegrees how much the toes are above the heel
  */
 public record FootPose(double forward, double left, double up, double yawDegrees, double toesUpDegrees) {
+
+    private static final double SOLE_TO_FOOT_CENTRE = 0.03;
+    private static final double SOLE_THICKNESS = 0.01;
+
+    /** Goes from the ground below the torso to the centre of the foot's box. */
+    void goOn(MutablePose pose) {
+        goToFoot(pose, forward, left, up, yawDegrees, toesUpDegrees);
+    }
+
+    /** Goes from the ground below the torso to the centre of the box of a foot. */
+    static void goToFoot(
+            MutablePose pose, double forward, double left, double up, double yawDegrees, double toesUpDegrees) {
+        pose.move(forward, left, up);
+        pose.turnAboutZ(yawDegrees);
+        pose.turnAboutY(-toesUpDegrees);
+        pose.move(SOLE_TO_FOOT_CENTRE, 0, SOLE_THICKNESS);
+    }
 
     /**
      * Puts a foot flat on the ground.

@@ -1,120 +1,172 @@
 package org.robonewbie.agent.walk;
 
 import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
+import org.robonewbie.nao.kinematics.MutablePose;
+import org.robonewbie.nao.motion.MutablePosture;
 import org.robonewbie.nao.motion.Posture;
 
 /**
  * One step: a foot swings to its new place while the other one stands, and the torso moves on evenly to the middle between both
- * feet and sways to the side of the standing leg; inverse kinematics gives the angles.
+ * feet and sways to the side of the standing leg; inverse kinematics gives the angles. The object can be used again for the next
+ * step, so that walking makes no garbage.
  *
  * <pre>{@code
- * Step step = new Step(gait, Leg.LEFT, FootPlace.LEFT, FootPlace.RIGHT, FootPlace.LEFT.moved(0.05, 0), carriage, carriage);
- * Posture halfWay = step.posture(kinematics, 0.5, Correction.NONE);
+ * Step step = new Step(gait, Leg.LEFT, FootPlace.LEFT, FootPlace.LEFT.moved(0.05, 0), FootPlace.RIGHT, carriage, carriage);
+ * Posture halfWay = step.posture(kinematics, 0.5);
  * }</pre>
- *
- * @param gait how the robot steps
- * @param leg which leg swings
- * @param start where its foot stood
- * @param target where its foot is set down
- * @param support where the other foot stands
- * @param before how the torso is carried at the beginning
- * @param after how the torso is carried at the end
  */
-public record Step(
-        Gait gait, Leg leg, FootPlace start, FootPlace target, FootPlace support, Carriage before, Carriage after) {
+public final class Step {
 
     private static final double ANKLE_BEHIND_TORSO = 0.005;
     private static final double MOST_ARM_DEGREES = 45;
 
+    private final Gait gait;
+    private final MovingPlace start = new MovingPlace();
+    private final MovingPlace target = new MovingPlace();
+    private final MovingPlace support = new MovingPlace();
+    private final Carriage before = new Carriage();
+    private final Carriage after = new Carriage();
+    private Leg leg = Leg.LEFT;
+
+    private final StepMoment moment;
+    private final Carriage carriage = new Carriage();
+    private final MovingPlace swinging = new MovingPlace();
+    private final MovingPlace middle = new MovingPlace();
+    private final MutablePose foot = new MutablePose();
+
+    /** Prepares steps of a gait. */
+    Step(Gait gait) {
+        this.gait = gait;
+        moment = new StepMoment(gait);
+    }
+
     /**
-     * Calculates a posture of this step.
+     * Describes a step.
+     *
+     * @param gait how the robot steps
+     * @param leg which leg swings
+     * @param start where its foot stood
+     * @param target where its foot is set down
+     * @param support where the other foot stands
+     * @param before how the torso is carried at the beginning
+     * @param after how the torso is carried at the end
+     */
+    public Step(
+            Gait gait, Leg leg, FootPlace start, FootPlace target, FootPlace support, Carriage before, Carriage after) {
+        this(gait);
+        begin(leg, new MovingPlace(start), new MovingPlace(support), before);
+        this.target.set(target);
+        this.after.set(after);
+    }
+
+    /** Begins the next step where the feet are; {@link #target} and {@link #after} say where it leads. */
+    void begin(Leg swings, MovingPlace from, MovingPlace stands, Carriage now) {
+        leg = swings;
+        start.set(from);
+        support.set(stands);
+        before.set(now);
+    }
+
+    /** Where the foot is set down. */
+    MovingPlace target() {
+        return target;
+    }
+
+    /** How the torso is carried at the end. */
+    Carriage after() {
+        return after;
+    }
+
+    /**
+     * Calculates a posture of this step, without any correction.
      *
      * @param kinematics the robot's
      * @param time which part of the step is over, 0 to 1
-     * @param correction what the sense of balance changes
      * @return the posture
      */
-    public Posture posture(InverseKinematics kinematics, double time, Correction correction) {
-        return posture(kinematics, Stance.POSTURE, time, correction);
+    public Posture posture(InverseKinematics kinematics, double time) {
+        MutablePosture posture = new MutablePosture(Stance.POSTURE);
+        setTime(time);
+        place(posture, kinematics, new Correction());
+        return posture.toPosture();
     }
 
-    /** The same, while the search for the angles begins with a posture that is near. */
-    Posture posture(InverseKinematics kinematics, Posture near, double time, Correction correction) {
-        Carriage carriage = before.towards(after, time);
-        StepMoment moment = new StepMoment(gait, leg, time, carriage.vigour());
-        FootPlace swinging = swinging(moment, correction);
-        FootPlace middle = start.towards(support, 0.5).towards(target.towards(support, 0.5), time);
-        TorsoPose torso =
-                new TorsoPose(gait.torsoHeight() + moment.bounce(), carriage.leanDegrees(), moment.rollDegrees());
-        FootPose swung = foot(leg, swinging, middle, carriage, moment, true);
-        FootPose standing = foot(leg.other(), support, middle, carriage, moment, false);
-        Posture arms = armsSwinging(
-                near, swinging.seenFrom(middle).x() - support.seenFrom(middle).x());
-        Posture posture = leg == Leg.LEFT
-                ? torso.above(kinematics, arms, swung, standing)
-                : torso.above(kinematics, arms, standing, swung);
-        return corrected(moment.withLiftedHip(posture), correction);
+    /** Goes to a moment of the step, 0 to 1. */
+    void setTime(double time) {
+        carriage.setBetween(before, after, time);
+        moment.set(leg, time, carriage.vigour());
+        middle.set(start);
+        middle.approach(target, time);
+        middle.approach(support, 0.5);
     }
 
-    /**
-     * Tells how the torso leans at a moment, as planned.
-     *
-     * @param time which part of the step is over, 0 to 1
-     * @return degrees to the right
-     */
-    public double rollDegrees(double time) {
-        return new StepMoment(gait, leg, time, before.towards(after, time).vigour()).rollDegrees();
+    /** How much the torso bows forward now, as planned. */
+    double leanDegrees() {
+        return carriage.leanDegrees();
     }
 
-    /**
-     * Tells where the swinging foot is set down.
-     *
-     * @param correction what the sense of balance changes
-     * @return the place
-     */
-    public FootPlace landing(Correction correction) {
-        return swinging(new StepMoment(gait, leg, 1, after.vigour()), correction);
+    /** How much the torso leans to the right now, as planned. */
+    double rollDegrees() {
+        return moment.rollDegrees();
     }
 
-    private FootPlace swinging(StepMoment moment, Correction correction) {
+    /** How much the gait's movements count now, 0 to 1. */
+    double vigour() {
+        return carriage.vigour();
+    }
+
+    /** Puts the limbs where they are now; the search for the legs' angles begins with the posture. */
+    void place(MutablePosture posture, InverseKinematics kinematics, Correction correction) {
         double travelled = moment.travelled();
-        return start.towards(target, travelled)
-                .then(correction.swingForward() * travelled, correction.swingLeft() * travelled, 0);
+        swinging.set(start);
+        swinging.approach(target, travelled);
+        swinging.go(correction.swingForward() * travelled, correction.swingLeft() * travelled, 0);
+        place(swinging, leg, moment.lift(), moment.toeDegrees());
+        kinematics.place(leg, foot, posture);
+        place(support, leg.other(), 0, 0);
+        kinematics.place(leg.other(), foot, posture);
+        swingArms(posture, swinging.aheadOf(middle) - support.aheadOf(middle));
+        moment.liftHip(posture);
+        correct(posture, correction);
     }
 
-    private FootPose foot(
-            Leg which, FootPlace place, FootPlace middle, Carriage carriage, StepMoment moment, boolean swings) {
-        Vector3 seen = place.seenFrom(middle);
+    /** Where the swinging foot is now: at the end of the step the place where it was set down. */
+    MovingPlace swinging() {
+        return swinging;
+    }
+
+    private void place(MovingPlace sole, Leg which, double up, double toesUpDegrees) {
         double outward = which == Leg.LEFT ? gait.feetApart() : -gait.feetApart();
-        return new FootPose(
-                seen.x() + carriage.feetForward() - ANKLE_BEHIND_TORSO,
-                seen.y() + outward - moment.sway(),
-                swings ? moment.lift() : 0,
-                place.yawDegrees() - middle.yawDegrees(),
-                swings ? moment.toeDegrees() : 0);
+        TorsoPose.goToGround(
+                foot, gait.torsoHeight() + moment.bounce(), carriage.leanDegrees(), moment.rollDegrees());
+        FootPose.goToFoot(
+                foot,
+                sole.aheadOf(middle) + carriage.feetForward() - ANKLE_BEHIND_TORSO,
+                sole.leftOf(middle) + outward - moment.sway(),
+                up,
+                sole.yawDegrees() - middle.yawDegrees(),
+                toesUpDegrees);
     }
 
-    private Posture armsSwinging(Posture posture, double metres) {
+    private void swingArms(MutablePosture posture, double metres) {
         double leftAhead = leg == Leg.LEFT ? metres : -metres;
         double swing = Math.max(-MOST_ARM_DEGREES, Math.min(MOST_ARM_DEGREES, gait.armSwing() * leftAhead));
         Posture stance = Stance.POSTURE;
-        return posture.with(Joint.LEFT_SHOULDER_PITCH, stance.degrees(Joint.LEFT_SHOULDER_PITCH) - swing)
-                .with(Joint.RIGHT_SHOULDER_PITCH, stance.degrees(Joint.RIGHT_SHOULDER_PITCH) + swing);
+        posture.set(Joint.LEFT_SHOULDER_PITCH, stance.degrees(Joint.LEFT_SHOULDER_PITCH) - swing);
+        posture.set(Joint.RIGHT_SHOULDER_PITCH, stance.degrees(Joint.RIGHT_SHOULDER_PITCH) + swing);
     }
 
-    private static Posture corrected(Posture posture, Correction correction) {
-        double[] degrees = posture.toArray();
-        degrees[Joint.LEFT_FOOT_PITCH.ordinal()] += correction.anklePitchDegrees();
-        degrees[Joint.RIGHT_FOOT_PITCH.ordinal()] += correction.anklePitchDegrees();
-        degrees[Joint.LEFT_HIP_PITCH.ordinal()] += correction.hipPitchDegrees();
-        degrees[Joint.RIGHT_HIP_PITCH.ordinal()] += correction.hipPitchDegrees();
-        degrees[Joint.LEFT_FOOT_ROLL.ordinal()] += correction.ankleRollDegrees();
-        degrees[Joint.RIGHT_FOOT_ROLL.ordinal()] += correction.ankleRollDegrees();
-        degrees[Joint.LEFT_HIP_ROLL.ordinal()] += correction.hipRollDegrees();
-        degrees[Joint.RIGHT_HIP_ROLL.ordinal()] += correction.hipRollDegrees();
-        return Posture.of(degrees).clamped();
+    private static void correct(MutablePosture posture, Correction correction) {
+        posture.add(Joint.LEFT_FOOT_PITCH, correction.anklePitchDegrees());
+        posture.add(Joint.RIGHT_FOOT_PITCH, correction.anklePitchDegrees());
+        posture.add(Joint.LEFT_HIP_PITCH, correction.hipPitchDegrees());
+        posture.add(Joint.RIGHT_HIP_PITCH, correction.hipPitchDegrees());
+        posture.add(Joint.LEFT_FOOT_ROLL, correction.ankleRollDegrees());
+        posture.add(Joint.RIGHT_FOOT_ROLL, correction.ankleRollDegrees());
+        posture.add(Joint.LEFT_HIP_ROLL, correction.hipRollDegrees());
+        posture.add(Joint.RIGHT_HIP_ROLL, correction.hipRollDegrees());
+        posture.clamp();
     }
 }

@@ -2,19 +2,36 @@ package org.robonewbie.agent.walk;
 
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.Leg;
-import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.nao.motion.MutablePosture;
 
 /**
- * One moment of a step.
- *
- * @param gait how the robot steps
- * @param leg which leg swings
- * @param time which part of the step is over, 0 to 1
- * @param vigour 1 moves as the gait says, 0 not at all
+ * One moment of a step: how far the swinging foot is, and how the torso sways and bounces. The object serves for all moments.
  */
-record StepMoment(Gait gait, Leg leg, double time, double vigour) {
+final class StepMoment {
 
     private static final double EASING = 0.7;
+
+    private final Gait gait;
+    private Leg leg = Leg.LEFT;
+    private double time;
+    private double vigour;
+
+    StepMoment(Gait gait) {
+        this.gait = gait;
+    }
+
+    /**
+     * Goes to a moment.
+     *
+     * @param swings which leg swings
+     * @param newTime which part of the step is over, 0 to 1
+     * @param newVigour 1 moves as the gait says, 0 not at all
+     */
+    void set(Leg swings, double newTime, double newVigour) {
+        leg = swings;
+        time = newTime;
+        vigour = newVigour;
+    }
 
     /** Which part of its way the swinging foot has made; it starts and stops softly. */
     double travelled() {
@@ -48,11 +65,11 @@ record StepMoment(Gait gait, Leg leg, double time, double vigour) {
         return gait.toeDegrees() * vigour * Math.sin(2 * Math.PI * swing());
     }
 
-    /** The posture with the swinging leg lifted to the side. */
-    Posture withLiftedHip(Posture posture) {
+    /** Lifts the swinging leg to the side. */
+    void liftHip(MutablePosture posture) {
         double outward = gait.swingHipDegrees() * vigour * Math.sin(Math.PI * swing());
         Joint hip = leg == Leg.LEFT ? Joint.LEFT_HIP_ROLL : Joint.RIGHT_HIP_ROLL;
-        return posture.with(hip, posture.degrees(hip) + (leg == Leg.LEFT ? outward : -outward));
+        posture.add(hip, leg == Leg.LEFT ? outward : -outward);
     }
 
     /** From 1 on the left to -1 on the right. */

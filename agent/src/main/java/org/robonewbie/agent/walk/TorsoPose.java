@@ -1,10 +1,9 @@
 package org.robonewbie.agent.walk;
 
-import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
-import org.robonewbie.nao.kinematics.Pose;
-import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.nao.kinematics.MutablePose;
+import org.robonewbie.nao.motion.MutablePosture;
 import org.robonewbie.nao.motion.Posture;
 
 /**
@@ -18,7 +17,6 @@ import org.robonewbie.nao.motion.Posture;
 public record TorsoPose(double height, double leanDegrees, double rollDegrees) {
 
     private static final double HIPS_BELOW_TORSO = 0.115;
-    private static final Vector3 SOLE_TO_FOOT_CENTRE = new Vector3(0.03, 0, 0.01);
 
     /**
      * Finds the angles of both legs.
@@ -30,16 +28,23 @@ public record TorsoPose(double height, double leanDegrees, double rollDegrees) {
      * @return the posture with both legs placed, or as near as they come
      */
     public Posture above(InverseKinematics kinematics, Posture posture, FootPose left, FootPose right) {
-        Posture oneLeg = kinematics.solve(Leg.LEFT, seen(left), posture).applyTo(posture);
-        return kinematics.solve(Leg.RIGHT, seen(right), oneLeg).applyTo(oneLeg);
+        MutablePosture placed = new MutablePosture(posture);
+        MutablePose foot = new MutablePose();
+        goToGround(foot, height, leanDegrees, rollDegrees);
+        left.goOn(foot);
+        kinematics.place(Leg.LEFT, foot, placed);
+        goToGround(foot, height, leanDegrees, rollDegrees);
+        right.goOn(foot);
+        kinematics.place(Leg.RIGHT, foot, placed);
+        return placed.toPosture();
     }
 
-    /** The centre of a foot's box as seen from the torso. */
-    private Pose seen(FootPose foot) {
-        Rotation level = Rotation.ofYawPitchRoll(0, leanDegrees, rollDegrees).inverse();
-        Rotation turn = level.times(Rotation.ofYawPitchRoll(foot.yawDegrees(), -foot.toesUpDegrees(), 0));
-        Vector3 fromHips = new Vector3(foot.forward(), foot.left(), foot.up() + HIPS_BELOW_TORSO - height);
-        Vector3 sole = level.apply(fromHips).minus(new Vector3(0, 0, HIPS_BELOW_TORSO));
-        return new Pose(sole.plus(turn.apply(SOLE_TO_FOOT_CENTRE)), turn);
+    /** Goes from the torso's centre to the point of the ground below it, level. */
+    static void goToGround(MutablePose pose, double height, double leanDegrees, double rollDegrees) {
+        pose.reset();
+        pose.move(0, 0, -HIPS_BELOW_TORSO);
+        pose.turnAboutX(-rollDegrees);
+        pose.turnAboutY(-leanDegrees);
+        pose.move(0, 0, HIPS_BELOW_TORSO - height);
     }
 }

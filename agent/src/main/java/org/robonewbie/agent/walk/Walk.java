@@ -46,7 +46,7 @@ public final class Walk {
     private final Supplier<BodyPosition> bodyPosition;
     private final WalkEngine engine = new WalkEngine(WalkStyle.STANDARD);
     private final PostureFollower follower;
-    private WalkVelocity wanted = WalkVelocity.ZERO;
+    private final Pace wanted = new Pace();
     private boolean walking;
     private boolean preparing;
 
@@ -81,12 +81,12 @@ public final class Walk {
                             + turnDegreesPerSecond + " is ignored. Was something divided by zero?");
             return;
         }
-        wanted = new WalkVelocity(forwardMetresPerSecond, leftMetresPerSecond, turnDegreesPerSecond);
+        wanted.set(forwardMetresPerSecond, leftMetresPerSecond, turnDegreesPerSecond);
     }
 
     /** Stops with both feet side by side; that takes up to a second. */
     public void stop() {
-        wanted = WalkVelocity.ZERO;
+        wanted.set(0, 0, 0);
     }
 
     /**
@@ -118,7 +118,7 @@ public final class Walk {
 
     /** The robot was put somewhere else: it stands. */
     public void reset() {
-        wanted = WalkVelocity.ZERO;
+        wanted.set(0, 0, 0);
         walking = false;
         preparing = false;
         engine.reset();
@@ -132,7 +132,7 @@ public final class Walk {
     public void update(TorsoMotion torso) {
         engine.feel(torso);
         if (!motions.isFinished() && !preparing) {
-            wanted = WalkVelocity.ZERO;
+            wanted.set(0, 0, 0);
         }
         if (bodyPosition.get().isFallen()) {
             reset();
@@ -157,7 +157,7 @@ public final class Walk {
     }
 
     private void step() {
-        engine.towards(wanted);
+        engine.towards(wanted.forward(), wanted.left(), wanted.turn());
         follower.follow(engine.next());
         walking = !engine.isStanding();
     }

@@ -4,7 +4,7 @@ import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.nao.motion.MutablePosture;
 
 /**
  * Turns a wanted velocity into one posture for each cycle. Pure calculation, without a connection.
@@ -25,14 +25,16 @@ public final class WalkEngine {
     private final InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
     private final Balance balance = new Balance();
     private final int cyclesPerStep;
-    private WalkVelocity wanted = WalkVelocity.ZERO;
-    private WalkVelocity velocity = WalkVelocity.ZERO;
-    private FootPlace left = FootPlace.LEFT;
-    private FootPlace right = FootPlace.RIGHT;
+    private final Pace wanted = new Pace();
+    private final Pace velocity = new Pace();
+    private final MovingPlace left = new MovingPlace(FootPlace.LEFT);
+    private final MovingPlace right = new MovingPlace(FootPlace.RIGHT);
+    private final Carriage carriage;
+    private final Step step;
+    private final Correction correction = new Correction();
     private Leg leg = Leg.LEFT;
-    private Carriage carriage;
-    private Posture last = Stance.POSTURE;
-    private Step step;
+    private final MutablePosture walking = new MutablePosture(Stance.POSTURE);
+    private final MutablePosture next = new MutablePosture(Stance.POSTURE);
     private boolean standing = true;
     private boolean feetSideBySide = true;
     private int cycle;
@@ -46,7 +48,7 @@ public final class WalkEngine {
         this.style = style;
         this.cyclesPerStep = style.gait().stepMillis() / CYCLE_MILLIS;
         this.carriage = Carriage.of(style.gait(), 0);
-        this.step = nextStep();
+        this.step = new Step(style.gait());
     }
 
     /**
@@ -55,7 +57,13 @@ public final class WalkEngine {
      * @param newVelocity the wanted velocity; it is slowed down to what the robot can do
      */
     public void towards(WalkVelocity newVelocity) {
-        wanted = newVelocity.within(style.most(), style.backward());
+        towards(newVelocity.forward(), newVelocity.left(), newVelocity.turn());
+    }
+
+    /** Says where to walk from now on, as {@link WalkVelocity}. */
+    void towards(double forward, double toTheLeft, double turn) {
+        wanted.set(forward, toTheLeft, turn);
+        wanted.limit(style.most(), style.backward());
     }
 
     /**
@@ -71,11 +79,10 @@ public final class WalkEngine {
     public void reset() {
         standing = true;
         feetSideBySide = true;
-        wanted = WalkVelocity.ZERO;
-        velocity = WalkVelocity.ZERO;
-        carriage = Carriage.of(style.gait(), 0);
-        left = FootPlace.LEFT;
-        right = FootPlace.RIGHT;
+        wanted.set(0, 0, 0);
+        velocity.set(0, 0, 0);
+        carriage.set(Carriage.of(style.gait(), 0));
+        putFeetSideBySide();
         cycle = 0;
         balance.reset();
     }
@@ -92,102 +99,97 @@ public final class WalkEngine {
     /**
      * Goes on by one cycle of 20 ms.
      *
-     * @return the posture at the end of the cycle
+     * @return the posture at the end of the cycle; the same object in each cycle
      */
-    public Posture next() {
+    public MutablePosture next() {
         if (standing && wanted.isZero()) {
-            return Stance.POSTURE;
+            next.set(Stance.POSTURE);
+            return next;
         }
         if (cycle == 0) {
             begin();
         }
         cycle++;
-        double time = (double) cycle / cyclesPerStep;
-        Correction correction = correction(time);
-        Posture walking = step.posture(kinematics, last, time, correction);
-        last = walking;
-        double vigour = step.before().towards(step.after(), time).vigour();
+        step.setTime((double) cycle / cyclesPerStep);
+        keepBalance();
+        step.place(walking, kinematics, correction);
+        next.setBetween(Stance.POSTURE, walking, smooth(step.vigour()));
         if (cycle == cyclesPerStep) {
-            end(correction);
+            end();
         }
-        return between(Stance.POSTURE, walking, smooth(vigour));
+        return next;
     }
 
     private void begin() {
         if (standing) {
-            last = Stance.POSTURE;
+            walking.set(Stance.POSTURE);
             leg = wanted.left() + 0.01 * wanted.turn() >= 0 ? Leg.LEFT : Leg.RIGHT;
         }
-        step = nextStep();
-    }
-
-    private Step nextStep() {
-        boolean starting = standing;
-        WalkVelocity before = velocity;
-        velocity = starting ? WalkVelocity.ZERO : velocity.approaching(wanted, style.change());
-        boolean stopping = !starting && wanted.isZero() && before.isZero() && feetSideBySide;
-        double vigour = stopping ? 0 : 1;
-        feetSideBySide = velocity.isZero();
+        boolean stopping = !standing && wanted.isZero() && velocity.isZero() && feetSideBySide;
+        double forwardBefore = velocity.forward();
+        changeVelocity();
         double lean = style.gait().leanDegrees()
                 + style.leanPerSpeed() * velocity.forward()
-                + style.leanPerChange() * (velocity.forward() - before.forward());
+                + style.leanPerChange() * (velocity.forward() - forwardBefore);
         double feet = style.gait().feetForward() + style.feetPerSpeed() * velocity.forward();
-        Carriage after = new Carriage(vigour, lean, feet);
-        FootPlace support = leg == Leg.LEFT ? right : left;
-        return new Step(style.gait(), leg, leg == Leg.LEFT ? left : right, target(support), support, carriage, after);
+        step.begin(leg, foot(leg), foot(leg.other()), carriage);
+        step.after().set(stopping ? 0 : 1, lean, feet);
+        aim(step.target());
     }
 
-    /** Where the swinging foot comes down as seen from the standing one. */
-    private FootPlace target(FootPlace support) {
+    private void changeVelocity() {
+        if (standing) {
+            velocity.set(0, 0, 0);
+        } else {
+            velocity.approach(wanted, style.change());
+        }
+        feetSideBySide = velocity.isZero();
+    }
+
+    private MovingPlace foot(Leg which) {
+        return which == Leg.LEFT ? left : right;
+    }
+
+    /** Finds where the swinging foot comes down as seen from the standing one. */
+    private void aim(MovingPlace target) {
         double seconds = style.gait().stepMillis() / 1000.0;
         WalkVelocity slip = style.slip();
         double side = leg == Leg.LEFT ? 1 : -1;
         double open = Math.max(0, 2 * side * slip.left() * velocity.left() * seconds);
         double twist = Math.max(0, 2 * side * slip.turn() * velocity.turn() * seconds);
-        FootPlace middle = support.then(0, side * FootPlace.HALF_WIDTH, side * twist / 2);
-        return middle.then(
+        target.set(foot(leg.other()));
+        target.go(0, side * FootPlace.HALF_WIDTH, side * twist / 2);
+        target.go(
                 slip.forward() * velocity.forward() * seconds, side * (FootPlace.HALF_WIDTH + open), side * twist / 2);
     }
 
-    private void end(Correction correction) {
-        if (leg == Leg.LEFT) {
-            left = step.landing(correction);
-        } else {
-            right = step.landing(correction);
-        }
+    private void end() {
+        foot(leg).set(step.swinging());
         leg = leg.other();
-        carriage = step.after();
+        carriage.set(step.after());
         standing = carriage.vigour() == 0;
         if (standing) {
-            left = FootPlace.LEFT;
-            right = FootPlace.RIGHT;
+            putFeetSideBySide();
         }
         cycle = 0;
     }
 
-    private Correction correction(double time) {
-        double lean = step.before().towards(step.after(), time).leanDegrees();
-        return style.gains()
-                .correction(
-                        balance.pitchDegrees() - lean,
+    private void putFeetSideBySide() {
+        left.set(FootPlace.LEFT);
+        right.set(FootPlace.RIGHT);
+    }
+
+    private void keepBalance() {
+        style.gains()
+                .correct(
+                        correction,
+                        balance.pitchDegrees() - step.leanDegrees(),
                         balance.pitchRate(),
-                        balance.rollDegrees() - step.rollDegrees(time),
+                        balance.rollDegrees() - step.rollDegrees(),
                         balance.rollRate());
     }
 
     private static double smooth(double part) {
         return part * part * (3 - 2 * part);
-    }
-
-    private static Posture between(Posture from, Posture to, double part) {
-        if (part == 1) {
-            return to;
-        }
-        double[] degrees = from.toArray();
-        double[] end = to.toArray();
-        for (int i = 0; i < degrees.length; i++) {
-            degrees[i] += part * (end[i] - degrees[i]);
-        }
-        return Posture.of(degrees);
     }
 }

@@ -29,20 +29,9 @@ public record WalkVelocity(double forward, double left, double turn) {
      * @return this velocity or a slower one
      */
     public WalkVelocity within(WalkVelocity most, double backward) {
-        double ahead = forward / (forward < 0 ? backward : most.forward);
-        double size = Math.abs(ahead) + Math.abs(left / most.left) + Math.abs(turn / most.turn);
-        return size <= 1 ? this : new WalkVelocity(forward / size, left / size, turn / size);
-    }
-
-    /** Comes nearer to another velocity, in each speed by a limited change. */
-    WalkVelocity approaching(WalkVelocity wanted, WalkVelocity change) {
-        return new WalkVelocity(
-                approach(forward, wanted.forward, change.forward),
-                approach(left, wanted.left, change.left),
-                approach(turn, wanted.turn, change.turn));
-    }
-
-    private static double approach(double from, double to, double change) {
-        return from + Math.max(-change, Math.min(change, to - from));
+        Pace pace = new Pace();
+        pace.set(forward, left, turn);
+        pace.limit(most, backward);
+        return new WalkVelocity(pace.forward(), pace.left(), pace.turn());
     }
 }

@@ -3,7 +3,6 @@ package org.robonewbie.learning.gait;
 import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.agent.walk.Carriage;
-import org.robonewbie.agent.walk.Correction;
 import org.robonewbie.agent.walk.FootPlace;
 import org.robonewbie.agent.walk.Gait;
 import org.robonewbie.agent.walk.Step;
@@ -117,7 +116,7 @@ public final class Footsteps {
     }
 
     private Posture posture(Step step, double time) {
-        return rounded(step.posture(kinematics, time, Correction.NONE));
+        return rounded(step.posture(kinematics, time));
     }
 
     private FootPlace place(Leg leg) {

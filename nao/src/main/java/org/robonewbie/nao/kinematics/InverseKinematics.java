@@ -4,6 +4,7 @@ import java.util.List;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.MutablePosture;
 import org.robonewbie.nao.motion.Posture;
 
 /**
@@ -41,6 +42,8 @@ public final class InverseKinematics {
     };
 
     private final LegSolver[] solvers = new LegSolver[Leg.values().length];
+    private final MutablePose target = new MutablePose();
+    private final double[] start = new double[LegChain.JOINTS];
 
     /**
      * Creates the inverse kinematics of a robot type.
@@ -74,22 +77,44 @@ public final class InverseKinematics {
      */
     public LegSolution solve(Leg leg, Pose foot, Posture near) {
         List<Joint> joints = leg.joints();
-        double[] start = new double[LegChain.JOINTS];
         for (int i = 0; i < start.length; i++) {
             start[i] = near.degrees(joints.get(i));
         }
         return search(leg, foot, start);
     }
 
-    private LegSolution search(Leg leg, Pose foot, double[] start) {
-        LegSolver solver = solvers[leg.ordinal()];
-        LegSolution best = solver.solve(foot, start);
-        for (int i = 0; i < OTHER_STARTS.length && !best.isReachable(); i++) {
-            LegSolution other = solver.solve(foot, OTHER_STARTS[i]);
-            if (LegSolver.cost(other) < LegSolver.cost(best)) {
-                best = other;
-            }
+    /**
+     * Puts a foot to a wanted place, or as near as it comes; makes no garbage.
+     *
+     * @param leg which leg
+     * @param foot wanted centre and turn of the foot's box as seen from the torso; the sole is 1 cm below the centre
+     * @param posture where the search begins; takes the angles of this leg
+     */
+    public void place(Leg leg, MutablePose foot, MutablePosture posture) {
+        List<Joint> joints = leg.joints();
+        for (int i = 0; i < start.length; i++) {
+            start[i] = posture.degrees(joints.get(i));
         }
-        return best;
+        LegSolver solver = solvers[leg.ordinal()];
+        solver.setTarget(foot);
+        solveFrom(solver, start);
+        for (int i = 0; i < start.length; i++) {
+            posture.set(joints.get(i), solver.bestDegrees(i));
+        }
+    }
+
+    private LegSolution search(Leg leg, Pose foot, double[] begin) {
+        LegSolver solver = solvers[leg.ordinal()];
+        target.set(foot);
+        solver.setTarget(target);
+        solveFrom(solver, begin);
+        return solver.best();
+    }
+
+    private static void solveFrom(LegSolver solver, double[] begin) {
+        solver.solve(begin);
+        for (int i = 0; i < OTHER_STARTS.length && !solver.isReached(); i++) {
+            solver.solve(OTHER_STARTS[i]);
+        }
     }
 }

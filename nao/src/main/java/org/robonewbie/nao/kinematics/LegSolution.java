@@ -27,7 +27,12 @@ public final class LegSolution {
      * @return true if the foot is less than 0.1 mm and 0.05° away from the wanted pose
      */
     public boolean isReachable() {
-        return positionErrorMetres < REACHED_METRES && rotationErrorDegrees < REACHED_DEGREES;
+        return isReached(positionErrorMetres, rotationErrorDegrees);
+    }
+
+    /** Whether what is missing is so little. */
+    static boolean isReached(double errorMetres, double errorDegrees) {
+        return errorMetres < REACHED_METRES && errorDegrees < REACHED_DEGREES;
     }
 
     /**

@@ -1,10 +1,12 @@
 package org.robonewbie.nao.kinematics;
 
 import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.NaoModel;
 
-/** The search for one leg's angles from one start: Levenberg-Marquardt with stops. */
+/**
+ * The search for one leg's angles: Levenberg-Marquardt with stops. It keeps the best angles of all searches for the same target,
+ * and makes no garbage.
+ */
 final class LegSolver {
 
     /** How many metres of wrong position count as much as one radian of wrong rotation. */
@@ -26,6 +28,10 @@ final class LegSolver {
     private final double[] target = new double[3];
     private final double[] targetRotation = new double[9];
     private final double[] angles = new double[JOINTS];
+    private final double[] best = new double[JOINTS];
+    private double bestSquare;
+    private double bestMetres;
+    private double bestRotationDegrees;
     private final double[] trial = new double[JOINTS];
     private final double[] error = new double[JOINTS];
     private final double[] gradient = new double[JOINTS];
@@ -44,8 +50,8 @@ final class LegSolver {
         }
     }
 
-    LegSolution solve(Pose foot, double[] startDegrees) {
-        setTarget(foot);
+    /** Searches from a start; what is nearer to the target than anything before becomes the best. */
+    void solve(double[] startDegrees) {
         for (int i = 0; i < JOINTS; i++) {
             angles[i] = clamp(i, Math.toRadians(startDegrees[i]));
         }
@@ -70,22 +76,32 @@ final class LegSolver {
             linearise();
             damping = Math.max(SMALLEST_DAMPING, damping / 10);
         }
-        evaluate(angles);
-        return solution();
+        double square = evaluate(angles);
+        if (square < bestSquare) {
+            bestSquare = square;
+            bestMetres = length(0);
+            bestRotationDegrees = Math.toDegrees(length(3) / ROTATION_WEIGHT);
+            System.arraycopy(angles, 0, best, 0, JOINTS);
+        }
     }
 
-    static double cost(LegSolution solution) {
-        return Math.hypot(
-                solution.positionErrorMetres(), ROTATION_WEIGHT * Math.toRadians(solution.rotationErrorDegrees()));
+    /** Whether a search has reached the target. */
+    boolean isReached() {
+        return LegSolution.isReached(bestMetres, bestRotationDegrees);
     }
 
-    private LegSolution solution() {
+    /** The best angle for a joint of the leg, counted from the hip. */
+    double bestDegrees(int joint) {
+        return leg.joints().get(joint).clampDegrees(Math.toDegrees(best[joint]));
+    }
+
+    /** The best angles. */
+    LegSolution best() {
         double[] degrees = new double[JOINTS];
         for (int i = 0; i < JOINTS; i++) {
-            Joint joint = leg.joints().get(i);
-            degrees[i] = joint.clampDegrees(Math.toDegrees(angles[i]));
+            degrees[i] = bestDegrees(i);
         }
-        return new LegSolution(leg, degrees, length(0), Math.toDegrees(length(3) / ROTATION_WEIGHT));
+        return new LegSolution(leg, degrees, bestMetres, bestRotationDegrees);
     }
 
     private double length(int from) {
@@ -93,14 +109,14 @@ final class LegSolver {
                 error[from] * error[from] + error[from + 1] * error[from + 1] + error[from + 2] * error[from + 2]);
     }
 
-    private void setTarget(Pose foot) {
-        put(target, 0, foot.position());
-        for (int column = 0; column < 3; column++) {
-            Vector3 axis =
-                    foot.rotation().apply(new Vector3(column == 0 ? 1 : 0, column == 1 ? 1 : 0, column == 2 ? 1 : 0));
-            targetRotation[column] = axis.x();
-            targetRotation[3 + column] = axis.y();
-            targetRotation[6 + column] = axis.z();
+    /** Begins anew with another target. */
+    void setTarget(MutablePose foot) {
+        bestSquare = Double.POSITIVE_INFINITY;
+        for (int row = 0; row < 3; row++) {
+            target[row] = foot.position(row);
+            for (int column = 0; column < 3; column++) {
+                targetRotation[3 * row + column] = foot.rotation(row, column);
+            }
         }
     }
 
@@ -206,11 +222,5 @@ final class LegSolver {
             sum += first[i] * second[i];
         }
         return sum;
-    }
-
-    private static void put(double[] array, int from, Vector3 vector) {
-        array[from] = vector.x();
-        array[from + 1] = vector.y();
-        array[from + 2] = vector.z();
     }
 }
