@@ -62,7 +62,7 @@ public abstract class Agent {
     /** The head's movement to see more; moves only in cycles in which {@code lookAround.look()} is called. */
     protected final LookAround lookAround = new LookAround(nao.motors());
 
-    private final Runnable senseStep = () -> running = sense();
+    private final Runnable senseStep = this::senseOnce;
     private final Runnable thinkStep = this::think;
     private final Runnable actStep = this::act;
     private final RehearsalPort rehearsal = new RehearsalPort();
@@ -210,6 +210,10 @@ public abstract class Agent {
                 session.act();
             }
         }
+    }
+
+    private void senseOnce() {
+        running = sense();
     }
 
     private void attempt(String name, Runnable step) {

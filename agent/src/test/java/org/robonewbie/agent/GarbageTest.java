@@ -44,8 +44,7 @@ class GarbageTest {
 
     @Test
     void singleJointMakesNoGarbage() {
-        assertThat(bytesPerCycle(() -> body.setJointSpeed(Joint.NECK_YAW, 30)))
-                .isLessThan(NOTHING_IN_MOST_CYCLES);
+        assertThat(bytesPerCycle(() -> body.setJointSpeed(Joint.NECK_YAW, 30))).isLessThan(NOTHING_IN_MOST_CYCLES);
     }
 
     @Test
@@ -70,8 +69,7 @@ class GarbageTest {
 
     private double bytesPerCycle(Runnable think) {
         cycles(CYCLES_TO_SETTLE, think);
-        com.sun.management.ThreadMXBean threads =
-                (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+        com.sun.management.ThreadMXBean threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         long self = Thread.currentThread().getId();
         long before = threads.getThreadAllocatedBytes(self);
         cycles(CYCLES, think);
@@ -92,7 +90,11 @@ class GarbageTest {
         private final List<PerceptorMessage> messages = List.of(
                 Messages.standing().posture(Stance.POSTURE).build(),
                 Messages.standing().posture(Stance.POSTURE).at(1.02).build(),
-                Messages.standing().posture(Stance.POSTURE).at(1.04).seeing(picture()).build());
+                Messages.standing()
+                        .posture(Stance.POSTURE)
+                        .at(1.04)
+                        .seeing(picture())
+                        .build());
         private int next;
 
         @Override

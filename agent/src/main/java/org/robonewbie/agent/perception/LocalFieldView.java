@@ -105,7 +105,9 @@ public final class LocalFieldView {
             see(ball, picture.ball().get());
         }
         List<SeenLandmark> seenLandmarks = picture.landmarks();
-        for (int i = 0; i < seenLandmarks.size(); i++) { // here and below: an iterator for each picture would be garbage
+        for (int i = 0;
+                i < seenLandmarks.size();
+                i++) { // here and below: an iterator for each picture would be garbage
             SeenLandmark seen = seenLandmarks.get(i);
             see(landmark(seen.landmark()), seen.position());
         }

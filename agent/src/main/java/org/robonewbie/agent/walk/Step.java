@@ -139,8 +139,7 @@ public final class Step {
 
     private void place(MovingPlace sole, Leg which, double up, double toesUpDegrees) {
         double outward = which == Leg.LEFT ? gait.feetApart() : -gait.feetApart();
-        TorsoPose.goToGround(
-                foot, gait.torsoHeight() + moment.bounce(), carriage.leanDegrees(), moment.rollDegrees());
+        TorsoPose.goToGround(foot, gait.torsoHeight() + moment.bounce(), carriage.leanDegrees(), moment.rollDegrees());
         FootPose.goToFoot(
                 foot,
                 sole.aheadOf(middle) + carriage.feetForward() - ANKLE_BEHIND_TORSO,

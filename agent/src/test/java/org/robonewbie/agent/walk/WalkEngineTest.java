@@ -15,7 +15,6 @@ import org.robonewbie.nao.motion.Posture;
 
 class WalkEngineTest {
 
-
     private final WalkEngine engine = new WalkEngine(WalkStyle.STANDARD);
 
     @Test

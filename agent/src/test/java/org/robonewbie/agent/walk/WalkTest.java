@@ -16,7 +16,6 @@ import org.robonewbie.nao.motion.Posture;
 
 class WalkTest {
 
-
     private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
     private final Motors motors = new Motors();
     private BodyPosition bodyPosition = BodyPosition.UPRIGHT;

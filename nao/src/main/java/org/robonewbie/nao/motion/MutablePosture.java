@@ -76,7 +76,8 @@ public final class MutablePosture {
     public void setBetween(Posture from, MutablePosture to, double fraction) {
         for (Joint joint : JOINTS) {
             double begin = from.degrees(joint);
-            degrees[joint.ordinal()] = fraction == 1 ? to.degrees(joint) : begin + fraction * (to.degrees(joint) - begin);
+            degrees[joint.ordinal()] =
+                    fraction == 1 ? to.degrees(joint) : begin + fraction * (to.degrees(joint) - begin);
         }
     }
 
