@@ -76,7 +76,8 @@ public abstract class Agent {
     protected Agent() {}
 
     /**
-     * Says who the robot is and where it starts if the user does not say otherwise.
+     * Says who the robot is and where it starts if the user does not say otherwise. The place is that of the number that stands
+     * here (1 if there is none): started with another {@code --number}, the robot takes that number's place in the line-up.
      *
      * @return the usual options; an agent may override this, for example by {@code
      *     Options.none().withTeam("Blue").withPose(-1, 0, 0)}

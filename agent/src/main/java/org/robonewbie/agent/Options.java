@@ -80,7 +80,22 @@ public final class Options {
             throw new StartUpException("The file " + file + " cannot be read: " + unreadable.getMessage());
         }
         merged.putAll(OptionSource.ofArguments(args, others));
-        return new Options(merged, others);
+        Options result = new Options(merged, others);
+        return isPlaceOfAnother(result) ? result.withoutPose() : result;
+    }
+
+    /** A place that the program names is that of its usual number, else all players of a team would start on one spot. */
+    private boolean isPlaceOfAnother(Options overriding) {
+        int usualNumber = Math.max(1, number());
+        boolean samePlace = pose().equals(overriding.pose()) && overriding.strength(Option.POSE) == strength(Option.POSE);
+        return samePlace && overriding.number() > 0 && overriding.number() != usualNumber;
+    }
+
+    private Options withoutPose() {
+        Map<Option, OptionSource.Value> changed = new EnumMap<>(Option.class);
+        changed.putAll(values);
+        changed.remove(Option.POSE);
+        return new Options(changed, arguments);
     }
 
     /**

@@ -36,6 +36,7 @@ class OptionsTest {
 
         Options options = Options.none()
                 .withTeam("Program")
+                .withNumber(5)
                 .withPose(-1, 0, 0)
                 .overriddenBy(List.of("--team", "Line"), file(), environment);
 
@@ -43,6 +44,26 @@ class OptionsTest {
         assertThat(options.number()).isEqualTo(5);
         assertThat(options.type()).isEqualTo(2);
         assertThat(options.pose()).contains(new StartPose(-1, 0, 0));
+    }
+
+    @Test
+    void leavesTheProgramsPlaceToItsUsualNumber() {
+        Options striker = Options.none().withPose(-0.5, 0.4, -40);
+
+        assertThat(with(striker).pose()).isPresent();
+        assertThat(with(striker, "--number", "1").pose()).isPresent();
+        assertThat(with(striker.withNumber(9), "--number", "9").pose()).isPresent();
+        assertThat(with(striker, "--number", "2").pose()).isEmpty();
+        assertThat(with(striker.withNumber(9), "--number", "1").pose()).isEmpty();
+        assertThat(with(striker.withNumber(9), "--number", "0").pose()).isPresent();
+    }
+
+    @Test
+    void takesThePlaceThatTheUserNamesForAnyNumber() {
+        Options striker = Options.none().withPose(-0.5, 0.4, -40);
+
+        assertThat(with(striker, "--number", "7", "--pose", "-3,0,0").pose()).contains(new StartPose(-3, 0, 0));
+        assertThat(with(striker, "--number", "7", "--pose", "-0.5,0.4,-40").pose()).isPresent();
     }
 
     @Test
@@ -112,7 +133,11 @@ class OptionsTest {
     }
 
     private Options read(String... args) {
-        return Options.none().overriddenBy(List.of(args), file(), Map.of());
+        return with(Options.none(), args);
+    }
+
+    private Options with(Options program, String... args) {
+        return program.overriddenBy(List.of(args), file(), Map.of());
     }
 
     private Path file() {
