@@ -10,7 +10,10 @@ enum Option {
     HOST("HOST", "join the server on this computer", Values::text),
     PORT("N", "its port, 3100 if left out", Values.wholeNumber(1, 65535)),
     TEAM("NAME", "name of the team, without blanks or brackets", Values::name),
-    NUMBER("N", "number on the shirt, 1 to 11, each with a place of its own; 0 takes a free one", Values.wholeNumber(0, 11)),
+    NUMBER(
+            "N",
+            "number on the shirt, 1 to 11, each with a place of its own; 0 takes a free one",
+            Values.wholeNumber(0, 11)),
     POSE(
             "X,Y,DEGREES",
             "where to start: metres, own half has x <= 0; 0 degrees looks at the opponents' goal",

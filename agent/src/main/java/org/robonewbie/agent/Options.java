@@ -87,7 +87,8 @@ public final class Options {
     /** A place that the program names is that of its usual number, else all players of a team would start on one spot. */
     private boolean isPlaceOfAnother(Options overriding) {
         int usualNumber = Math.max(1, number());
-        boolean samePlace = pose().equals(overriding.pose()) && overriding.strength(Option.POSE) == strength(Option.POSE);
+        boolean samePlace =
+                pose().equals(overriding.pose()) && overriding.strength(Option.POSE) == strength(Option.POSE);
         return samePlace && overriding.number() > 0 && overriding.number() != usualNumber;
     }
 

@@ -17,6 +17,7 @@ final class Session implements AutoCloseable {
 
     private static final double CYCLE_MILLISECONDS = 20;
     private static final double WARM_UP_SECONDS = 1;
+    private static final double SECONDS_BETWEEN_REPORTS = 10;
 
     private final NaoBody body;
     private final Walk walk;
@@ -30,6 +31,7 @@ final class Session implements AutoCloseable {
     private boolean over;
     private boolean closed;
     private long cycles;
+    private long lateCycles;
     private long receivedNanos;
     private Supplier<String> slowPlace = () -> StudentCode.place().orElse("");
 
@@ -157,20 +159,28 @@ final class Session implements AutoCloseable {
     private void checkPunctuality() throws IOException {
         double milliseconds = (System.nanoTime() - receivedNanos) / 1e6;
         if (milliseconds > CYCLE_MILLISECONDS && port.isLate()) {
+            lateCycles++;
             body.log().warning("cycle %d came late: it took %.0f ms", cycles, milliseconds);
             if (body.getTime() - bornSeconds > WARM_UP_SECONDS) {
-                body.mistakes()
-                        .reportAt(
-                                slowPlace.get(),
-                                "late",
-                                () -> String.format(
-                                        Locale.ROOT,
-                                        "Cycle %d took %.0f ms, but the simulator waits only 20 ms and has gone on;"
-                                                + " compute less in a cycle, and log instead of printing.",
-                                        cycles,
-                                        milliseconds));
+                reportLate(milliseconds);
             }
         }
+    }
+
+    /** Reports a late cycle; of the same line in the program only one in ten seconds. */
+    private void reportLate(double milliseconds) {
+        long period = (long) (body.getTime() / SECONDS_BETWEEN_REPORTS);
+        body.mistakes()
+                .reportAt(
+                        slowPlace.get(),
+                        "late in period " + period,
+                        () -> String.format(
+                                Locale.ROOT,
+                                "Cycle %d took %.0f ms, but the simulator waits only 20 ms and has gone on; compute less"
+                                        + " in a cycle, and log instead of printing. Late cycles so far: %d.",
+                                cycles,
+                                milliseconds,
+                                lateCycles));
     }
 
     private void report(IOException failure) {

@@ -6,8 +6,8 @@ import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.log.StudentCode;
 
 /**
- * Notices that {@code think()} does not return and says in which line it is. It counts its own ticks instead of looking at a
- * clock: while a debugger holds the whole program, no time passes.
+ * Notices that {@code think()} does not return and says in which line it is, again after ten seconds if that happens again. It
+ * counts its own ticks instead of looking at a clock: while a debugger holds the whole program, no time passes.
  */
 final class Watchdog implements AutoCloseable {
 
@@ -15,6 +15,7 @@ final class Watchdog implements AutoCloseable {
     private static final int TICKS_TO_BE_SLOW = 2;
     private static final int TICKS_TO_REPORT = 100;
     private static final int TICKS_TO_GIVE_UP = 500;
+    private static final int TICKS_BETWEEN_REPORTS = 1000;
 
     private final Thread watched;
     private final Mistakes mistakes;
@@ -63,6 +64,7 @@ final class Watchdog implements AutoCloseable {
     private void watch() {
         long same = -1;
         int ticks = 0;
+        int allTicks = 0;
         while (!closed) {
             try {
                 Thread.sleep(TICK_MILLISECONDS);
@@ -71,15 +73,18 @@ final class Watchdog implements AutoCloseable {
             }
             ticks = thinking && thought.get() == same ? ticks + 1 : 0;
             same = thought.get();
+            allTicks++;
             if (ticks == TICKS_TO_BE_SLOW) {
                 slowPlace = place();
             }
             if (ticks == TICKS_TO_REPORT) {
                 report(
+                        allTicks / TICKS_BETWEEN_REPORTS,
                         "think() has not returned for 1 s; the robot waits for it. Is this an endless loop, or does it wait for something?");
             }
             if (ticks == TICKS_TO_GIVE_UP && giveUp.isPresent()) {
                 report(
+                        allTicks / TICKS_BETWEEN_REPORTS,
                         "think() has not returned for 5 s; the run ends here. Is this an endless loop, or does it wait for something?");
                 giveUp.get().run();
                 return;
@@ -91,7 +96,8 @@ final class Watchdog implements AutoCloseable {
         return StudentCode.place(watched.getStackTrace()).orElse("");
     }
 
-    private void report(String text) {
-        mistakes.reportAt(place(), text, () -> text);
+    /** Reports a stall; of the same line in the program only one in ten seconds. */
+    private void report(int period, String text) {
+        mistakes.reportAt(place(), text + period, () -> text);
     }
 }

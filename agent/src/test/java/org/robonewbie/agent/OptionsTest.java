@@ -63,7 +63,8 @@ class OptionsTest {
         Options striker = Options.none().withPose(-0.5, 0.4, -40);
 
         assertThat(with(striker, "--number", "7", "--pose", "-3,0,0").pose()).contains(new StartPose(-3, 0, 0));
-        assertThat(with(striker, "--number", "7", "--pose", "-0.5,0.4,-40").pose()).isPresent();
+        assertThat(with(striker, "--number", "7", "--pose", "-0.5,0.4,-40").pose())
+                .isPresent();
     }
 
     @Test

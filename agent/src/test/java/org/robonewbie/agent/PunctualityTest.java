@@ -33,8 +33,27 @@ class PunctualityTest {
                     .singleElement()
                     .asString()
                     .contains("ms, but the simulator waits only 20 ms and has gone on; compute less in a cycle, and log"
-                            + " instead of printing.");
+                            + " instead of printing. Late cycles so far: ");
             assertThat(lines).anyMatch(line -> line.matches("cycle \\d+ came late: it took \\d+ ms"));
+        }
+    }
+
+    @Test
+    void reportsLateCyclesAgainAfterTenSeconds() throws Exception {
+        try (ScriptedServer server = ScriptedServer.inRealTime(script(100, 0.2))) {
+            Nao nao = Nao.connect(options(server));
+            for (double seconds : new double[] {3, 5, 13}) {
+                while (nao.getTime() < seconds && nao.sense()) {
+                    nao.act();
+                }
+                nao.sense();
+                thinkForMilliseconds(30);
+                Dreamer.dreamUntil(server::isPlayed);
+                nao.act();
+            }
+            nao.close();
+
+            assertThat(nao.mistakes().reported()).hasSize(2).allMatch(line -> line.contains("Late cycles so far: "));
         }
     }
 
@@ -91,9 +110,13 @@ class PunctualityTest {
     }
 
     private static List<PerceptorMessage> script(int length) {
+        return script(length, 0.02);
+    }
+
+    private static List<PerceptorMessage> script(int length, double secondsPerMessage) {
         List<PerceptorMessage> script = new ArrayList<>();
         for (int i = 0; i < length; i++) {
-            script.add(Messages.standing().at(0.02 * i).build());
+            script.add(Messages.standing().at(secondsPerMessage * i).build());
         }
         return script;
     }
