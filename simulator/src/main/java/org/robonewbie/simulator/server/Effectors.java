@@ -61,7 +61,7 @@ final class Effectors {
                 agent.connection()
                         .complain(
                                 "no robot",
-                                "sent a command before it had a robot. Send (scene " + STANDARD_ROBOT
+                                "sent a command although it has no robot. Send (scene " + STANDARD_ROBOT
                                         + ") first and wait for a message.");
             } else {
                 execute(agent, agent.robot().get(), command, everybody);

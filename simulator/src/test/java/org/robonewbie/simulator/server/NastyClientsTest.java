@@ -196,7 +196,7 @@ class NastyClientsTest {
             send(socket, "(beam 0 0 0)");
             send(socket, "(fly 1)");
             awaitSaid("unknown robot \"rsg/agent/fridge.rsg \"");
-            awaitSaid("before it had a robot");
+            awaitSaid("although it has no robot");
             awaitSaid("Unknown effector \"fly\"");
         }
     }
