@@ -5,20 +5,23 @@ import org.robonewbie.agent.Options;
 import org.robonewbie.agent.StartPose;
 import org.robonewbie.agent.motion.LookAround;
 import org.robonewbie.agent.perception.FieldItem;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 
 /**
  * A soccer player with a very simple decision tree: find the ball, walk to it, get behind it, and push it into the goal. It
  * plays poorly on purpose, so that there is much to improve.
  *
- * <p>Decisions are made only when the last motion is over. The head looks around all the time; what it sees stays in the
- * field view, and counts as known for as long as one round of the head takes.
+ * <p>The head looks around all the time; what it sees stays in the field view, and counts as known for as long as one round of
+ * the head takes. Decisions are made only when the last motion is over and the head looks down before the feet, where the
+ * field view is exact.
  *
- * <p>Ideas: turn by the angle that is needed; do not stop so often; kick; walk around the ball instead of side-stepping.
+ * <p>Ideas: the player wants the ball nearly straight ahead, but all its turns are as large as one motion: turn by the angle
+ * that is needed; do not stop so often; kick; walk around the ball instead of side-stepping.
  */
 public class Agent_SimpleSoccer extends Agent {
 
-    private static final double STRAIGHT_AHEAD_DEGREES = 5;
+    private static final double STRAIGHT_AHEAD_DEGREES = 2;
     private static final double FAR_METRES = 0.7;
     private static final double MEMORY_SECONDS = LookAround.ROUND_SECONDS + 0.2;
     private static final int MANY_STEPS = 25;
@@ -48,7 +51,7 @@ public class Agent_SimpleSoccer extends Agent {
         if (hasToGoToStart()) {
             nao.beam(start());
             motions.reset();
-        } else if (motions.isFinished()) {
+        } else if (motions.isFinished() && looksBeforeTheFeet()) {
             decide();
         }
     }
@@ -89,6 +92,11 @@ public class Agent_SimpleSoccer extends Agent {
         boolean left = stepsAround / MANY_STEPS % 2 == 0;
         motions.start(left ? "side-step-left" : "side-step-right");
         stepsAround++;
+    }
+
+    /** A head that is turned and bent at once sees the ball aside from where the field view says; straight ahead all is right. */
+    private boolean looksBeforeTheFeet() {
+        return Math.abs(nao.getJointAngle(Joint.NECK_YAW)) < 10 && nao.getJointAngle(Joint.NECK_PITCH) < -25;
     }
 
     private boolean isKnown(FieldItem item) {
