@@ -21,6 +21,7 @@ import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamList;
 import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.competition.trial.Spectators;
+import org.robonewbie.exercises.Exercises;
 import org.robonewbie.simulator.Viewer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -38,6 +39,7 @@ import picocli.CommandLine.Parameters;
             "penalties   attacker against goalkeeper, both roles, sudden death",
             "matches     each team against each other one",
             "walk, kick, stand, gymnastics   small contests for one robot",
+            "exercise:NAME                   an exercise of the course, judged as \"robonewbie grade\" does",
             "",
             "Each program runs in a process of its own. What it does wrong costs its team the trial and nothing else."
                     + " The same seed and programs give the same table. Broken off? The same command goes on where it was."
@@ -51,6 +53,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie competition penalties --rounds 5 --teams teams.properties",
             "  robonewbie competition matches --players 3 Red=red Red.together=yes Blue=blue",
             "  robonewbie competition walk --watch Agent_BetterSoccer Agent_SimpleWalkToBall",
+            "  robonewbie competition exercise:dance --rounds 3 Red=red Blue=blue",
             "  robonewbie competition scoring \"Green=python3 green.py --port {port} --team {team}\"",
             "",
             "A team is NAME=PROGRAM; a program is a folder with Java files, a jar, a .java file, an example, or a"
@@ -90,7 +93,7 @@ final class CompetitionCommand implements Callable<Integer> {
             description = "Simulated seconds: scoring 180, penalties 30, matches 300.")
     private Optional<Double> seconds = Optional.empty();
 
-    @Option(names = "--rounds", paramLabel = "N", description = "penalties: rounds before sudden death (3).")
+    @Option(names = "--rounds", paramLabel = "N", description = "penalties: rounds before sudden death; exercises: trials of each team (3).")
     private int rounds = 3;
 
     @Option(names = "--players", paramLabel = "N", description = "matches: robots of each team, 1 to 11 (1).")
@@ -151,9 +154,22 @@ final class CompetitionCommand implements Callable<Integer> {
                         Limits.USUAL.realSeconds()),
                 isWatched ? spectators() : Spectators.NOBODY);
         System.out.println(contest.title() + ": " + contest.rule());
-        Table table = new Competition(contest, teams, settings, System.out).hold();
+        Table table = competition(contest, teams, settings).hold();
         print(table);
         System.out.println("Table, certificates and recordings: " + folder.resolve("table.html"));
+    }
+
+    private static Competition competition(Contest contest, List<TeamEntry> teams, CompetitionSettings settings) {
+        if (contest instanceof ExerciseContest exercise) {
+            return new Competition(
+                    contest,
+                    teams,
+                    settings,
+                    System.out,
+                    programs -> new ExerciseTrials(
+                            exercise.exercise(), programs, settings.limits(), settings.spectators()));
+        }
+        return new Competition(contest, teams, settings, System.out);
     }
 
     private List<TeamEntry> teams() {
@@ -182,6 +198,11 @@ final class CompetitionCommand implements Callable<Integer> {
         Map<String, Long> seeds = new HashMap<>();
         teams.forEach(team -> team.seed().ifPresent(own -> seeds.put(team.name(), own)));
         Conditions conditions = new Conditions(seed, varied, seeds);
+        if (kind.startsWith(ExerciseContest.PREFIX)) {
+            String name = kind.substring(ExerciseContest.PREFIX.length());
+            return new ExerciseContest(
+                    Exercises.find(name).orElseThrow(() -> GradeCommand.unknown(name)), seed, rounds);
+        }
         return switch (kind) {
             case "scoring" -> Contests.scoring(conditions, seconds.orElse(Contests.SCORING_SECONDS));
             case "penalties" -> Contests.penalties(conditions, rounds, seconds.orElse(30.0));
@@ -192,7 +213,8 @@ final class CompetitionCommand implements Callable<Integer> {
             case "gymnastics" -> Contests.gymnastics(conditions);
             default ->
                 throw new CalledWronglyException("There is no contest \"" + kind
-                        + "\". There are: scoring, penalties, matches, walk, kick, stand, gymnastics.");
+                        + "\". There are: scoring, penalties, matches, walk, kick, stand, gymnastics,"
+                        + " and exercise:NAME, such as exercise:dance.");
         };
     }
 

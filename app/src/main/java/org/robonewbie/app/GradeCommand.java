@@ -43,6 +43,9 @@ final class GradeCommand implements Callable<Integer> {
 
     static final String NAME = "grade";
 
+    /** Lets the program play as an agent at a port where a trial is judged. */
+    static final String AT_DOOR = "--at-door";
+
     @Mixin
     final HelpOption help = new HelpOption();
 
@@ -87,6 +90,9 @@ final class GradeCommand implements Callable<Integer> {
     @Option(names = GradingProcess.INSIDE, hidden = true)
     private Optional<Path> inside = Optional.empty();
 
+    @Option(names = AT_DOOR, hidden = true)
+    private Optional<Integer> door = Optional.empty();
+
     @Override
     public Integer call() throws IOException {
         if (exerciseName.isEmpty()) {
@@ -98,6 +104,10 @@ final class GradeCommand implements Callable<Integer> {
             return handOut(exercise);
         }
         String program = solution.orElseThrow(() -> withoutSolution(exercise));
+        if (door.isPresent()) {
+            agents(program).get().run("--port", door.get().toString(), "--headless", "--team", "Students");
+            return ExitCode.OK;
+        }
         if (seeds < 1) {
             throw new CalledWronglyException("--seeds " + seeds + ": give a number of trials of at least 1.");
         }
@@ -133,17 +143,20 @@ final class GradeCommand implements Callable<Integer> {
 
     /** Does the work within the process that may die of the student's program. */
     private int gradeHere(Exercise exercise, String program, Path result) {
-        List<Path> folders = Arrays.stream(classPath.split(File.pathSeparator, -1))
-                .map(Path::of)
-                .toList();
-        Supplier<Class<?>> type = new AgentFinder(ExampleCatalogue.load(), folders).findClass(program);
-        Supplier<Agent> agents = StudentsAgents.of(type);
+        Supplier<Agent> agents = agents(program);
         GradingProcess.write(result, GradingProcess.STARTED);
         List<Long> all = LongStream.rangeClosed(1, seeds).boxed().toList();
         Grade grade = new Grader().grade(exercise, agents, all, recording);
         GradingProcess.write(result, grade.json());
         Runtime.getRuntime().halt(ExitCode.OK); // the student's threads and hooks have no word in this
         return ExitCode.OK;
+    }
+
+    private Supplier<Agent> agents(String program) {
+        List<Path> folders = Arrays.stream(classPath.split(File.pathSeparator, -1))
+                .map(Path::of)
+                .toList();
+        return StudentsAgents.of(new AgentFinder(ExampleCatalogue.load(), folders).findClass(program));
     }
 
     private static int handOut(Exercise exercise) throws IOException {
@@ -169,7 +182,7 @@ final class GradeCommand implements Callable<Integer> {
         return lines.stream().map(line -> line + System.lineSeparator()).collect(Collectors.joining());
     }
 
-    private static CalledWronglyException unknown(String name) {
+    static CalledWronglyException unknown(String name) {
         List<String> names = Exercises.all().stream().map(Exercise::name).toList();
         String question = NearestName.of(name, names)
                 .map(nearest -> " Did you mean " + nearest + "?")

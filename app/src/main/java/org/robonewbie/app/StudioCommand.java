@@ -13,6 +13,7 @@ import org.robonewbie.simulator.recording.RecordingShelf;
 import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.studio.ShownSimulation;
 import org.robonewbie.studio.StudioViewer;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
 import picocli.CommandLine.Command;
@@ -67,7 +68,10 @@ final class StudioCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         OpenedFile opened = OpenedFile.of(file);
         SimulationControl simulation = monitor.isPresent() ? watch(monitor.get()) : start();
-        Viewer.View view = StudioViewer.open(simulation, port, opened.folders());
+        ShownSimulation shown = new ShownSimulation(simulation);
+        CourseDesk course = new CourseDesk(Path.of("").toAbsolutePath(), simulation, shown);
+        Runtime.getRuntime().addShutdownHook(new Thread(course::close, "end-of-exercise"));
+        Viewer.View view = StudioViewer.open(shown, port, opened.folders(), course);
         URI address = URI.create(view.address() + opened.place());
         Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
         System.out.println("Studio: " + address);

@@ -37,6 +37,7 @@ class CompetitionCommandTest {
             penalties Red=Agent_Wave           | needs at least 2 teams
             scoring                            | needs at least 1 team.
             matches A=Agent_Wave B=Agent_Wave --players 12 | --players is 1 to 11
+            exercise:kickk Red=Agent_Wave      | There is no exercise "kickk". Did you mean kick?
             walk --teams nowhere.properties    | nowhere.properties
             """)
     void mistakeIsToldWithWhatToDo(String line, String message) {
@@ -66,5 +67,53 @@ class CompetitionCommandTest {
             assertThat(files.map(file -> file.getFileName().toString()))
                     .contains("table.html", "table.csv", "table.json", "Red.html", "walk-Red.rec");
         }
+    }
+
+    @Test
+    void exerciseIsAContestJudgedByItsOwnChecker() throws IOException {
+        Path results = folder.resolve("results");
+        Path good = Files.writeString(folder.resolve("Good.java"), program("Good", """
+                nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, 4 * (60 - nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH)));
+                nao.setJointSpeed(Joint.RIGHT_SHOULDER_PITCH, 4 * (45 - nao.getJointAngle(Joint.RIGHT_SHOULDER_PITCH)));
+                """));
+        Path leaving = Files.writeString(folder.resolve("Leaving.java"), program("Leaving", "System.exit(0);"));
+
+        Printed printed = Printed.by(
+                "competition",
+                "exercise:raise-arms",
+                "Blue=Agent_BasicStructure",
+                "Green=" + leaving,
+                "Red=" + good,
+                "--rounds",
+                "2",
+                "--results",
+                results.toString());
+
+        assertThat(printed.exitCode()).as(printed.err()).isZero();
+        assertThat(printed.out().replaceAll(" +", " "))
+                .contains("Exercise 1: Raise both arms")
+                .contains("1. Red 20 of 20 2 of 2 played to the end")
+                .contains("2. Blue 0 of 20 0 of 2 played to the end")
+                .contains("2. Green 0 of 20 0 of 2 its program ended before the trial was over");
+        assertThat(results.resolve("recordings/exercise-raise-arms-Red-2.rec")).isNotEmptyFile();
+    }
+
+    private static String program(String name, String thought) {
+        return """
+                import org.robonewbie.agent.Agent;
+                import org.robonewbie.nao.Joint;
+
+                public class %1$s extends Agent {
+                    public static void main(String[] args) {
+                        new %1$s().run(args);
+                    }
+
+                    @Override
+                    protected void think() {
+                        nao.setJointSpeed(Joint.NECK_YAW, 0);
+                        %2$s
+                    }
+                }
+                """.formatted(name, thought);
     }
 }

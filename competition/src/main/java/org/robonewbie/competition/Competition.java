@@ -15,6 +15,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.robonewbie.competition.contest.Contest;
 import org.robonewbie.competition.contest.Entrant;
@@ -27,6 +28,7 @@ import org.robonewbie.competition.result.TableFiles;
 import org.robonewbie.competition.team.ProgramFinder;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.competition.trial.TrialPlayer;
 import org.robonewbie.competition.trial.TrialRunner;
 
 /**
@@ -43,6 +45,7 @@ public final class Competition {
     private final List<TeamEntry> teams;
     private final CompetitionSettings settings;
     private final PrintStream out;
+    private final Function<Map<String, TeamProgram>, TrialPlayer> players;
     private int finished;
     private int planned;
 
@@ -55,10 +58,34 @@ public final class Competition {
      * @param out where progress is told
      */
     public Competition(Contest contest, List<TeamEntry> teams, CompetitionSettings settings, PrintStream out) {
+        this(
+                contest,
+                teams,
+                settings,
+                out,
+                programs -> new TrialRunner(contest, programs, settings.limits(), settings.spectators()));
+    }
+
+    /**
+     * Prepares a contest whose trials are not matches on the pitch.
+     *
+     * @param contest its kind
+     * @param teams who takes part
+     * @param settings how it is held
+     * @param out where progress is told
+     * @param players makes who plays the trials, from the program of each team
+     */
+    public Competition(
+            Contest contest,
+            List<TeamEntry> teams,
+            CompetitionSettings settings,
+            PrintStream out,
+            Function<Map<String, TeamProgram>, TrialPlayer> players) {
         this.contest = contest;
         this.teams = List.copyOf(teams);
         this.settings = settings;
         this.out = out;
+        this.players = players;
     }
 
     /**
@@ -71,7 +98,7 @@ public final class Competition {
     public Table hold() throws IOException, InterruptedException {
         try (ResultFolder folder = ResultFolder.open(settings.results())) {
             Map<String, TeamProgram> programs = programs(folder.file("work").resolve("classes"));
-            TrialRunner runner = new TrialRunner(contest, programs, settings.limits(), settings.spectators());
+            TrialPlayer runner = players.apply(programs);
             ExecutorService trials = Executors.newFixedThreadPool(settings.parallelTrials());
             try {
                 List<Trial> missing = missing(folder, programs);
@@ -129,7 +156,7 @@ public final class Competition {
             List<Trial> missing,
             ResultFolder folder,
             Map<String, TeamProgram> programs,
-            TrialRunner runner,
+            TrialPlayer runner,
             ExecutorService trials)
             throws IOException, InterruptedException {
         if (finished > 0) {

@@ -14,12 +14,13 @@ import org.robonewbie.competition.programs.CallsExit;
 import org.robonewbie.competition.programs.Crashes;
 import org.robonewbie.competition.programs.EatsMemory;
 import org.robonewbie.competition.programs.Hangs;
+import org.robonewbie.competition.programs.IsKilled;
 import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamList;
 import org.robonewbie.competition.trial.Spectators;
 
-/** A scoring contest of ten teams: examples with different seeds, and four programs that behave badly. */
+/** A scoring contest of ten teams: examples with different seeds, and five programs that behave badly. */
 final class TenTeams {
 
     private static final String EXAMPLES = "org.robonewbie.examples.";
@@ -47,10 +48,13 @@ final class TenTeams {
         for (int i = 1; i <= 3; i++) {
             lines.add("Better" + i + "=" + EXAMPLES + "Agent_BetterSoccer");
             lines.add("Better" + i + ".seed=" + i);
+        }
+        for (int i = 1; i <= 2; i++) {
             lines.add("Simple" + i + "=" + EXAMPLES + "Agent_SimpleWalkToBall");
             lines.add("Simple" + i + ".seed=" + i);
         }
         lines.add("Crasher=" + Crashes.class.getName());
+        lines.add("Killed=" + IsKilled.class.getName());
         lines.add("Hanger=" + Hangs.class.getName());
         lines.add("Eater=" + EatsMemory.class.getName());
         lines.add("Leaver=" + CallsExit.class.getName());

@@ -18,12 +18,40 @@ import java.util.function.Supplier;
  * @param number its place in the course, from 1
  * @param name such as {@code arm-by-side}
  * @param className name of the class in the start code, such as {@code ArmBySide}
+ * @param title heading of the worksheet
+ * @param minutes how long it takes a student, about
  * @param goal what the robot shall do, as a sentence
  * @param seconds simulated time of a trial
  * @param task makes the task of one trial
  */
 public record Exercise(
-        int number, String name, String className, String goal, double seconds, Supplier<? extends Task> task) {
+        int number,
+        String name,
+        String className,
+        String title,
+        int minutes,
+        String goal,
+        double seconds,
+        Supplier<? extends Task> task) {
+
+    private static final int FIRST_STEPS = 30;
+    private static final int BASICS = 60;
+    private static final int ADVANCED = 90;
+
+    /**
+     * Tells how hard it is.
+     *
+     * @return {@code first steps}, {@code basics}, {@code advanced} or {@code challenge}
+     */
+    public String level() {
+        if (minutes <= FIRST_STEPS) {
+            return "first steps";
+        }
+        if (minutes <= BASICS) {
+            return "basics";
+        }
+        return minutes <= ADVANCED ? "advanced" : "challenge";
+    }
 
     /**
      * Tells the name with the number, as the worksheets are called.

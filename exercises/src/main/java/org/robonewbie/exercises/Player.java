@@ -3,15 +3,12 @@ package org.robonewbie.exercises;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
-import org.robonewbie.protocol.perceptor.PerceptorMessage;
-import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 import org.robonewbie.simulator.world.Robot;
 
 /** A robot on a {@link Stage}: its program on one side, and on the other what is true of its body. */
@@ -23,21 +20,19 @@ public final class Player {
     private static final double LOWEST_STANDING_TORSO = 0.25;
 
     private final AgentLink link;
-    private final PerceptorMessageReader reader = new PerceptorMessageReader();
     private final MessageBuffer received = new MessageBuffer();
     private final MessageBuffer answer = new MessageBuffer();
     private final EffectorMessageWriter writer = new EffectorMessageWriter(answer);
     private final Robot robot;
-    private Agent agent;
-    private PerceptorMessage message;
+    private Program program;
     private List<EffectorCommand> commands = List.of();
 
     /** Creates a robot that has been let in and has just received its first message. */
-    Player(AgentLink link, Robot robot, Agent agent) throws IOException {
+    Player(AgentLink link, Robot robot, Program program) throws IOException {
         this.link = link;
         this.robot = robot;
-        this.agent = agent;
-        this.message = receive();
+        this.program = program;
+        receive();
     }
 
     static void create(AgentLink link) throws IOException {
@@ -58,12 +53,12 @@ public final class Player {
     }
 
     void listen() throws IOException {
-        message = receive();
+        receive();
     }
 
     /** Lets the program answer the last message. */
     void think() throws IOException {
-        commands = agent.respond(message);
+        commands = program.respond(received);
         for (EffectorCommand command : commands) {
             if (!(command instanceof EffectorCommand.Synchronise) && !(command instanceof EffectorCommand.Beam)) {
                 writer.write(command);
@@ -72,12 +67,18 @@ public final class Player {
         send();
     }
 
-    void handOverTo(Agent other) {
-        agent = other;
+    /** Shows the program what the robot senses; what it does then does not count. */
+    void awake() {
+        program.awake(received);
+    }
+
+    void handOverTo(Program other) {
+        program = other;
     }
 
     void close() {
         link.close();
+        program.close();
     }
 
     /**
@@ -178,10 +179,9 @@ public final class Player {
         answer.clear();
     }
 
-    private PerceptorMessage receive() throws IOException {
+    private void receive() throws IOException {
         if (!link.receive(received)) {
             throw new IllegalStateException("The simulator has sent a robot of the exercise away.");
         }
-        return reader.read(received);
     }
 }

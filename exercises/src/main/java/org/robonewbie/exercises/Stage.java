@@ -7,13 +7,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import org.robonewbie.agent.Agent;
-import org.robonewbie.agent.Options;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.SteppedSimulator;
@@ -31,9 +30,15 @@ public final class Stage implements AutoCloseable {
 
     private static final int CYCLES_TO_APPEAR = 3;
     private static final int CYCLES_TO_SETTLE = 25;
+    /** An agent needs 17 messages to begin: these in which it learns its number, and others to settle at its place. */
+    private static final int CYCLES_TO_JOIN = 3;
+
+    private static final int CYCLES_TO_WAKE = 14;
+
     private static final int CYCLES_TO_REST = 5;
 
     private final SteppedSimulator simulator;
+    private final Audience audience;
     private final Random random;
     private final long seed;
     private final List<Player> players = new ArrayList<>();
@@ -45,9 +50,11 @@ public final class Stage implements AutoCloseable {
      *
      * @param seed start of all that is left to chance
      * @param recording file for a recording that the studio can show; empty for none
+     * @param audience who looks on
      */
-    Stage(long seed, Optional<Path> recording) throws IOException {
+    Stage(long seed, Optional<Path> recording, Audience audience) throws IOException {
         this.seed = seed;
+        this.audience = audience;
         SimulatorSettings settings = SimulatorSettings.beginner()
                 .agentPort(0)
                 .synchronous(true)
@@ -61,13 +68,13 @@ public final class Stage implements AutoCloseable {
     /**
      * Lets a robot in, whose joints are all at 0.
      *
-     * @param agent its program
+     * @param program its program
      * @param team its team; the first team owns the left goal
      * @param number its number, 1 to 11
      * @param place where it begins
      * @return the robot
      */
-    public Player add(Agent agent, String team, int number, Place place) {
+    public Player add(Program program, String team, int number, Place place) {
         try {
             AgentLink link = simulator.connect();
             Player.create(link);
@@ -76,8 +83,8 @@ public final class Stage implements AutoCloseable {
             }
             boolean first = players.isEmpty() || team.equals(firstTeam);
             firstTeam = first ? team : firstTeam;
-            agent.introduce(Options.none().withTeam(team).withNumber(number), first ? TeamSide.LEFT : TeamSide.RIGHT);
-            Player player = new Player(link, simulator.world().robots().get(players.size()), agent);
+            program.introduce(team, number, first ? TeamSide.LEFT : TeamSide.RIGHT);
+            Player player = new Player(link, simulator.world().robots().get(players.size()), program);
             for (Player other : players) {
                 other.idle();
             }
@@ -88,6 +95,9 @@ public final class Stage implements AutoCloseable {
             simulator.match().setPlayMode(PlayMode.PLAY_ON);
             player.moveTo(place);
             for (int i = 0; i < CYCLES_TO_SETTLE; i++) {
+                if (i < CYCLES_TO_JOIN || i >= CYCLES_TO_SETTLE - CYCLES_TO_WAKE) {
+                    player.awake();
+                }
                 exchange();
             }
             return player;
@@ -103,9 +113,9 @@ public final class Stage implements AutoCloseable {
      * @param student the program that takes over
      * @param names motions by name, in their order
      */
-    public void prelude(Player player, Agent student, String... names) {
+    public void prelude(Player player, Program student, String... names) {
         Puppet puppet = new Puppet();
-        player.handOverTo(puppet);
+        player.handOverTo(Program.of(puppet));
         for (String name : names) {
             puppet.play(name);
             goOn(player, puppet);
@@ -121,9 +131,9 @@ public final class Stage implements AutoCloseable {
      * @param student the program that takes over
      * @param motion how to get there
      */
-    public void prelude(Player player, Agent student, Motion motion) {
+    public void prelude(Player player, Program student, Motion motion) {
         Puppet puppet = new Puppet();
-        player.handOverTo(puppet);
+        player.handOverTo(Program.of(puppet));
         puppet.play(motion);
         goOn(player, puppet);
         player.handOverTo(student);
@@ -147,6 +157,7 @@ public final class Stage implements AutoCloseable {
             simulator.cycle();
             listen();
             cycles++;
+            audience.cycleEnded(this);
         } catch (IOException broken) {
             throw new UncheckedIOException("The simulator of the exercise does not answer.", broken);
         }
@@ -235,6 +246,17 @@ public final class Stage implements AutoCloseable {
         return cycles * CYCLE_SECONDS;
     }
 
+    /**
+     * Takes a picture of the world for those who look on.
+     *
+     * @param paused whether the world stands still
+     * @param speed simulated seconds per second
+     * @return the present state
+     */
+    public WorldSnapshot snapshot(boolean paused, double speed) {
+        return simulator.snapshot(paused, speed);
+    }
+
     @Override
     public void close() {
         players.forEach(Player::close);
@@ -257,6 +279,7 @@ public final class Stage implements AutoCloseable {
         }
         simulator.cycle();
         listen();
+        audience.cycleEnded(this);
     }
 
     private void listen() throws IOException {

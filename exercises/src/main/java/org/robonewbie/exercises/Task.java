@@ -1,7 +1,6 @@
 package org.robonewbie.exercises;
 
 import java.util.function.Supplier;
-import org.robonewbie.agent.Agent;
 
 /**
  * One trial of an exercise: it sets the scene, watches what truly happens, and judges.
@@ -16,7 +15,7 @@ public interface Task {
      * @param stage the stage, still without robots
      * @param student makes a robot with the student's program
      */
-    void begin(Stage stage, Supplier<? extends Agent> student);
+    void begin(Stage stage, Supplier<? extends Program> student);
 
     /**
      * Looks at the world after a cycle; it may also move what the student's robot does not move.

@@ -20,8 +20,12 @@ final class Trial implements Callable<Score> {
     private static final Set<Thread.State> WAITING = Set.of(Thread.State.WAITING, Thread.State.TIMED_WAITING);
 
     /** Whatever these call for a program is the program's own doing; what they do themselves is not. */
-    private static final Set<String> STAGE =
-            Set.of(Stage.class.getName(), Player.class.getName(), Trial.class.getName());
+    private static final Set<String> STAGE = Set.of(
+            Stage.class.getName(),
+            Player.class.getName(),
+            AgentProgram.class.getName(),
+            Performance.class.getName(),
+            Trial.class.getName());
 
     private final Exercise exercise;
     private final Supplier<? extends Agent> student;
@@ -65,7 +69,7 @@ final class Trial implements Callable<Score> {
                 .isPresent();
     }
 
-    private static Optional<String> place(StackTraceElement[] trace) {
+    static Optional<String> place(StackTraceElement[] trace) {
         return StudentCode.place(Arrays.stream(trace)
                 .takeWhile(frame -> !STAGE.contains(frame.getClassName()))
                 .toArray(StackTraceElement[]::new));
@@ -76,27 +80,11 @@ final class Trial implements Callable<Score> {
         begun = CLOCKS.getCurrentThreadCpuTime();
         thread = Optional.of(Thread.currentThread());
         progress.set(1);
-        try (Stage stage = new Stage(seed, recording)) {
-            Task task = exercise.task().get();
-            task.begin(stage, student);
-            while (stage.seconds() < exercise.seconds() && !task.isDecided()) {
-                stage.cycle();
-                progress.incrementAndGet();
-                task.watch(stage);
-            }
-            return task.score();
-        } catch (VirtualMachineError exhausted) {
-            throw exhausted;
-        } catch (Throwable mistake) {
-            return broken(mistake);
+        try {
+            return Performance.of(
+                    exercise, seed, () -> Program.of(student.get()), recording, stage -> progress.incrementAndGet());
         } finally {
             thread = Optional.empty();
         }
-    }
-
-    private static Score broken(Throwable mistake) {
-        String place = place(mistake.getStackTrace()).map(line -> " in " + line).orElse("");
-        return Score.failed(
-                0, "The program ended with " + mistake + place + ".", "Mend this first; the rest was not tried.");
     }
 }

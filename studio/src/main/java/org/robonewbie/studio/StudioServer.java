@@ -17,6 +17,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.Viewer;
+import org.robonewbie.studio.course.Course;
+import org.robonewbie.studio.course.CourseRoom;
 import org.robonewbie.studio.motion.MotionRoom;
 import org.robonewbie.studio.replay.ReplayRoom;
 import org.robonewbie.studio.replay.RunNotes;
@@ -88,6 +90,24 @@ public final class StudioServer implements Viewer.View {
             StudioFolders folders,
             Optional<SearchBoard> board)
             throws IOException {
+        return start(simulation, port, token, folders, board, Optional.empty());
+    }
+
+    /** Starts the studio, also with exercises. */
+    static StudioServer start(
+            SimulationControl simulation, int port, AccessToken token, StudioFolders folders, Course course)
+            throws IOException {
+        return start(simulation, port, token, folders, Optional.empty(), Optional.of(course));
+    }
+
+    private static StudioServer start(
+            SimulationControl simulation,
+            int port,
+            AccessToken token,
+            StudioFolders folders,
+            Optional<SearchBoard> board,
+            Optional<Course> course)
+            throws IOException {
         silenceServerTalk();
         QueuedThreadPool threads = new QueuedThreadPool(MAX_THREADS, 2);
         threads.setName("studio");
@@ -103,7 +123,7 @@ public final class StudioServer implements Viewer.View {
         LiveFeed feed = new LiveFeed(simulation, new RunNotes(folders.recordings())::keep);
         AccessRule rule = new AccessRule(openPort, token);
         String policy = WebFiles.contentSecurityPolicy(openPort);
-        server.setHandler(new AccessGuard(rule, policy, live(server, feed, folders, board)));
+        server.setHandler(new AccessGuard(rule, policy, live(server, feed, folders, board, course)));
         run(server);
         feed.start();
         return new StudioServer(server, feed, URI.create("http://127.0.0.1:" + openPort + "/?token=" + token.text()));
@@ -115,7 +135,12 @@ public final class StudioServer implements Viewer.View {
         }
     }
 
-    private static Handler live(Server server, LiveFeed feed, StudioFolders folders, Optional<SearchBoard> board) {
+    private static Handler live(
+            Server server,
+            LiveFeed feed,
+            StudioFolders folders,
+            Optional<SearchBoard> board,
+            Optional<Course> course) {
         WebSocketUpgradeHandler live = WebSocketUpgradeHandler.from(server, container -> {
             container.setIdleTimeout(QUIET_LIMIT);
             container.setMaxTextMessageSize(MAX_COMMAND_BYTES);
@@ -128,7 +153,7 @@ public final class StudioServer implements Viewer.View {
         ReplayRoom replayRoom =
                 new ReplayRoom(folders.recordings(), folders.openedRecording(), SceneWriter.allModels());
         SceneRoom sceneRoom = new SceneRoom(folders.scenes(), new Continuation(feed), replayRoom::recording);
-        live.setHandler(new Handler.Sequence(sceneRoom, replayRoom, motionRoom, new WebFiles()));
+        live.setHandler(new Handler.Sequence(new CourseRoom(course), sceneRoom, replayRoom, motionRoom, new WebFiles()));
         return live;
     }
 

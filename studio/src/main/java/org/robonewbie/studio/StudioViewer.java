@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Optional;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.Viewer;
+import org.robonewbie.studio.course.Course;
 import org.robonewbie.studio.search.SearchBoard;
 
 /**
@@ -47,6 +48,29 @@ public final class StudioViewer implements Viewer {
     public static View open(SimulationControl simulation, int port, StudioFolders folders, SearchBoard board)
             throws IOException {
         return open(simulation, port, folders, Optional.of(board));
+    }
+
+    /**
+     * Starts to show a simulation with exercises.
+     *
+     * @param simulation what to show and steer
+     * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
+     * @param folders what of the disk the pages may use
+     * @param course the exercises
+     * @return the open view
+     * @throws IOException if the port cannot be opened
+     */
+    public static View open(SimulationControl simulation, int port, StudioFolders folders, Course course)
+            throws IOException {
+        AccessToken token = AccessToken.ofUser();
+        try {
+            return StudioServer.start(simulation, port == 0 ? USUAL_PORT : port, token, folders, course);
+        } catch (IOException inUse) {
+            if (port != 0) {
+                throw inUse;
+            }
+            return StudioServer.start(simulation, 0, token, folders, course);
+        }
     }
 
     private static View open(SimulationControl simulation, int port, StudioFolders folders, Optional<SearchBoard> board)

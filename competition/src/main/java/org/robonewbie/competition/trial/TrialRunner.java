@@ -30,7 +30,7 @@ import org.robonewbie.simulator.server.SimulatorSettings;
  * Runs one trial: a simulator that waits for everybody and runs as fast as it can, and the programs of the teams beside it. The
  * world begins when all are there, so that it does not matter how quickly a program starts.
  */
-public final class TrialRunner {
+public final class TrialRunner implements TrialPlayer {
 
     private static final long LOOK_MILLISECONDS = 100;
 
@@ -54,15 +54,7 @@ public final class TrialRunner {
         this.spectators = spectators;
     }
 
-    /**
-     * Runs a trial to its end.
-     *
-     * @param trial the trial
-     * @param files where to put what is written
-     * @return its result
-     * @throws IOException if no simulator or process can be started
-     * @throws InterruptedException if this thread is interrupted
-     */
+    @Override
     public TrialResult run(Trial trial, TrialFiles files) throws IOException, InterruptedException {
         Judge judge = contest.judge(trial);
         Map<String, List<TeamProcess>> processes = new LinkedHashMap<>();

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.Supplier;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.exercises.Place;
+import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Puppet;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Stage;
@@ -32,9 +32,9 @@ public final class ArmBySideTask implements Task {
     public ArmBySideTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Agent> student) {
+    public void begin(Stage stage, Supplier<? extends Program> student) {
         stage.add(student.get(), "Students", 1, STUDENT);
-        stage.add(new Puppet(), "Others", 2, new Place(-5, 2, 0));
+        stage.add(Program.of(new Puppet()), "Others", 2, new Place(-5, 2, 0));
         Collections.shuffle(sides, stage.random());
     }
 

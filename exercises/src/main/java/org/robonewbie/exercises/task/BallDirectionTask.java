@@ -4,9 +4,9 @@ import java.util.Locale;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.exercises.Place;
 import org.robonewbie.exercises.Player;
+import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
@@ -35,7 +35,7 @@ public final class BallDirectionTask implements Task {
     public BallDirectionTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Agent> student) {
+    public void begin(Stage stage, Supplier<? extends Program> student) {
         stage.add(student.get(), "Students", 1, STUDENT);
         stage.placeBall(STUDENT.point(stage.between(1, 2), stage.between(-35, 35), 0));
     }

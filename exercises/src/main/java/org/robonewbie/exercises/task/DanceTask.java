@@ -3,9 +3,9 @@ package org.robonewbie.exercises.task;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.Supplier;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.exercises.Place;
 import org.robonewbie.exercises.Player;
+import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
@@ -30,8 +30,8 @@ public final class DanceTask implements Task {
     public DanceTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Agent> student) {
-        Agent robot = student.get();
+    public void begin(Stage stage, Supplier<? extends Program> student) {
+        Program robot = student.get();
         Player player = stage.add(robot, "Students", 1, new Place(-1, 0, 0));
         stage.prelude(player, robot, "stand");
     }

@@ -2,9 +2,9 @@ package org.robonewbie.exercises.task;
 
 import java.util.Locale;
 import java.util.function.Supplier;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.exercises.Place;
 import org.robonewbie.exercises.Player;
+import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
@@ -28,8 +28,8 @@ public final class FindTheBallTask implements Task {
     public FindTheBallTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Agent> student) {
-        Agent robot = student.get();
+    public void begin(Stage stage, Supplier<? extends Program> student) {
+        Program robot = student.get();
         Player player = stage.add(robot, "Students", 1, STUDENT);
         double side = stage.random().nextBoolean() ? 1 : -1;
         stage.placeBall(STUDENT.point(stage.between(1, 2.5), side * stage.between(100, 170), 0));

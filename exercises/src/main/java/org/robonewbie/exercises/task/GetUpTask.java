@@ -2,9 +2,9 @@ package org.robonewbie.exercises.task;
 
 import java.util.Locale;
 import java.util.function.Supplier;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.exercises.Place;
 import org.robonewbie.exercises.Player;
+import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
@@ -26,8 +26,8 @@ public final class GetUpTask implements Task {
     public GetUpTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Agent> student) {
-        Agent robot = student.get();
+    public void begin(Stage stage, Supplier<? extends Program> student) {
+        Program robot = student.get();
         Player player = stage.add(robot, "Students", 1, new Place(-1, 0, stage.between(-180, 180)));
         onBack = stage.isSeedOdd();
         stage.prelude(player, robot, "stand", onBack ? "fall-back" : "fall-forward");

@@ -2,9 +2,9 @@ package org.robonewbie.exercises.task;
 
 import java.util.Locale;
 import java.util.function.Supplier;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.exercises.Place;
 import org.robonewbie.exercises.Player;
+import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
@@ -33,8 +33,8 @@ public final class GoToTheBallTask implements Task {
     public GoToTheBallTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Agent> student) {
-        Agent robot = student.get();
+    public void begin(Stage stage, Supplier<? extends Program> student) {
+        Program robot = student.get();
         Place start = new Place(-2.5, stage.between(-1, 1), stage.between(-60, 60));
         Player player = stage.add(robot, "Students", 1, start);
         stage.placeBall(start.point(stage.between(1.5, 2.5), stage.between(-50, 50), 0));

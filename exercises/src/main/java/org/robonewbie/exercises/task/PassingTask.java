@@ -2,9 +2,9 @@ package org.robonewbie.exercises.task;
 
 import java.util.Locale;
 import java.util.function.Supplier;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.exercises.Place;
 import org.robonewbie.exercises.Player;
+import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
@@ -30,8 +30,8 @@ public final class PassingTask implements Task {
     public PassingTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Agent> student) {
-        Agent robot = student.get();
+    public void begin(Stage stage, Supplier<? extends Program> student) {
+        Program robot = student.get();
         Player passer = stage.add(robot, "Students", 1, PASSER);
         stage.add(student.get(), "Students", 2, new Place(0.6 + stage.between(0, 0.3), stage.between(-0.5, 0.5), 180));
         stage.placeBall(new Vector3(4, 3, 0));

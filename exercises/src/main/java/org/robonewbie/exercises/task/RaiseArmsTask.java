@@ -2,9 +2,9 @@ package org.robonewbie.exercises.task;
 
 import java.util.Locale;
 import java.util.function.Supplier;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.exercises.Place;
 import org.robonewbie.exercises.Player;
+import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
@@ -27,7 +27,7 @@ public final class RaiseArmsTask implements Task {
     public RaiseArmsTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Agent> student) {
+    public void begin(Stage stage, Supplier<? extends Program> student) {
         stage.add(student.get(), "Students", 1, new Place(-1, 0, 0));
     }
 

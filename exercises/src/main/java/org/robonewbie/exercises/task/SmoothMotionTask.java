@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.exercises.Place;
+import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
@@ -29,7 +29,7 @@ public final class SmoothMotionTask implements Task {
     public SmoothMotionTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Agent> student) {
+    public void begin(Stage stage, Supplier<? extends Program> student) {
         stage.add(student.get(), "Students", 1, new Place(-1, 0, 0));
     }
 

@@ -3,9 +3,9 @@ package org.robonewbie.exercises.task;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.exercises.Place;
 import org.robonewbie.exercises.Player;
+import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
@@ -31,8 +31,8 @@ public final class StopAt30Task implements Task {
     public StopAt30Task() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Agent> student) {
-        Agent robot = student.get();
+    public void begin(Stage stage, Supplier<? extends Program> student) {
+        Program robot = student.get();
         Player player = stage.add(robot, "Students", 1, new Place(-1, 0, 0));
         Posture low = Posture.ZERO.with(Joint.LEFT_SHOULDER_PITCH, stage.between(-60, 0));
         stage.prelude(player, robot, new Motion("low", List.of(new Keyframe(600, low))));

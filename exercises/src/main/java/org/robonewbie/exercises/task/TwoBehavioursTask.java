@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.exercises.Place;
 import org.robonewbie.exercises.Player;
+import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
@@ -34,7 +34,7 @@ public final class TwoBehavioursTask implements Task {
     public TwoBehavioursTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Agent> student) {
+    public void begin(Stage stage, Supplier<? extends Program> student) {
         stage.add(student.get(), "Students", 1, STUDENT);
         stage.placeBall(STUDENT.point(1.5, 0, 0));
     }

@@ -21,6 +21,10 @@ final class Snapshots {
     private Snapshots() {}
 
     static WorldSnapshot of(SimulationCycle cycle, boolean paused, Pacemaker pacemaker) {
+        return of(cycle, paused, pacemaker.speed(), pacemaker.realTimeFactor());
+    }
+
+    static WorldSnapshot of(SimulationCycle cycle, boolean paused, double speed, double realTimeFactor) {
         Match match = cycle.match();
         GameState state = match.state();
         List<RobotSnapshot> robots = new ArrayList<>();
@@ -40,8 +44,8 @@ final class Snapshots {
                 quaternion(cycle.world().ball().rotation()),
                 robots,
                 paused,
-                pacemaker.speed(),
-                pacemaker.realTimeFactor());
+                speed,
+                realTimeFactor);
     }
 
     private static RobotSnapshot robot(ConnectedAgent agent, Robot robot) {

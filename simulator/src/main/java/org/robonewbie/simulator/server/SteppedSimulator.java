@@ -3,6 +3,7 @@ package org.robonewbie.simulator.server;
 import java.io.IOException;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.TcpAgentLink;
+import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -101,6 +102,17 @@ public final class SteppedSimulator implements AutoCloseable {
      */
     public Match match() {
         return cycle.match();
+    }
+
+    /**
+     * Takes a picture of the world, as observers of a running simulation get it.
+     *
+     * @param paused whether the owner holds the world
+     * @param speed simulated seconds per second, as the owner keeps it
+     * @return the present state
+     */
+    public WorldSnapshot snapshot(boolean paused, double speed) {
+        return Snapshots.of(cycle, paused, speed, speed);
     }
 
     @Override

@@ -4,6 +4,7 @@ import { FieldView } from './field/field-view.js';
 import { Hand } from './field/hand.js';
 import { Connection } from './live/connection.js';
 import { readFrame } from './live/state-frame.js';
+import { CoursePanel } from './panels/course-panel.js';
 import { byId } from './panels/elements.js';
 import { deeds, FIELD_MOUSE, listenToKeys } from './panels/keys.js';
 import { Happenings } from './panels/happenings.js';
@@ -98,9 +99,7 @@ const connection = new Connection(`ws://${location.host}/live?token=${encodeURIC
 });
 /** @param {object} command */
 const send = (command) => connection.send(command);
-const touch = () => {
-  stale = true;
-};
+const touch = () => void (stale = true);
 
 const time = timeActions(() => state, send);
 /** @param {import('./field/camera-desk.js').CameraMode} mode */
@@ -126,6 +125,7 @@ const happenings = new Happenings();
 const drawTimeLine = timeLinePanel(cursor, touch);
 const rooms = new RoomDesk({ token, note, quality: () => chooser.quality, robotOfRun, send, goLive, goTo: (seconds) => (cursor.goTo(seconds * 50), touch()) });
 const room = roomsPanel(enter);
+new CoursePanel(token, note, goLive);
 setShadows(shadows);
 const puppet = new PuppetPanel({ now: () => state, chosen: () => desk.chosen, choose: (index) => (desk.choose(index), touch()), isHere: () => room() === 'field', send });
 draws.push((shown) => puppet.draw(shown));

@@ -3,12 +3,13 @@ import { byId, element } from './elements.js';
 
 /** @typedef {'field' | 'robot' | 'motion' | 'replay'} RoomName */
 
-/** Only rooms that one can enter are listed. @type {Array<{room: RoomName, place: string, name: string, hint: string}>} */
+/** Only rooms that one can enter are listed. @type {Array<{room: RoomName, place: string, name: string, hint: string, part?: string}>} */
 const ROOMS = [
   { room: 'field', place: 'field-room', name: 'Field', hint: 'Watch and steer the game' },
   { room: 'robot', place: 'robot-room', name: 'Robot', hint: 'See one robot from inside' },
   { room: 'motion', place: 'motion-room', name: 'Motion', hint: 'Shape motions' },
   { room: 'replay', place: 'field-room', name: 'Replay', hint: 'See runs again' },
+  { room: 'field', place: 'field-room', name: 'Exercises', hint: 'Let your program be judged', part: '/exercises' },
 ];
 
 /**
@@ -16,7 +17,7 @@ const ROOMS = [
  * @returns {() => RoomName} the room that one is in
  */
 export function roomsPanel(entered) {
-  const links = ROOMS.map(({ room, name, hint }) => element('a', { href: `#${room}`, title: hint }, name));
+  const links = ROOMS.map(({ room, name, hint, part = '' }) => element('a', { href: `#${room}${part}`, title: hint, ...(part && { hidden: '' }) }, name));
   byId('rooms').append(...links);
   const current = () => ROOMS.find(({ room }) => location.hash.split('/')[0] === `#${room}`)?.room ?? 'field';
   const show = () => {
@@ -24,10 +25,11 @@ export function roomsPanel(entered) {
     const { place: shown } = ROOMS.find(({ room }) => room === now) ?? ROOMS[0];
     byId('field-room').dataset.room = now;
     byId('replay').hidden = now !== 'replay';
-    ROOMS.forEach(({ room, place }, i) => {
+    ROOMS.forEach(({ room, place, part = '' }, i) => {
+      const isHere = room === now && (now !== 'field' || location.hash.endsWith('/exercises') === (part !== ''));
       byId(place).hidden = place !== shown;
-      links[i].toggleAttribute('aria-current', room === now);
-      if (room === now) {
+      links[i].toggleAttribute('aria-current', isHere);
+      if (isHere) {
         links[i].setAttribute('aria-current', 'page');
       }
     });

@@ -1,0 +1,124 @@
+package org.robonewbie.app;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import org.robonewbie.competition.contest.Ending;
+import org.robonewbie.competition.contest.Entrant;
+import org.robonewbie.competition.contest.Role;
+import org.robonewbie.competition.contest.StartPlace;
+import org.robonewbie.competition.contest.TeamResult;
+import org.robonewbie.competition.contest.Trial;
+import org.robonewbie.competition.contest.TrialResult;
+import org.robonewbie.competition.team.Limits;
+import org.robonewbie.competition.team.Start;
+import org.robonewbie.competition.team.TeamProcess;
+import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.competition.trial.Spectators;
+import org.robonewbie.competition.trial.TrialFiles;
+import org.robonewbie.competition.trial.TrialPlayer;
+import org.robonewbie.exercises.AbsentProgramException;
+import org.robonewbie.exercises.Audience;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.GuestDoor;
+import org.robonewbie.exercises.Performance;
+import org.robonewbie.exercises.Program;
+import org.robonewbie.exercises.Score;
+import org.robonewbie.exercises.WatchedTrial;
+
+/** Plays the trials of an {@link ExerciseContest}: the exercise's own stage and checker, with teams' programs in their processes. */
+final class ExerciseTrials implements TrialPlayer {
+
+    private static final long LOOK_MILLISECONDS = 100;
+
+    private final Exercise exercise;
+    private final Map<String, TeamProgram> programs;
+    private final Limits limits;
+    private final Spectators spectators;
+
+    ExerciseTrials(
+            Exercise exercise, Map<String, TeamProgram> programs, Limits limits, Spectators spectators) {
+        this.exercise = exercise;
+        this.programs = Map.copyOf(programs);
+        this.limits = limits;
+        this.spectators = spectators;
+    }
+
+    @Override
+    public TrialResult run(Trial trial, TrialFiles files) throws IOException {
+        Entrant entrant = trial.entrants().get(0);
+        TeamProgram program = programs.get(entrant.team());
+        if (program == null || program instanceof TeamProgram.Broken) {
+            return result(trial, entrant.team(), Ending.NOT_COMPILED, Map.of());
+        }
+        List<TeamProcess> processes = new CopyOnWriteArrayList<>();
+        ScheduledExecutorService guard = Executors.newSingleThreadScheduledExecutor();
+        guard.scheduleWithFixedDelay(
+                () -> processes.forEach(TeamProcess::check), 0, LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
+        try {
+            return play(trial, files, program, processes);
+        } finally {
+            guard.shutdownNow();
+            processes.forEach(TeamProcess::close);
+        }
+    }
+
+    private TrialResult play(Trial trial, TrialFiles files, TeamProgram program, List<TeamProcess> processes)
+            throws IOException {
+        String team = trial.entrants().get(0).team();
+        WatchedTrial watched = new WatchedTrial();
+        Runnable leaving = spectators.watch(watched, trial);
+        try (GuestDoor door = GuestDoor.open(0, limits.silentSeconds())) {
+            Score score = Performance.play(
+                    exercise,
+                    trial.seed(),
+                    () -> robot(trial, files, program, processes, door),
+                    files.recording(),
+                    spectators.isNobody() ? Audience.NOBODY : watched);
+            double passed = score.passed() ? 1 : 0;
+            return result(
+                    trial,
+                    team,
+                    Ending.PLAYED,
+                    Map.of(ExerciseContest.POINTS, (double) score.points(), ExerciseContest.PASSED, passed));
+        } catch (AbsentProgramException absent) {
+            Ending ending = processes.stream()
+                    .map(TeamProcess::ending)
+                    .filter(reason -> reason != Ending.SILENT)
+                    .findFirst()
+                    .orElse(Ending.SILENT);
+            return result(trial, team, ending, Map.of());
+        } finally {
+            leaving.run();
+        }
+    }
+
+    /** Starts the program for the next robot, and waits until it comes. */
+    private Program robot(
+            Trial trial, TrialFiles files, TeamProgram program, List<TeamProcess> processes, GuestDoor door) {
+        int number = processes.size() + 1;
+        String name = trial.id() + (number == 1 ? "" : "-" + number);
+        try {
+            TeamProcess process = TeamProcess.start(
+                    program,
+                    new Start(door.port(), "Students", Role.MAIN, List.of(new StartPlace(number, -1, 0, 0))),
+                    limits,
+                    files.work().resolve(name),
+                    files.logs().resolve(name + ".txt"));
+            processes.add(process);
+            long end = System.nanoTime() + (long) (limits.startSeconds() * 1e9);
+            return door.await(() -> process.isRunning() && System.nanoTime() < end);
+        } catch (IOException unstartable) {
+            throw new AbsentProgramException("The program cannot be started.", unstartable);
+        }
+    }
+
+    private static TrialResult result(Trial trial, String team, Ending ending, Map<String, Double> figures) {
+        return new TrialResult(
+                trial.id(), trial.seed(), trial.seconds(), List.of(TeamResult.of(team, ending, figures)));
+    }
+}

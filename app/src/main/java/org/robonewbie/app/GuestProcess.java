@@ -1,0 +1,85 @@
+package org.robonewbie.app;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.Charset;
+import java.nio.file.Path;
+import java.util.List;
+import org.robonewbie.exercises.Exercise;
+
+/** A student's program in a process of its own, which comes to a trial through a port as any agent does. */
+final class GuestProcess implements AutoCloseable {
+
+    private static final int MEGABYTES = 512;
+    private static final int MOST_CHARACTERS = 4000;
+
+    private final Process process;
+    private final StringBuilder output = new StringBuilder();
+
+    private GuestProcess(Process process) {
+        this.process = process;
+    }
+
+    static GuestProcess start(Exercise exercise, String program, int port, Path folder) {
+        List<String> command = List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1",
+                "-Xmx" + MEGABYTES + "m",
+                "-XX:+ExitOnOutOfMemoryError",
+                "-cp",
+                System.getProperty("java.class.path"),
+                Main.class.getName(),
+                GradeCommand.NAME,
+                exercise.name(),
+                program,
+                GradeCommand.AT_DOOR,
+                Integer.toString(port));
+        try {
+            Process process = new ProcessBuilder(command)
+                    .directory(folder.toFile())
+                    .redirectErrorStream(true)
+                    .start();
+            process.getOutputStream().close(); // a program that reads from the terminal does not wait for anybody
+            GuestProcess guest = new GuestProcess(process);
+            Thread reader = new Thread(() -> guest.keep(process.getInputStream()), "output-of-program");
+            reader.setDaemon(true);
+            reader.start();
+            return guest;
+        } catch (IOException unstartable) {
+            throw new UncheckedIOException("The program cannot be started: " + unstartable.getMessage(), unstartable);
+        }
+    }
+
+    /** Keeps the end of what the program prints. */
+    private void keep(InputStream stream) {
+        byte[] bytes = new byte[MOST_CHARACTERS];
+        try {
+            for (int count = stream.read(bytes); count >= 0; count = stream.read(bytes)) {
+                append(new String(bytes, 0, count, Charset.defaultCharset()));
+            }
+        } catch (IOException end) {
+            append("");
+        }
+    }
+
+    private synchronized void append(String text) {
+        output.append(text);
+        output.delete(0, Math.max(0, output.length() - MOST_CHARACTERS));
+    }
+
+    synchronized String output() {
+        return output.toString();
+    }
+
+    boolean isRunning() {
+        return process.isAlive();
+    }
+
+    @Override
+    public void close() {
+        process.descendants().forEach(ProcessHandle::destroyForcibly);
+        process.destroyForcibly();
+    }
+}

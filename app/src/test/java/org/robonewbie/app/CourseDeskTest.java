@@ -1,0 +1,144 @@
+package org.robonewbie.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.WatchedTrial;
+import org.robonewbie.studio.ShownSimulation;
+import org.robonewbie.studio.course.Attempt;
+import org.robonewbie.studio.course.Attempt.State;
+
+/** The exercises as the studio's page asks for them, with students' programs in processes of their own. */
+class CourseDeskTest {
+
+    private static final long PATIENCE_NANOS = TimeUnit.MINUTES.toNanos(3);
+    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
+
+    private static final String RAISE_ARMS = """
+                        import org.robonewbie.nao.Joint;
+
+            public class RaiseArms extends Agent {
+                @Override
+                protected void think() {
+                    hold(Joint.LEFT_SHOULDER_PITCH, 60);
+                    hold(Joint.RIGHT_SHOULDER_PITCH, 45);
+                }
+
+                private void hold(Joint joint, double degrees) {
+                    nao.setJointSpeed(joint, 4 * (degrees - nao.getJointAngle(joint)));
+                }
+            }
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private final WatchedTrial freePitch = new WatchedTrial();
+    private final ShownSimulation shown = new ShownSimulation(freePitch);
+
+    private CourseDesk desk = new CourseDesk(Path.of(""), freePitch, shown);
+
+    @BeforeEach
+    void open() {
+        desk = new CourseDesk(folder, freePitch, shown);
+    }
+
+    @AfterEach
+    void close() {
+        desk.close();
+    }
+
+    private Attempt await(Predicate<Attempt> wanted) {
+        long end = System.nanoTime() + PATIENCE_NANOS;
+        Attempt attempt = desk.attempt();
+        while (!wanted.test(attempt)) {
+            assertThat(System.nanoTime()).as("it did not happen; now there is %s", attempt).isLessThan(end);
+            LockSupport.parkNanos(LOOK_NANOS);
+            attempt = desk.attempt();
+        }
+        return attempt;
+    }
+
+    @Test
+    void programOfAFileIsJudgedWithEachSeed() throws IOException {
+        Files.writeString(folder.resolve("RaiseArms.java"), RAISE_ARMS);
+
+        desk.begin("raise-arms", "RaiseArms.java", 2);
+        Attempt attempt = await(now -> now.state() == State.OVER);
+
+        assertThat(attempt.judged()).extracting(Attempt.Judged::seed).containsExactly(1L, 2L);
+        assertThat(attempt.passed()).as(attempt.toString()).isTrue();
+        assertThat(attempt.points()).isEqualTo(10);
+    }
+
+    @Test
+    void programToBeginWithIsHandedOutOnceAndFailsWithAHint() throws IOException {
+        String file = desk.handOut("raise-arms");
+        desk.begin("raise-arms", file, 1);
+        Attempt attempt = await(now -> now.state() == State.OVER);
+
+        assertThat(desk.programs()).containsExactly("RaiseArms.java");
+        assertThat(attempt.passed()).isFalse();
+        assertThat(attempt.judged().get(0).hint()).isNotEmpty();
+        assertThatThrownBy(() -> desk.handOut("raise-arms"))
+                .hasMessage("There is a file RaiseArms.java already, and it is kept. Rename it to begin anew.");
+    }
+
+    @Test
+    void programThatEndsItsProcessFailsItsTrialAndNothingElse() throws IOException {
+        Files.writeString(
+                folder.resolve("RaiseArms.java"),
+                RAISE_ARMS.replace("hold(Joint.LEFT_SHOULDER_PITCH, 60);", "System.exit(7);"));
+
+        desk.begin("raise-arms", "RaiseArms.java", 1);
+        Attempt attempt = await(now -> now.state() == State.OVER);
+
+        assertThat(attempt.judged().get(0).finding()).startsWith("The program has");
+    }
+
+    @Test
+    void programWithAMistakeIsShownWithWhatTheCompilerSays() throws IOException {
+        Files.writeString(folder.resolve("RaiseArms.java"), RAISE_ARMS.replace("60);", "60)"));
+
+        desk.begin("raise-arms", "RaiseArms.java", 1);
+        Attempt attempt = await(now -> now.state() == State.OVER && now.output().contains("RaiseArms.java"));
+
+        assertThat(attempt.judged().get(0).finding()).isEqualTo("The program ended before it asked for a robot.");
+        assertThat(attempt.output()).contains("';' expected");
+    }
+
+    @Test
+    void agentThatTheStudentStartsIsJudgedTheSameWay() throws IOException {
+        Files.writeString(folder.resolve("RaiseArms.java"), RAISE_ARMS);
+        desk.begin("raise-arms", "", 1);
+        int port = await(now -> now.state() == State.WAITING && now.port() > 0).port();
+        try (GuestProcess student =
+                GuestProcess.start(Exercises.find("raise-arms").orElseThrow(), "RaiseArms.java", port, folder)) {
+            Attempt attempt = await(now -> now.state() == State.OVER);
+
+            assertThat(attempt.passed()).as(attempt + student.output()).isTrue();
+        }
+    }
+
+    @Test
+    void attemptThatIsLeftEndsAtOnce() throws IOException {
+        desk.begin("raise-arms", "", 1);
+
+        desk.leave();
+
+        assertThat(desk.attempt()).isEqualTo(Attempt.NONE);
+        assertThatThrownBy(() -> desk.begin("nonsense", "", 1))
+                .hasMessage("There is no exercise \"nonsense\". Load the page again.");
+    }
+}

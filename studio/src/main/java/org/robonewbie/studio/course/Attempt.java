@@ -1,0 +1,61 @@
+package org.robonewbie.studio.course;
+
+import java.util.List;
+
+/**
+ * How far a student's program is with an exercise.
+ *
+ * @param id number of the attempt, 0 if nothing was tried yet
+ * @param state where it is
+ * @param exercise name of the exercise
+ * @param program what solves it; empty for an agent that the student starts
+ * @param port where the student's agent is awaited
+ * @param trials how many trials there will be
+ * @param judged what the trials that are over have earned
+ * @param points mean of the points, 0 to 10
+ * @param passed whether all trials have passed
+ * @param output what the program has printed last, for those who look for a mistake
+ */
+public record Attempt(
+        long id,
+        State state,
+        String exercise,
+        String program,
+        int port,
+        int trials,
+        List<Judged> judged,
+        double points,
+        boolean passed,
+        String output) {
+
+    /** The stages of an attempt. */
+    public enum State {
+        /** Nothing is being tried. */
+        NONE,
+        /** The program has not come onto the pitch. */
+        WAITING,
+        /** A trial goes on. */
+        RUNNING,
+        /** All trials are judged. */
+        OVER
+    }
+
+    /**
+     * One trial that is over.
+     *
+     * @param seed what it began with
+     * @param passed whether the task was solved
+     * @param points 0 to 10
+     * @param finding what was measured
+     * @param hint what to try next; empty if there is nothing to add
+     */
+    public record Judged(long seed, boolean passed, int points, String finding, String hint) {}
+
+    /** The state before the first attempt. */
+    public static final Attempt NONE = new Attempt(0, State.NONE, "", "", 0, 0, List.of(), 0, false, "");
+
+    /** Takes a copy. */
+    public Attempt {
+        judged = List.copyOf(judged);
+    }
+}

@@ -1,0 +1,53 @@
+package org.robonewbie.studio.course;
+
+import java.io.IOException;
+import java.util.List;
+
+/** The exercises behind the page, and the one that is being tried. Any thread may ask. */
+public interface Course {
+
+    /**
+     * Lists the exercises.
+     *
+     * @return all, in the order of the course
+     */
+    List<Lesson> lessons();
+
+    /**
+     * Lists programs that could solve an exercise.
+     *
+     * @return Java files of the working directory
+     */
+    List<String> programs();
+
+    /**
+     * Writes the program to begin with into the working directory.
+     *
+     * @param exercise name of an exercise
+     * @return name of the written file
+     * @throws IOException if it cannot be written
+     * @throws IllegalArgumentException if it is there already, or there is no such exercise; the message says so
+     */
+    String handOut(String exercise) throws IOException;
+
+    /**
+     * Begins to try a program, on the pitch that the page shows; what was tried before ends.
+     *
+     * @param exercise name of an exercise
+     * @param program a Java file or class; empty for an agent that the student starts
+     * @param trials how many trials with different seeds, 1 to 20
+     * @throws IOException if there is no port for the program
+     * @throws IllegalArgumentException if there is no such exercise; the message says so
+     */
+    void begin(String exercise, String program, int trials) throws IOException;
+
+    /** Ends what is being tried, and shows the free pitch again. */
+    void leave();
+
+    /**
+     * Tells how far the trials are.
+     *
+     * @return the present state
+     */
+    Attempt attempt();
+}

@@ -1,0 +1,103 @@
+package org.robonewbie.studio.course;
+
+import com.google.gson.Gson;
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.net.URLDecoder;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.server.Handler;
+import org.eclipse.jetty.server.Request;
+import org.eclipse.jetty.server.Response;
+import org.eclipse.jetty.util.Callback;
+import org.eclipse.jetty.util.Fields;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Lets pages work with the exercises.
+ *
+ * <pre>
+ * GET    /api/course                the exercises, and programs that are there
+ * GET    /api/course/attempt        how far the program is that is being tried
+ * POST   /api/course/NAME?program=FILE&amp;trials=N   begins to try a program
+ * PUT    /api/course/NAME           writes the program to begin with
+ * DELETE /api/course/attempt        ends the attempt
+ * </pre>
+ */
+public final class CourseRoom extends Handler.Abstract {
+
+    private static final String COURSE = "/api/course";
+    private static final String ATTEMPT = "/api/course/attempt";
+    private static final int MOST_TRIALS = 20;
+    private static final Gson GSON = new Gson();
+
+    private final Optional<Course> course;
+
+    /**
+     * Opens the room.
+     *
+     * @param course the exercises; empty for a studio without them
+     */
+    public CourseRoom(Optional<Course> course) {
+        this.course = course;
+    }
+
+    @Override
+    public boolean handle(Request request, Response response, Callback callback) {
+        String path = Request.getPathInContext(request);
+        if (!path.startsWith(COURSE)) {
+            return false;
+        }
+        try {
+            String answer = course.isPresent() ? answer(course.get(), request, path) : "{\"lessons\":[]}";
+            send(response, callback, 200, "application/json", answer);
+        } catch (IllegalArgumentException refused) {
+            send(response, callback, 409, "text/plain;charset=utf-8", String.valueOf(refused.getMessage()));
+        } catch (IOException problem) {
+            send(response, callback, 500, "text/plain;charset=utf-8", "It did not work: " + problem.getMessage());
+        }
+        return true;
+    }
+
+    private static String answer(Course course, Request request, String path) throws IOException {
+        if (path.equals(ATTEMPT)) {
+            if (request.getMethod().equals("DELETE")) {
+                course.leave();
+            }
+            return GSON.toJson(course.attempt());
+        }
+        if (path.equals(COURSE)) {
+            JsonObject json = new JsonObject();
+            json.add("lessons", GSON.toJsonTree(course.lessons()));
+            json.add("programs", GSON.toJsonTree(course.programs()));
+            return GSON.toJson(json);
+        }
+        String name = URLDecoder.decode(path.substring(COURSE.length() + 1), StandardCharsets.UTF_8);
+        if (request.getMethod().equals("PUT")) {
+            return GSON.toJson(course.handOut(name));
+        }
+        if (request.getMethod().equals("POST")) {
+            Fields parameters = Request.extractQueryParameters(request);
+            String program = Optional.ofNullable(parameters.getValue("program")).orElse("");
+            course.begin(name, program, trials(parameters.getValue("trials")));
+        }
+        return GSON.toJson(course.attempt());
+    }
+
+    private static int trials(@Nullable String text) {
+        try {
+            return Math.max(1, Math.min(MOST_TRIALS, Integer.parseInt(String.valueOf(text))));
+        } catch (NumberFormatException noNumber) {
+            throw new IllegalArgumentException(
+                    "How many trials? Choose a number from 1 to " + MOST_TRIALS + ".", noNumber);
+        }
+    }
+
+    private static void send(Response response, Callback callback, int status, String type, String content) {
+        response.setStatus(status);
+        response.getHeaders().put(HttpHeader.CONTENT_TYPE, type).put(HttpHeader.CACHE_CONTROL, "no-store");
+        response.write(true, ByteBuffer.wrap(content.getBytes(StandardCharsets.UTF_8)), callback);
+    }
+}

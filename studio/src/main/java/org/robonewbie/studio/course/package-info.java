@@ -1,0 +1,6 @@
+/**
+ * Exercises in the studio: pages choose one, start it and see how it is judged. Read {@link
+ * org.robonewbie.studio.course.Course} first.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.studio.course;

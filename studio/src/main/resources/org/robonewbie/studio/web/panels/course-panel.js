@@ -1,0 +1,210 @@
+/** Exercises: choose one, let a program try it, and see live how it is judged. */
+import { hints, lessonLine, progressText, trialText, usualProgram } from '../state/course.js';
+import { button, byId, element, setText } from './elements.js';
+
+/**
+ * @typedef {import('../state/course.js').Lesson} Lesson
+ * @typedef {import('../state/course.js').Attempt} Attempt
+ */
+
+const PLACE = '#field/exercises';
+const LOOK_MILLISECONDS = 400;
+const TRIALS = ['1', '3', '10'];
+
+export class CoursePanel {
+  #token;
+  #note;
+  #goLive;
+  /** @type {Lesson[]} */
+  #lessons = [];
+  /** @type {Lesson | undefined} */
+  #chosen;
+  #shown = '';
+  #looking = false;
+  #parts = parts();
+
+  /**
+   * @param {string} token
+   * @param {(text: string) => void} note
+   * @param {() => void} goLive shows what happens now
+   */
+  constructor(token, note, goLive) {
+    this.#token = token;
+    this.#note = note;
+    this.#goLive = goLive;
+    const { back, write, start, stop, list, detail } = this.#parts;
+    byId('course').append(element('h2', {}, 'Exercises'), list, detail);
+    back.addEventListener('click', () => this.#choose(undefined));
+    write.addEventListener('click', () => this.#attemptTo(() => this.#write()));
+    start.addEventListener('click', () => this.#attemptTo(() => this.#start()));
+    stop.addEventListener('click', () => this.#attemptTo(() => this.#stop()));
+    window.addEventListener('hashchange', () => this.#show());
+    if (token !== '') {
+      this.#attemptTo(() => this.#open());
+    }
+  }
+
+  async #open() {
+    await this.#refresh();
+    const link = document.querySelector(`#rooms a[href='${PLACE}']`);
+    link?.toggleAttribute('hidden', this.#lessons.length === 0);
+    this.#parts.list.replaceChildren(...this.#lessons.map((lesson) => this.#entry(lesson)));
+    this.#choose(undefined);
+    this.#show();
+  }
+
+  /** @param {Lesson} lesson */
+  #entry(lesson) {
+    const made = button(`${lesson.number} ${lesson.title}`, lesson.goal, () => this.#choose(lesson));
+    made.dataset.exercise = lesson.name;
+    made.append(element('small', {}, lessonLine(lesson)));
+    return element('li', {}, made);
+  }
+
+  #show() {
+    const panel = byId('course');
+    panel.hidden = location.hash !== PLACE || this.#lessons.length === 0;
+    byId('field-room').dataset.exercises = panel.hidden ? 'off' : 'on';
+    if (!panel.hidden && !this.#looking) {
+      this.#looking = true;
+      this.#look();
+    }
+  }
+
+  /** @param {Lesson | undefined} lesson */
+  #choose(lesson) {
+    const { list, detail, title, line, goal, worksheet } = this.#parts;
+    this.#chosen = lesson;
+    list.hidden = lesson !== undefined;
+    detail.hidden = lesson === undefined;
+    if (lesson) {
+      setText(title, `${lesson.number} ${lesson.title}`);
+      setText(line, lessonLine(lesson));
+      setText(goal, lesson.goal);
+      worksheet.href = lesson.worksheet;
+      this.#attemptTo(() => this.#refresh());
+    }
+  }
+
+  async #refresh() {
+    const { lessons, programs } = await this.#ask('course');
+    this.#lessons = lessons;
+    const lesson = this.#chosen;
+    if (lesson) {
+      const { program, write } = this.#parts;
+      const own = element('option', { value: '' }, 'An agent that I start myself');
+      const before = program.value;
+      program.replaceChildren(...programs.map((/** @type {string} */ name) => element('option', { value: name }, name)), own);
+      program.value = usualProgram(lesson, programs) || (programs.includes(before) ? before : '');
+      setText(write, `Write ${lesson.file}`);
+      write.hidden = programs.includes(lesson.file);
+    }
+  }
+
+  async #write() {
+    if (this.#chosen) {
+      const file = await this.#ask(`course/${this.#chosen.name}`, 'PUT');
+      await this.#refresh();
+      this.#note(`${file} is written, the program to begin with. Change it in your editor, then press Start.`);
+    }
+  }
+
+  async #start() {
+    const { program, trials } = this.#parts;
+    if (this.#chosen) {
+      const how = new URLSearchParams({ program: program.value, trials: program.value ? trials.value : '1' });
+      this.#draw(await this.#ask(`course/${this.#chosen.name}?${how}`, 'POST'));
+      this.#goLive();
+    }
+  }
+
+  async #stop() {
+    this.#draw(await this.#ask('course/attempt', 'DELETE'));
+    this.#goLive();
+  }
+
+  /** Looks again and again how far the attempt is, as long as the panel can be seen. */
+  async #look() {
+    while (!byId('course').hidden) {
+      try {
+        this.#draw(await this.#ask('course/attempt'));
+      } catch {
+        // the studio has ended or begins anew; the page says so elsewhere
+      }
+      await new Promise((done) => setTimeout(done, LOOK_MILLISECONDS));
+    }
+    this.#looking = false;
+  }
+
+  /** @param {Attempt} attempt */
+  #draw(attempt) {
+    const { progress, judged, advice, output, printed, stop } = this.#parts;
+    const text = JSON.stringify(attempt);
+    if (text === this.#shown) {
+      return;
+    }
+    this.#shown = text;
+    stop.hidden = attempt.state === 'NONE';
+    setText(stop, attempt.state === 'OVER' ? 'Back to the free pitch' : 'Stop');
+    setText(progress, progressText(attempt));
+    progress.dataset.state = attempt.state === 'OVER' && attempt.passed ? 'passed' : attempt.state.toLowerCase();
+    judged.replaceChildren(...attempt.judged.map((trial) => element('li', { 'data-passed': String(trial.passed) }, trialText(trial))));
+    advice.replaceChildren(...hints(attempt).map((hint) => element('p', {}, `Hint: ${hint}`)));
+    setText(printed, attempt.output);
+    output.hidden = attempt.output === '';
+  }
+
+  /** @param {() => Promise<void>} deed */
+  #attemptTo(deed) {
+    deed().catch((error) => this.#note(error.message));
+  }
+
+  /** @param {string} path @param {string} [method] */
+  async #ask(path, method = 'GET') {
+    const answer = await fetch(`api/${path}`, { method, headers: { 'Studio-Token': this.#token } });
+    if (!answer.ok) {
+      throw new Error(await answer.text());
+    }
+    return answer.json();
+  }
+}
+
+/** The parts of the panel. */
+function parts() {
+  const made = {
+    list: element('ol', { class: 'lessons' }),
+    back: element('button', { type: 'button', class: 'quiet', title: 'Shows all exercises' }, '← All exercises'),
+    title: element('h3', {}),
+    line: element('p', { class: 'faint' }),
+    goal: element('p', {}),
+    worksheet: element('a', { target: 'robonewbie-docs' }, 'Worksheet'),
+    program: element('select', { id: 'course-program', 'aria-label': 'Program that solves it' }),
+    trials: element('select', { id: 'course-trials', 'aria-label': 'Trials' }),
+    write: element('button', { type: 'button', id: 'course-write', title: 'Writes the program to begin with into the working folder' }),
+    start: element('button', { type: 'button', id: 'course-start', title: 'Tries the program on this pitch' }, 'Start'),
+    stop: element('button', { type: 'button', id: 'course-stop', title: 'Ends the attempt and shows the free pitch' }, 'Stop'),
+    progress: element('p', { id: 'course-progress', role: 'status' }),
+    judged: element('ul', { id: 'course-judged' }),
+    advice: element('div', { id: 'course-hints' }),
+    printed: element('pre', {}),
+    output: element('details', { id: 'course-output' }, element('summary', {}, 'What the program printed')),
+    detail: element('div', { class: 'lesson' }),
+  };
+  made.trials.append(...TRIALS.map((count) => element('option', { value: count }, count === '1' ? '1 trial' : `${count} trials`)));
+  made.trials.value = '3';
+  made.output.append(made.printed);
+  made.detail.append(
+    made.back,
+    made.title,
+    made.line,
+    made.goal,
+    element('p', {}, made.worksheet),
+    element('div', { class: 'scene-line' }, made.program, made.trials),
+    element('div', { class: 'scene-line' }, made.start, made.stop, made.write),
+    made.progress,
+    made.judged,
+    made.advice,
+    made.output,
+  );
+  return made;
+}

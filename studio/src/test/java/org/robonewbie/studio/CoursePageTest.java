@@ -1,0 +1,115 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.studio.course.Attempt;
+
+/** A student chooses an exercise, lets a program try it, and sees how it is judged. */
+@InBrowser
+class CoursePageTest {
+
+    @TempDir
+    private Path folder;
+
+    private final Chromium browser;
+    private final SmallSimulation freePitch = new SmallSimulation();
+    private final SmallSimulation pitchOfTrial = new SmallSimulation();
+    private final ShownSimulation shown = new ShownSimulation(freePitch);
+    private final SmallCourse course = new SmallCourse(freePitch, pitchOfTrial, shown);
+    private StudioServer studio;
+
+    CoursePageTest(Chromium browser) {
+        this.browser = browser;
+    }
+
+    @BeforeEach
+    void open() throws IOException {
+        StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty());
+        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course);
+        freePitch.start();
+        pitchOfTrial.withRobot().start();
+    }
+
+    @AfterEach
+    void close() {
+        studio.close();
+        freePitch.close();
+        pitchOfTrial.close();
+    }
+
+    private void visit() {
+        browser.visit(studio.address() + "&quality=lowest&theme=light");
+        browser.await("studio.state.frame && studio.view.drawCalls > 0");
+        browser.await("document.querySelector(\"#rooms a[href='#field/exercises']\")?.hidden === false");
+        browser.click("#rooms a[href='#field/exercises']");
+        browser.await("!document.querySelector('#course').hidden");
+    }
+
+    private void chooseKick() {
+        browser.click("[data-exercise=kick]");
+        browser.await("document.querySelector('#course-program').options.length === 2");
+    }
+
+    @Test
+    void listShowsTitleLevelAndPoints() {
+        visit();
+
+        browser.await("document.querySelector('[data-exercise=kick]').innerText.replace(/\\s+/g, ' ') === "
+                + "'2 A kick challenge · 120 min · 10 points'");
+        chooseKick();
+        browser.await("document.querySelector('.lesson a').getAttribute('href') === 'docs/exercises/k.html'");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void programToBeginWithIsWrittenAndChosen() {
+        visit();
+        chooseKick();
+
+        browser.click("#course-write");
+
+        browser.await("document.querySelector('#course-program').value === 'Kick.java'");
+        browser.await("document.querySelector('#course-write').hidden");
+    }
+
+    @Test
+    void trialIsShownLiveAndItsVerdictBesideIt() throws IOException {
+        visit();
+        chooseKick();
+        browser.evaluate("document.querySelector('#course-program').value = 'Other.java'");
+
+        browser.click("#course-start");
+        browser.await("document.querySelector('#course-progress').innerText.includes('being judged')");
+        browser.await("studio.state.scene.robots.length === 1");
+        course.judge(new Attempt.Judged(1, false, 4, "the ball went 1.00 m", "Be quick."), "hello from the program");
+
+        browser.await(
+                "document.querySelector('#course-judged').innerText === '✗ Seed 1: 4 points, the ball went 1.00 m'");
+        browser.await("document.querySelector('#course-hints').innerText === 'Hint: Be quick.'");
+        browser.await("document.querySelector('#course-progress').innerText === 'Not yet passed: 4.0 of 10 points'");
+        browser.await("document.querySelector('#course-output pre').textContent === 'hello from the program'");
+        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
+        Files.write(Files.createDirectories(pictures).resolve("studio-exercise.png"), browser.screenshot());
+        browser.click("#course-stop");
+        browser.await("studio.state.scene.robots.length === 0 && document.querySelector('#course-stop').hidden");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void studioWithoutExercisesDoesNotOfferThem() throws IOException {
+        try (StudioServer other = StudioServer.start(freePitch, 0, AccessToken.random())) {
+            browser.visit(other.address() + "&quality=lowest");
+            browser.await("studio.state.frame && studio.view.drawCalls > 0");
+
+            browser.await("document.querySelector(\"#rooms a[href='#field/exercises']\").hidden");
+        }
+    }
+}

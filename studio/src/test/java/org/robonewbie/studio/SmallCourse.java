@@ -1,0 +1,79 @@
+package org.robonewbie.studio;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.studio.course.Attempt;
+import org.robonewbie.studio.course.Attempt.State;
+import org.robonewbie.studio.course.Course;
+import org.robonewbie.studio.course.Lesson;
+
+/** A course of two exercises on a pitch of its own, in which the test says how a trial ends. */
+final class SmallCourse implements Course {
+
+    private final SimulationControl freePitch;
+    private final SimulationControl pitchOfTrial;
+    private final ShownSimulation shown;
+    private final List<String> programs = new CopyOnWriteArrayList<>(List.of("Other.java"));
+    private volatile Attempt attempt = Attempt.NONE;
+
+    SmallCourse(SimulationControl freePitch, SimulationControl pitchOfTrial, ShownSimulation shown) {
+        this.freePitch = freePitch;
+        this.pitchOfTrial = pitchOfTrial;
+        this.shown = shown;
+    }
+
+    @Override
+    public List<Lesson> lessons() {
+        return List.of(
+                new Lesson(1, "arms", "Raise arms", "Raise both.", "first steps", 15, 10, "docs/a.html", "Arms.java"),
+                new Lesson(
+                        2, "kick", "A kick", "Kick it.", "challenge", 120, 10, "docs/exercises/k.html", "Kick.java"));
+    }
+
+    @Override
+    public List<String> programs() {
+        return programs;
+    }
+
+    @Override
+    public String handOut(String exercise) {
+        if (programs.contains("Kick.java")) {
+            throw new IllegalArgumentException("There is a file Kick.java already, and it is kept.");
+        }
+        programs.add(0, "Kick.java");
+        return "Kick.java";
+    }
+
+    @Override
+    public void begin(String exercise, String program, int trials) {
+        attempt = new Attempt(1, State.RUNNING, exercise, program, 3110, trials, List.of(), 0, false, "");
+        shown.show(pitchOfTrial);
+    }
+
+    /** Ends the only trial. */
+    void judge(Attempt.Judged trial, String output) {
+        attempt = new Attempt(
+                1,
+                State.OVER,
+                attempt.exercise(),
+                attempt.program(),
+                attempt.port(),
+                1,
+                List.of(trial),
+                trial.points(),
+                trial.passed(),
+                output);
+    }
+
+    @Override
+    public void leave() {
+        attempt = Attempt.NONE;
+        shown.show(freePitch);
+    }
+
+    @Override
+    public Attempt attempt() {
+        return attempt;
+    }
+}
