@@ -93,7 +93,10 @@ final class CompetitionCommand implements Callable<Integer> {
             description = "Simulated seconds: scoring 180, penalties 30, matches 300.")
     private Optional<Double> seconds = Optional.empty();
 
-    @Option(names = "--rounds", paramLabel = "N", description = "penalties: rounds before sudden death; exercises: trials of each team (3).")
+    @Option(
+            names = "--rounds",
+            paramLabel = "N",
+            description = "penalties: rounds before sudden death; exercises: trials of each team (3).")
     private int rounds = 3;
 
     @Option(names = "--players", paramLabel = "N", description = "matches: robots of each team, 1 to 11 (1).")

@@ -105,7 +105,8 @@ final class CourseAttempt implements AutoCloseable {
 
     private Program nextRobot() {
         Optional<GuestProcess> process = program.isEmpty() ? Optional.empty() : Optional.of(startProcess());
-        Program guest = door.await(() -> !isClosed() && process.map(GuestProcess::isRunning).orElse(true));
+        Program guest = door.await(
+                () -> !isClosed() && process.map(GuestProcess::isRunning).orElse(true));
         return arrived(guest);
     }
 
@@ -143,9 +144,9 @@ final class CourseAttempt implements AutoCloseable {
         double points =
                 judged.stream().mapToInt(Attempt.Judged::points).average().orElse(0);
         boolean passed = judged.size() == trials && judged.stream().allMatch(Attempt.Judged::passed);
-        String output = processes.isEmpty() ? "" : processes.get(processes.size() - 1).output();
-        return new Attempt(
-                id, state, exercise.name(), program, door.port(), trials, judged, points, passed, output);
+        String output =
+                processes.isEmpty() ? "" : processes.get(processes.size() - 1).output();
+        return new Attempt(id, state, exercise.name(), program, door.port(), trials, judged, points, passed, output);
     }
 
     private void sendAway() {

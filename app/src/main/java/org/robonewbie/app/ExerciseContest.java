@@ -91,8 +91,7 @@ record ExerciseContest(Exercise exercise, long seed, int rounds) implements Cont
 
     @Override
     public Table table(List<String> teams, Results results) {
-        List<Total> totals =
-                teams.stream().map(team -> total(team, results)).toList();
+        List<Total> totals = teams.stream().map(team -> total(team, results)).toList();
         List<Table.Row> rows = Place.ranking(totals, Comparator.comparingDouble(total -> -total.points())).stream()
                 .map(this::row)
                 .toList();
@@ -100,8 +99,9 @@ record ExerciseContest(Exercise exercise, long seed, int rounds) implements Cont
     }
 
     private Total total(String team, Results results) {
-        List<String> trials =
-                IntStream.rangeClosed(1, rounds).mapToObj(round -> id(team, round)).toList();
+        List<String> trials = IntStream.rangeClosed(1, rounds)
+                .mapToObj(round -> id(team, round))
+                .toList();
         List<TeamResult> found = trials.stream()
                 .flatMap(id -> results.find(id).stream())
                 .map(result -> result.of(team))

@@ -3,10 +3,9 @@ package org.robonewbie.app;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import java.util.Timer;
+import java.util.TimerTask;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.TimeUnit;
 import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Entrant;
 import org.robonewbie.competition.contest.Role;
@@ -40,8 +39,7 @@ final class ExerciseTrials implements TrialPlayer {
     private final Limits limits;
     private final Spectators spectators;
 
-    ExerciseTrials(
-            Exercise exercise, Map<String, TeamProgram> programs, Limits limits, Spectators spectators) {
+    ExerciseTrials(Exercise exercise, Map<String, TeamProgram> programs, Limits limits, Spectators spectators) {
         this.exercise = exercise;
         this.programs = Map.copyOf(programs);
         this.limits = limits;
@@ -56,13 +54,20 @@ final class ExerciseTrials implements TrialPlayer {
             return result(trial, entrant.team(), Ending.NOT_COMPILED, Map.of());
         }
         List<TeamProcess> processes = new CopyOnWriteArrayList<>();
-        ScheduledExecutorService guard = Executors.newSingleThreadScheduledExecutor();
-        guard.scheduleWithFixedDelay(
-                () -> processes.forEach(TeamProcess::check), 0, LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
+        Timer guard = new Timer("guard-of-programs", true);
+        guard.schedule(
+                new TimerTask() {
+                    @Override
+                    public void run() {
+                        processes.forEach(TeamProcess::check);
+                    }
+                },
+                0,
+                LOOK_MILLISECONDS);
         try {
             return play(trial, files, program, processes);
         } finally {
-            guard.shutdownNow();
+            guard.cancel();
             processes.forEach(TeamProcess::close);
         }
     }

@@ -18,6 +18,7 @@ import org.robonewbie.exercises.WatchedTrial;
 import org.robonewbie.studio.ShownSimulation;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Attempt.State;
+import org.robonewbie.studio.course.Lesson;
 
 /** The exercises as the studio's page asks for them, with students' programs in processes of their own. */
 class CourseDeskTest {
@@ -26,7 +27,8 @@ class CourseDeskTest {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
 
     private static final String RAISE_ARMS = """
-                        import org.robonewbie.nao.Joint;
+            import org.robonewbie.agent.Agent;
+            import org.robonewbie.nao.Joint;
 
             public class RaiseArms extends Agent {
                 @Override
@@ -63,11 +65,25 @@ class CourseDeskTest {
         long end = System.nanoTime() + PATIENCE_NANOS;
         Attempt attempt = desk.attempt();
         while (!wanted.test(attempt)) {
-            assertThat(System.nanoTime()).as("it did not happen; now there is %s", attempt).isLessThan(end);
+            assertThat(System.nanoTime())
+                    .as("it did not happen; now there is %s", attempt)
+                    .isLessThan(end);
             LockSupport.parkNanos(LOOK_NANOS);
             attempt = desk.attempt();
         }
         return attempt;
+    }
+
+    @Test
+    void lessonsSayWhatTheirWorksheetsSay() throws IOException {
+        for (Lesson lesson : desk.lessons()) {
+            String sheet =
+                    Files.readString(Project.ROOT.resolve(lesson.worksheet().replace(".html", ".md")));
+
+            assertThat(sheet)
+                    .contains("# Exercise " + lesson.number() + ": " + lesson.title() + "\n")
+                    .contains("about " + lesson.minutes() + " minutes");
+        }
     }
 
     @Test

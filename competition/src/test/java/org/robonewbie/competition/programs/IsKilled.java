@@ -18,7 +18,9 @@ public final class IsKilled extends Misbehaving {
     @Override
     protected void misbehave() {
         try {
-            new ProcessBuilder("kill", "-9", Long.toString(ProcessHandle.current().pid())).start();
+            new ProcessBuilder(
+                            "kill", "-9", Long.toString(ProcessHandle.current().pid()))
+                    .start();
         } catch (IOException noSuchCommand) {
             throw new UncheckedIOException(noSuchCommand);
         }
