@@ -39,11 +39,19 @@ public final class Agent_SoccerTeam extends Agent_SimpleSoccer {
      * @param args how many players, 1 to 11, and options such as {@code --team Blue}
      */
     public static void main(String[] args) {
-        int players = Integer.parseInt(args.length > 0 && args[0].matches("[1-9]|1[01]") ? args[0] : USUAL_PLAYERS);
-        Agent[] team = IntStream.rangeClosed(1, players)
+        Agent[] team = IntStream.rangeClosed(1, players(args))
                 .mapToObj(Agent_SoccerTeam::new)
                 .toArray(Agent[]::new);
         runTogether(args, team);
+    }
+
+    private static int players(String[] args) {
+        String players = args.length > 0 && !args[0].startsWith("-") ? args[0] : USUAL_PLAYERS;
+        if (!players.matches("[1-9]|1[01]")) {
+            System.err.println("A team has 1 to 11 players, not \"" + players + "\".");
+            System.exit(2);
+        }
+        return Integer.parseInt(players);
     }
 
     @Override

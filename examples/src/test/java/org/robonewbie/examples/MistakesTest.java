@@ -63,6 +63,16 @@ class MistakesTest {
     }
 
     @Test
+    void aTeamOfTwelveEndsWithOneSentenceAndExitCode2() throws Exception {
+        try (ChildProgram program = run(Agent_SoccerTeam.class, "12", "--headless")) {
+            int exitCode = program.exitCode();
+
+            assertThat(exitCode).isEqualTo(2);
+            assertThat(program.lines()).containsExactly("A team has 1 to 11 players, not \"12\".");
+        }
+    }
+
+    @Test
     void anUnknownOptionEndsWithOneSentenceAndExitCode2() throws Exception {
         try (ChildProgram program = run(Agent_Wave.class, "--headles")) {
             int exitCode = program.exitCode();
