@@ -61,7 +61,7 @@ public final class Agent_KeyframeDeveloper extends Agent {
     private String name() {
         return options().arguments().isEmpty()
                 ? USUAL_NAME
-                : options().arguments().get(0);
+                : options().arguments().get(0).replaceFirst("\\.txt$", "");
     }
 
     private FileTime saved() {
@@ -80,5 +80,6 @@ public final class Agent_KeyframeDeveloper extends Agent {
         Files.createDirectories(file.toAbsolutePath().getParent());
         MotionFile wave = new MotionLibrary().find("wave").orElseThrow();
         wave.save(file);
+        System.out.println("Edit the new file " + file + " and save it: the robot plays it at once.");
     }
 }

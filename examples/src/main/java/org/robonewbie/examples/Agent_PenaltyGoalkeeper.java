@@ -71,10 +71,10 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
     }
 
     private void keep(FieldItem ball) {
-        double crossing = crossing(ball);
-        if (shotPictures < CERTAIN_PICTURES || Math.abs(crossing) < REACH_METRES) {
+        if (shotPictures < CERTAIN_PICTURES || Math.abs(crossing(ball)) < REACH_METRES) {
             returnToPlace(ball);
         } else {
+            double crossing = crossing(ball);
             log.info("ball crosses %.2f m left of me with %.1f m/s", crossing, ballVelocity.length());
             motions.start(crossing > 0 ? "dive-left" : "dive-right");
             shotPictures = 0;

@@ -117,6 +117,18 @@ class MistakesTest {
     }
 
     @Test
+    void keyframeDeveloperBeginsANewFileAndSaysWhereItIs() throws Exception {
+        try (ChildProgram program =
+                run(Agent_KeyframeDeveloper.class, "hop.txt", "--headless", "--seed", "1", "--fast", "--seconds", "1")) {
+            int exitCode = program.exitCode();
+
+            assertThat(exitCode).isZero();
+            assertThat(folder.resolve("motions/hop.txt")).exists();
+            assertThat(program.lines()).anyMatch(line -> line.contains("hop.txt and save it"));
+        }
+    }
+
+    @Test
     void keyframeDeveloperGetsUpByItselfAndTriesAgain() throws Exception {
         Files.createDirectories(folder.resolve("motions"));
         MotionFile fall = new MotionLibrary().find("fall-back").orElseThrow();
