@@ -118,8 +118,8 @@ class MistakesTest {
 
     @Test
     void keyframeDeveloperBeginsANewFileAndSaysWhereItIs() throws Exception {
-        try (ChildProgram program =
-                run(Agent_KeyframeDeveloper.class, "hop.txt", "--headless", "--seed", "1", "--fast", "--seconds", "1")) {
+        try (ChildProgram program = run(
+                Agent_KeyframeDeveloper.class, "hop.txt", "--headless", "--seed", "1", "--fast", "--seconds", "1")) {
             int exitCode = program.exitCode();
 
             assertThat(exitCode).isZero();

@@ -81,8 +81,7 @@ public final class StudioViewer implements Viewer {
     }
 
     /** Takes a port if it is free, and any other if it is not. */
-    static View openAtUsual(
-            int port, SimulationControl simulation, StudioFolders folders, Optional<SearchBoard> board)
+    static View openAtUsual(int port, SimulationControl simulation, StudioFolders folders, Optional<SearchBoard> board)
             throws IOException {
         AccessToken token = AccessToken.ofUser();
         try {

@@ -55,7 +55,8 @@ class StudioViewerTest {
     }
 
     private Viewer.View openAtUsual(int usualPort, SmallSimulation simulation) throws IOException {
-        return StudioViewer.openAtUsual(usualPort, simulation, new StudioFolders(home, Optional.empty()), Optional.empty());
+        return StudioViewer.openAtUsual(
+                usualPort, simulation, new StudioFolders(home, Optional.empty()), Optional.empty());
     }
 
     @Test
