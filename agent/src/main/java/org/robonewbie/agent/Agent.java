@@ -46,6 +46,7 @@ public abstract class Agent {
     protected final Logger log = new Logger(nameOf(getClass()));
 
     private final Mistakes mistakes = new Mistakes(System.err);
+    private final TunableNumbers numbers = TunableNumbers.of(nameOf(getClass()), mistakes);
 
     /** Sensors and motors. */
     protected final NaoBody nao = new NaoBody(log, mistakes);
@@ -84,6 +85,34 @@ public abstract class Agent {
      */
     protected Options defaults() {
         return Options.none();
+    }
+
+    /**
+     * Declares a number of this program that can be tuned, by hand or by {@code robonewbie optimise --agent}. It has its usual
+     * value unless a file with the name of the class, such as {@code Walker.numbers}, says otherwise.
+     *
+     * <pre>{@code
+     * private final double nearMetres = number("near", 0.3, 0.1, 0.8);
+     * }</pre>
+     *
+     * @param name what to call it
+     * @param usual its usual value
+     * @param least the smallest value that makes sense
+     * @param most the largest value that makes sense
+     * @return its value
+     * @throws IllegalArgumentException if the usual value is not between the others
+     */
+    protected final double number(String name, double usual, double least, double most) {
+        return numbers.declare(name, usual, least, most);
+    }
+
+    /**
+     * Lists the numbers of this program.
+     *
+     * @return all that it has declared so far by {@link #number}, in their order
+     */
+    public final List<TunableNumber> numbers() {
+        return numbers.list();
     }
 
     /**
@@ -169,6 +198,7 @@ public abstract class Agent {
         options = wanted;
         LastWords lastWords = new LastWords(log, home, out);
         nao.thoughts().tellTo(home.telemetry());
+        numbers.reportUnknown();
         try {
             new StartDialogue(port, nao, options).run();
             OptionalDouble life = home.endsByItself() ? OptionalDouble.empty() : options.seconds();

@@ -1,0 +1,12 @@
+package org.robonewbie.agent;
+
+/**
+ * A number in a robot's program that can be tuned.
+ *
+ * @param name what the program calls it
+ * @param usual its value if nobody says otherwise
+ * @param least smallest sensible value
+ * @param most largest sensible value
+ * @param value its value in this robot
+ */
+public record TunableNumber(String name, double usual, double least, double most, double value) {}

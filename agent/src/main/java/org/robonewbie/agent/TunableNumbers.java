@@ -1,0 +1,151 @@
+package org.robonewbie.agent;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Properties;
+import java.util.function.Supplier;
+import org.robonewbie.agent.log.Mistakes;
+
+/**
+ * The numbers that a robot's program has declared by {@link Agent#number}. Other values for them stand in a file with the name of
+ * the program's class, such as {@code Walker.numbers}, in the folder in which the program runs:
+ *
+ * <pre>
+ * stride = 0.062
+ * patience = 1.5
+ * </pre>
+ */
+public final class TunableNumbers {
+
+    private static final ThreadLocal<Optional<Map<String, Double>>> TRIED = ThreadLocal.withInitial(Optional::empty);
+
+    private final String file;
+    private final Mistakes mistakes;
+    private final Map<String, Double> wanted;
+    private final Map<String, TunableNumber> declared = new LinkedHashMap<>();
+
+    private TunableNumbers(String file, Mistakes mistakes, Map<String, Double> wanted) {
+        this.file = file;
+        this.mistakes = mistakes;
+        this.wanted = wanted;
+    }
+
+    /**
+     * Names the file with other values for the numbers of a program.
+     *
+     * @param type the program's class
+     * @return such as {@code Walker.numbers}
+     */
+    public static String fileName(String type) {
+        return type + ".numbers";
+    }
+
+    /**
+     * Makes a robot with other numbers than those of its file.
+     *
+     * @param values value by name; numbers that are not named have their usual value
+     * @param maker makes the robot, in this thread
+     * @param <A> the robot's class
+     * @return the robot
+     */
+    public static <A> A with(Map<String, Double> values, Supplier<A> maker) {
+        Optional<Map<String, Double>> before = TRIED.get();
+        TRIED.set(Optional.of(Map.copyOf(values)));
+        try {
+            return maker.get();
+        } finally {
+            TRIED.set(before);
+        }
+    }
+
+    static TunableNumbers of(String type, Mistakes mistakes) {
+        String file = fileName(type);
+        Map<String, Double> wanted = TRIED.get().orElseGet(() -> read(Path.of(file), mistakes));
+        return new TunableNumbers(file, mistakes, wanted);
+    }
+
+    double declare(String name, double usual, double least, double most) {
+        TunableNumber known = declared.get(name);
+        if (known != null) {
+            return known.value();
+        }
+        if (!(least <= usual && usual <= most && least < most) || Double.isInfinite(most - least)) {
+            throw new IllegalArgumentException("number(\"" + name + "\", " + usual + ", " + least + ", " + most
+                    + "): give the usual value, then the least and the most it may be, such as (\"" + name
+                    + "\", 5, 0, 10).");
+        }
+        double value = within(name, wanted.getOrDefault(name, usual), usual, least, most);
+        declared.put(name, new TunableNumber(name, usual, least, most, value));
+        return value;
+    }
+
+    List<TunableNumber> list() {
+        return List.copyOf(declared.values());
+    }
+
+    /** Reports names in the file that the program does not have, once all of its numbers are declared. */
+    void reportUnknown() {
+        for (String name : wanted.keySet()) {
+            if (!declared.containsKey(name)) {
+                mistakes.reportAt(
+                        "",
+                        "number " + name,
+                        () -> file + " has a number \"" + name + "\", but the program declares none of this name; it has "
+                                + declared.keySet() + ".");
+            }
+        }
+    }
+
+    private double within(String name, double value, double usual, double least, double most) {
+        double taken = Double.isNaN(value) ? usual : Math.max(least, Math.min(most, value));
+        if (taken != value) {
+            mistakes.reportAt(
+                    "",
+                    "number " + name,
+                    () -> name + " = " + value + " in " + file + " is not between " + least + " and " + most + "; "
+                            + taken + " is taken.");
+        }
+        return taken;
+    }
+
+    private static Map<String, Double> read(Path file, Mistakes mistakes) {
+        Map<String, Double> values = new HashMap<>();
+        if (Files.isRegularFile(file)) {
+            try (Reader reader = Files.newBufferedReader(file)) {
+                Properties properties = new Properties();
+                properties.load(reader);
+                properties.stringPropertyNames().forEach(name -> {
+                    String text = properties.getProperty(name);
+                    number(text).ifPresentOrElse(
+                            value -> values.put(name, value),
+                            () -> mistakes.reportAt(
+                                    "",
+                                    "number " + name,
+                                    () -> name + " = " + text + " in " + file + " is no number; the usual one is taken."));
+                });
+            } catch (IOException | IllegalArgumentException unreadable) {
+                mistakes.reportAt(
+                        "",
+                        "numbers",
+                        () -> "The file " + file + " cannot be read (" + unreadable.getMessage()
+                                + "); the usual numbers are taken.");
+            }
+        }
+        return values;
+    }
+
+    private static Optional<Double> number(String text) {
+        try {
+            return Optional.of(Double.valueOf(text.trim()));
+        } catch (NumberFormatException none) {
+            return Optional.empty();
+        }
+    }
+}
