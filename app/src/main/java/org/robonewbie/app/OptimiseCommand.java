@@ -28,7 +28,8 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "optimise",
         description = {
-            "Improve a motion or the walk engine: change its numbers, try it in the simulator, keep what is better (CMA-ES).",
+            "Improve a motion, the walk engine or an agent: change its numbers, try it in the simulator, keep what is better"
+                    + " (CMA-ES).",
             "",
             "Objectives: distance-walked, walk-speed, energy, stability, kick-distance, time-to-score.",
             "The same seed and the same options give the same result, on any number of threads. An interrupted run goes on",
@@ -42,17 +43,25 @@ import picocli.CommandLine.Parameters;
             "  robonewbie optimise my-walk.txt --objective walk-speed --generations 60 --seed 3",
             "  robonewbie optimise my-walk.txt --objective walk-speed --generations 60 --seed 3 --resume",
             "  robonewbie optimise walk-engine --objective stability --threads 1 --headless",
+            "  robonewbie optimise --agent Walker.java --objective distance-walked --seconds 10",
             "  robonewbie optimise turn-left --again      make the library's motion again"
         })
 final class OptimiseCommand implements Callable<Integer> {
+
+    private static final double STEP_OF_MOTIONS = 0.15;
+    private static final double STEP_OF_AGENTS = 0.5;
 
     @Mixin
     final HelpOption help = new HelpOption();
 
     @Parameters(
+            arity = "0..1",
             paramLabel = "MOTION",
             description = "What to improve: a motion of the library, a motion file, or walk-engine.")
     private String name = "";
+
+    @Mixin
+    final OptimisedAgent agent = new OptimisedAgent();
 
     @Option(names = "--objective", paramLabel = "NAME", description = "At what it shall become better.")
     private String objective = "";
@@ -84,9 +93,9 @@ final class OptimiseCommand implements Callable<Integer> {
     @Option(
             names = "--step",
             paramLabel = "X",
-            defaultValue = "0.15",
-            description = "Spread of the first candidates; 1 is 5 degrees and 60 ms in each keyframe (default: 0.15).")
-    private double step;
+            description = "Spread of the first candidates: 1 is 5 degrees and 60 ms in each keyframe (default: 0.15), or a"
+                    + " quarter of each range of an agent's numbers (default: 0.5).")
+    private Optional<Double> step = Optional.empty();
 
     @Option(
             names = "--threads",
@@ -131,17 +140,20 @@ final class OptimiseCommand implements Callable<Integer> {
     }
 
     private int optimise() throws IOException, InterruptedException {
+        if (agent.isWanted() != name.isEmpty()) {
+            throw new CalledWronglyException("Say what shall become better: a motion, walk-engine, or --agent CLASS; one of them.");
+        }
         if (objective.isEmpty()) {
-            throw new CalledWronglyException("Say at what " + name
+            throw new CalledWronglyException("Say at what " + plainName()
                     + " shall become better: --objective NAME. There are: " + StandardObjective.labels() + ".");
         }
         StandardObjective wanted = StandardObjective.labelled(objective);
         Subject subject = subject(wanted);
-        Path file = output.orElse(Path.of(plainName() + "-optimised.txt"));
+        Path file = output.orElse(agent.isWanted() ? agent.file() : Path.of(plainName() + "-optimised.txt"));
         if (bothSides) {
             OtherSide.of(file);
         }
-        var plan = new OptimisationPlan(seed, generations, population, trials, step, threads);
+        var plan = new OptimisationPlan(seed, generations, population, trials, firstStep(), threads);
         System.out.printf(
                 Locale.ROOT,
                 "%s: %d numbers, %d generations of %d candidates with %d trials each, on %d threads%n",
@@ -158,31 +170,58 @@ final class OptimiseCommand implements Callable<Integer> {
     private OptimisationResult run(Subject subject, StandardObjective wanted, OptimisationPlan plan, Path file)
             throws IOException, InterruptedException {
         var optimisation = new Optimisation(subject, wanted, plan, file);
-        OptimisationListener console = new SearchConsole(wanted.unit(), file);
+        OptimisationListener console = new SearchConsole(System.out, wanted.unit(), file);
         if (studio.isHeadless) {
-            return finished(optimisation.run(resume, console), file);
+            return search(optimisation, subject, console, file);
         }
         try (SearchStudio pages = SearchStudio.open(studio, subject, wanted, plan, optimisation, file)) {
             System.out.println("Studio: " + pages.address());
             pages.showBrowser();
-            OptimisationResult result = finished(optimisation.run(resume, pages.and(console)), file);
+            OptimisationResult result = search(optimisation, subject, pages.and(console), file);
             pages.awaitUnwatched();
             return result;
         }
     }
 
-    private OptimisationResult finished(OptimisationResult result, Path file) throws IOException {
+    private OptimisationResult search(
+            Optimisation optimisation, Subject subject, OptimisationListener listener, Path file) throws IOException {
+        OptimisationResult result;
+        if (agent.isWanted()) {
+            rehearse(subject);
+            try (SilentPrograms silence = SilentPrograms.entirely()) {
+                result = optimisation.run(resume, listener);
+            }
+        } else {
+            result = optimisation.run(resume, listener);
+        }
         if (result.isBetter() && bothSides) {
             OtherSide.write(file);
         }
         return result;
     }
 
+    /** Lets an agent's mistakes be seen once and not in each of some thousand trials. */
+    private void rehearse(Subject subject) {
+        try (SilentPrograms silence = SilentPrograms.complaining()) {
+            subject.attempt(new double[subject.dimension()], seed);
+        }
+    }
+
+    private double firstStep() {
+        return step.orElse(agent.isWanted() ? STEP_OF_AGENTS : STEP_OF_MOTIONS);
+    }
+
     private String plainName() {
+        if (agent.isWanted()) {
+            return agent.simpleName();
+        }
         return String.valueOf(Path.of(name).getFileName()).replaceFirst("\\.txt$", "");
     }
 
     private Subject subject(StandardObjective wanted) throws IOException {
+        if (agent.isWanted()) {
+            return agent.subject(wanted);
+        }
         if (name.equals(EngineSubject.NAME)) {
             return new EngineSubject(wanted);
         }

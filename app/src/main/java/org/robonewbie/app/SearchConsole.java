@@ -1,5 +1,6 @@
 package org.robonewbie.app;
 
+import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Locale;
 import org.robonewbie.learning.optimise.Attempt;
@@ -8,25 +9,28 @@ import org.robonewbie.learning.optimise.OptimisationListener;
 import org.robonewbie.learning.optimise.OptimisationResult;
 
 /** Prints how an optimisation goes on; what was printed before an interruption is not printed again. */
-record SearchConsole(String unit, Path file) implements OptimisationListener {
+record SearchConsole(PrintStream out, String unit, Path file) implements OptimisationListener {
 
     @Override
     public void begins(Attempt before) {
-        System.out.printf(Locale.ROOT, "start: %.3f %s%n", before.value(), unit);
+        out.printf(Locale.ROOT, "start: %.3f %s%n", before.value(), unit);
     }
 
     @Override
     public void reached(Generation generation) {
         if (!generation.isRemembered()) {
-            System.out.println(line(generation));
+            out.println(line(generation));
         }
     }
 
     @Override
     public void ends(OptimisationResult result) {
-        System.out.println("before: " + result.words(result.before()));
-        System.out.println("after:  " + result.words(result.after()));
-        System.out.println(outcome(result, file));
+        out.println("before: " + result.words(result.before()));
+        out.println("after:  " + result.words(result.after()));
+        out.println(outcome(result, file));
+        if (result.isBetter()) {
+            out.print(result.advice());
+        }
     }
 
     /** Says what has come out. */

@@ -71,7 +71,8 @@ public final class Optimisation {
             listener.begins(before);
             double[] found = search(workers, checkpoint, scale(before), listener);
             Attempt after = compared(workers, found);
-            OptimisationResult result = new OptimisationResult(objective, before, after, TRIALS_OF_COMPARISON);
+            OptimisationResult result = 
+                    new OptimisationResult(objective, before, after, TRIALS_OF_COMPARISON, subject.advice(found));
             if (result.isBetter()) {
                 subject.save(found, facts(result), output);
             }
@@ -185,7 +186,7 @@ public final class Optimisation {
         return String.format(
                 Locale.ROOT,
                 "optimise %s %s --objective %s --population %d --seed %d --seeds %d --step %s",
-                subject.name(),
+                subject.words(),
                 subject.fingerprint(),
                 objective.label(),
                 plan.population(),
@@ -201,7 +202,7 @@ public final class Optimisation {
                 String.format(
                         Locale.ROOT,
                         "robonewbie optimise %s --objective %s --generations %d --population %d --seed %d --seeds %d --step %s",
-                        subject.name(),
+                        subject.words(),
                         objective.label(),
                         plan.generations(),
                         plan.population(),

@@ -10,8 +10,9 @@ import org.robonewbie.learning.objective.Objective;
  * @param before how the start did
  * @param after how the result did
  * @param trials how many trials each of them had
+ * @param advice what else can be done with the result than to use its file; may be empty
  */
-public record OptimisationResult(Objective objective, Attempt before, Attempt after, int trials) {
+public record OptimisationResult(Objective objective, Attempt before, Attempt after, int trials, String advice) {
 
     /**
      * Tells whether it was worth it.

@@ -19,6 +19,15 @@ public interface Subject {
     String name();
 
     /**
+     * Says what stands on the command line for this subject.
+     *
+     * @return the words between {@code optimise} and {@code --objective}; the name if nothing else is needed
+     */
+    default String words() {
+        return name();
+    }
+
+    /**
      * Tells how many numbers there are.
      *
      * @return number of coordinates, at least 1
@@ -48,6 +57,16 @@ public interface Subject {
      * @return what came out
      */
     Attempt attempt(double[] coordinates, long seed);
+
+    /**
+     * Says what else people can do with a candidate than to use its file.
+     *
+     * @param coordinates how far each number is changed
+     * @return some lines, or nothing
+     */
+    default String advice(double[] coordinates) {
+        return "";
+    }
 
     /**
      * Writes a candidate to a file, all at once or not at all.

@@ -1,0 +1,88 @@
+package org.robonewbie.learning.optimise;
+
+import java.util.Locale;
+import java.util.Random;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.learning.objective.Gauge;
+import org.robonewbie.learning.objective.Objective;
+import org.robonewbie.learning.objective.StandardObjective;
+import org.robonewbie.learning.objective.TrueState;
+import org.robonewbie.learning.trial.AgentTrial;
+import org.robonewbie.nao.Vector3;
+
+/**
+ * Where and how long a program is tried. Each seed is a scene of its own: robot and ball lie a little elsewhere, and the noise is
+ * another one.
+ *
+ * @param place where the robot stands, in metres from the centre
+ * @param degrees where it looks to; 0 is towards the opponents' goal, positive is left
+ * @param ball where the ball lies
+ * @param spreadMetres how far robot and ball may lie elsewhere; the robot also looks elsewhere by 60 degrees for each metre of it
+ * @param seconds how long a trial lasts at most
+ */
+public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spreadMetres, double seconds) {
+
+    private static final double DEGREES_FOR_EACH_METRE = 60;
+
+    /** Checks the numbers. */
+    public AgentScene {
+        if (!(seconds > 0 && seconds <= 3600)) {
+            throw new IllegalArgumentException("--seconds " + seconds + ": give a number above 0, at most 3600.");
+        }
+        if (!(spreadMetres >= 0 && spreadMetres <= 3)) {
+            throw new IllegalArgumentException("--spread " + spreadMetres + ": give metres from 0 to 3.");
+        }
+    }
+
+    /** Says what stands on the command line for this scene. */
+    String words() {
+        return String.format(
+                Locale.ROOT,
+                "--pose %s,%s,%s --ball %s,%s --spread %s --seconds %s",
+                place.x(),
+                place.y(),
+                degrees,
+                ball.x(),
+                ball.y(),
+                spreadMetres,
+                seconds);
+    }
+
+    /**
+     * Tries a program. It succeeds if it scores, where that is the objective, and else if it never falls.
+     *
+     * @param agent the program, which has not done anything yet
+     * @param objective what is measured
+     * @param seed chooses the scene
+     * @return what came out
+     */
+    Attempt attempt(Agent agent, Objective objective, long seed) {
+        Random random = new Random(11 * seed + 5);
+        random.nextLong();
+        Gauge gauge = objective.gauge();
+        boolean toScore = objective == StandardObjective.TIME_TO_SCORE;
+        boolean fallen = false;
+        try (AgentTrial trial = new AgentTrial(agent, seed)) {
+            Vector3 start = near(place, random);
+            double heading = degrees + spreadMetres * DEGREES_FOR_EACH_METRE * between(random);
+            trial.begin(start, heading, near(ball, random));
+            TrueState now = trial.look();
+            gauge.look(now);
+            while (now.seconds() < seconds && !(toScore && now.isScored()) && (toScore || !fallen)) {
+                now = trial.step();
+                gauge.look(now);
+                fallen |= now.isFallen();
+            }
+            boolean success = toScore ? now.isScored() : !fallen;
+            return new Attempt(gauge.value(), success ? 1 : 0, 0);
+        }
+    }
+
+    private Vector3 near(Vector3 point, Random random) {
+        return point.plus(new Vector3(spreadMetres * between(random), spreadMetres * between(random), 0));
+    }
+
+    private static double between(Random random) {
+        return 2 * random.nextDouble() - 1;
+    }
+}
