@@ -135,6 +135,59 @@ class OptimiseCommandTest {
         }
     }
 
+    @Test
+    void improvesAStudentsProgram() throws Exception {
+        Path program = Files.writeString(folder.resolve("Walker.java"), """
+                import org.robonewbie.agent.Agent;
+
+                public class Walker extends Agent {
+                    private final double speed = number("speed", 0.05, 0, 0.4);
+
+                    @Override
+                    protected void think() {
+                        System.out.println("I walk");
+                        walk.towards(speed, 0, 0);
+                    }
+                }
+                """);
+        Path numbers = folder.resolve("Walker.numbers");
+
+        int exitCode = command(
+                        "--agent",
+                        program.toString(),
+                        "--objective",
+                        "distance-walked",
+                        "--seconds",
+                        "3",
+                        "--pose",
+                        "-4,1,0",
+                        "--generations",
+                        "2",
+                        "--population",
+                        "4",
+                        "--seeds",
+                        "1",
+                        "--headless",
+                        "--output",
+                        numbers.toString())
+                .call();
+
+        assertThat(exitCode).isZero();
+        assertThat(Files.readString(numbers)).containsPattern("(?m)^speed = 0\\.\\d+$");
+    }
+
+    @Test
+    void saysWhatIsMissingForAnAgent() {
+        assertThatThrownBy(() -> command("kick-right", "--agent", "Walker.java", "--objective", "energy")
+                        .call())
+                .hasMessage("Say what shall become better: a motion, walk-engine, or --agent CLASS; one of them.");
+        assertThatThrownBy(() -> command("--agent", "Agent_Dance", "--objective", "energy").call())
+                .hasMessageStartingWith("Agent_Dance declares no number that could be improved.");
+        assertThatThrownBy(() -> command("--agent", "Agent_Dance", "--objective", "energy", "--pose", "1,2")
+                        .call())
+                .hasMessageStartingWith("Give --pose three numbers, such as -1,0,0, and --ball two");
+    }
+
     /** What a page hears first. */
     private static String toldTo(URI page) throws Exception {
         CompletableFuture<String> heard = new CompletableFuture<>();
