@@ -97,8 +97,8 @@ public final class TunableNumbers {
                 mistakes.reportAt(
                         "",
                         "number " + name,
-                        () -> file + " has a number \"" + name + "\", but the program declares none of this name; it has "
-                                + declared.keySet() + ".");
+                        () -> file + " has a number \"" + name
+                                + "\", but the program declares none of this name; it has " + declared.keySet() + ".");
             }
         }
     }
@@ -123,12 +123,14 @@ public final class TunableNumbers {
                 properties.load(reader);
                 properties.stringPropertyNames().forEach(name -> {
                     String text = properties.getProperty(name);
-                    number(text).ifPresentOrElse(
-                            value -> values.put(name, value),
-                            () -> mistakes.reportAt(
-                                    "",
-                                    "number " + name,
-                                    () -> name + " = " + text + " in " + file + " is no number; the usual one is taken."));
+                    number(text)
+                            .ifPresentOrElse(
+                                    value -> values.put(name, value),
+                                    () -> mistakes.reportAt(
+                                            "",
+                                            "number " + name,
+                                            () -> name + " = " + text + " in " + file
+                                                    + " is no number; the usual one is taken."));
                 });
             } catch (IOException | IllegalArgumentException unreadable) {
                 mistakes.reportAt(

@@ -29,8 +29,7 @@ class TunableNumbersTest {
         assertThat(strider.stride).isEqualTo(0.05);
         assertThat(strider.numbers())
                 .containsExactly(
-                        new TunableNumber("stride", 0.05, 0.02, 0.08, 0.05),
-                        new TunableNumber("patience", 2, 0, 5, 2));
+                        new TunableNumber("stride", 0.05, 0.02, 0.08, 0.05), new TunableNumber("patience", 2, 0, 5, 2));
     }
 
     @Test
@@ -76,7 +75,8 @@ class TunableNumbersTest {
 
         numbers.reportUnknown();
 
-        assertThat(told()).contains("has a number \"strid\", but the program declares none of this name; it has [stride].");
+        assertThat(told())
+                .contains("has a number \"strid\", but the program declares none of this name; it has [stride].");
     }
 
     @Test
@@ -85,8 +85,9 @@ class TunableNumbersTest {
 
         assertThatThrownBy(() -> numbers.declare("stride", 1, 2, 3))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("number(\"stride\", 1.0, 2.0, 3.0): give the usual value, then the least and the most it may be,"
-                        + " such as (\"stride\", 5, 0, 10).");
+                .hasMessage(
+                        "number(\"stride\", 1.0, 2.0, 3.0): give the usual value, then the least and the most it may be,"
+                                + " such as (\"stride\", 5, 0, 10).");
         assertThatThrownBy(() -> numbers.declare("stride", Double.NaN, 0, 1)).hasMessageContaining("NaN");
     }
 

@@ -98,11 +98,13 @@ final class RecordCommand implements Callable<Integer> {
                 Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
         AgentProgram program = new AgentFinder(ExampleCatalogue.load(), classFolders).find(agentAndOptions.get(0));
         DataSet set = create();
-        for (int run = 1; run <= runs; run++) {
-            long rows = record(program, set, run);
-            System.out.printf(Locale.ROOT, "run %d/%d, seed %d: %d rows%n", run, runs, seed + run - 1, rows);
+        try (RecordingGuard guard = RecordingGuard.begin(set, runs, seconds)) {
+            for (int run = 1; run <= runs; run++) {
+                long rows = record(program, set, guard, run);
+                System.out.printf(Locale.ROOT, "run %d/%d, seed %d: %d rows%n", run, runs, seed + run - 1, rows);
+            }
+            set.finish();
         }
-        set.finish();
         System.out.println("Written to the folder " + folder + "; its dataset.json explains the columns.");
         return ExitCode.OK;
     }
@@ -124,6 +126,9 @@ final class RecordCommand implements Callable<Integer> {
             return DataSet.create(folder, format, messages, facts());
         } catch (IllegalArgumentException occupied) {
             throw new CalledWronglyException(String.valueOf(occupied.getMessage()));
+        } catch (IOException unwritable) {
+            throw new CalledWronglyException("The folder " + folder + " cannot be written (" + unwritable
+                    + "). Name another one with --out, or make room on the disk.");
         }
     }
 
@@ -138,7 +143,7 @@ final class RecordCommand implements Callable<Integer> {
         return facts;
     }
 
-    private long record(AgentProgram program, DataSet set, int run) throws IOException {
+    private long record(AgentProgram program, DataSet set, RecordingGuard guard, int run) throws IOException {
         SimulatorSettings settings = SimulatorSettings.beginner()
                 .agentPort(0)
                 .synchronous(true)
@@ -149,6 +154,7 @@ final class RecordCommand implements Callable<Integer> {
                 .build();
         try (RunTables tables = set.begin(run, seed + run - 1)) {
             try (Simulator simulator = Simulator.start(settings, Console.silent())) {
+                guard.begins(run, simulator, tables);
                 simulator.control().addObserver(tables);
                 CompletableFuture.delayedExecutor(PATIENCE_SECONDS, TimeUnit.SECONDS)
                         .execute(() -> giveUpIfNotBegun(simulator));
@@ -158,6 +164,8 @@ final class RecordCommand implements Callable<Integer> {
                 }
             }
             return set.add(tables);
+        } finally {
+            guard.ends();
         }
     }
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -14,6 +15,8 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 class RecordCommandTest {
@@ -76,6 +79,96 @@ class RecordCommandTest {
                 .contains("give a number greater than 0");
         assertThat(record(folder.resolve("x"), "--format", "xls").exitCode()).isEqualTo(2);
         assertThat(folder.resolve("x")).doesNotExist();
+    }
+
+    @Test
+    void folderThatCannotBeWrittenIsToldAtOnce() throws IOException {
+        Path file = Files.writeString(folder.resolve("notes.txt"), "mine");
+
+        Printed inFile = record(file.resolve("set"));
+        Printed onFile = record(file);
+
+        assertThat(inFile.exitCode()).isEqualTo(2);
+        assertThat(inFile.err()).contains("cannot be written").contains("Name another one with --out");
+        assertThat(onFile.exitCode()).isEqualTo(2);
+        assertThat(file).hasContent("mine");
+    }
+
+    @Test
+    void filesOfOthersStay() throws IOException {
+        Path out = Files.createDirectories(folder.resolve("set"));
+        Path notes = Files.writeString(out.resolve("notes.txt"), "mine");
+
+        assertThat(record(out).exitCode()).isZero();
+
+        assertThat(notes).hasContent("mine");
+        assertThat(out.resolve("cycles/run-00001.parquet")).isRegularFile();
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void fullDiskIsToldAndLeavesNothingHalfDone() throws IOException {
+        Path cycles = Files.createDirectories(folder.resolve("set/cycles"));
+        Files.createSymbolicLink(cycles.resolve("run-00001.csv.part"), Path.of("/dev/full"));
+
+        Printed printed = record(folder.resolve("set"), "--format", "csv");
+
+        assertThat(printed.exitCode()).isEqualTo(1);
+        assertThat(printed.err()).contains("Run 1 cannot be written").contains("Is there room on the disk?");
+        assertThat(cycles).isEmptyDirectory();
+        assertThat(Files.readString(folder.resolve("set/dataset.json"))).contains("\"complete\": false");
+    }
+
+    @Test
+    void agentThatEndsTheProcessDoesNotTakeTheRecordingWithIt() throws Exception {
+        Path out = folder.resolve("set");
+        Path agent = Files.writeString(folder.resolve("Quitter.java"), """
+                import org.robonewbie.agent.Nao;
+
+                public class Quitter {
+                    private static int runs;
+
+                    public static void main(String[] args) {
+                        runs++;
+                        try (Nao nao = Nao.connect(args)) {
+                            while (nao.sense()) {
+                                if (runs == 2 && nao.getTime() > 1) {
+                                    System.exit(0);
+                                }
+                                nao.act();
+                            }
+                        }
+                    }
+                }
+                """);
+
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        "org.robonewbie.app.Main",
+                        "record",
+                        agent.toString(),
+                        "--runs",
+                        "3",
+                        "--seconds",
+                        "2",
+                        "--format",
+                        "csv",
+                        "--out",
+                        out.toString())
+                .redirectErrorStream(true)
+                .start();
+        String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+
+        assertThat(process.waitFor()).as(printed).isEqualTo(1);
+        assertThat(printed)
+                .contains("The process was ended in run 2: by Control-C, or the agent called System.exit")
+                .contains("1 of 3 runs are complete and kept");
+        assertThat(out.resolve("cycles")).isDirectoryContaining("glob:**run-00001.csv");
+        assertThat(out.resolve("cycles")).isDirectoryNotContaining("glob:**run-00002*");
+        assertThat(Files.readAllLines(out.resolve("runs.csv"))).hasSize(2);
+        assertThat(Files.readString(out.resolve("dataset.json"))).contains("\"complete\": false");
     }
 
     @Test

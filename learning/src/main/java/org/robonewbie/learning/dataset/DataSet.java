@@ -99,18 +99,41 @@ public final class DataSet {
     }
 
     /**
+     * Tells how many runs it has.
+     *
+     * @return runs that were added
+     */
+    public int runs() {
+        return runs.size();
+    }
+
+    /**
      * Completes the data set with the table of runs.
      *
      * @throws IOException if a file cannot be written
      */
     public void finish() throws IOException {
+        writeRuns();
+        describe(true);
+    }
+
+    /**
+     * Leaves the data set with fewer runs than were wanted; its description says that it is not complete.
+     *
+     * @throws IOException if a file cannot be written
+     */
+    public void endEarly() throws IOException {
+        writeRuns();
+        describe(false);
+    }
+
+    private void writeRuns() throws IOException {
         try (TableFile file = format.begin(folder.resolve("runs"), RunTables.runColumns(), facts)) {
             for (List<Object> run : runs) {
                 file.add(run);
             }
             file.finish();
         }
-        describe(true);
     }
 
     private void describe(boolean complete) throws IOException {

@@ -1,11 +1,11 @@
 package org.robonewbie.learning.dataset;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationObserver;
@@ -29,6 +29,7 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
     private long rows;
     private int scoreLeft;
     private int scoreRight;
+    private volatile @Nullable IOException failure;
 
     RunTables(int run, long seed, CycleTable table, TableFile cycles, TableFile events) {
         this.run = run;
@@ -94,11 +95,14 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
         }
     }
 
-    private static void add(TableFile file, List<Object> row) {
-        try {
-            file.add(row);
-        } catch (IOException failure) {
-            throw new UncheckedIOException(failure);
+    /** The simulation goes on without its tables if they cannot be written; {@link #finish} tells why. */
+    private void add(TableFile file, List<Object> row) {
+        if (failure == null) {
+            try {
+                file.add(row);
+            } catch (IOException first) {
+                failure = first;
+            }
         }
     }
 
@@ -112,6 +116,11 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
     }
 
     void finish() throws IOException {
+        if (failure != null) {
+            throw new IOException(
+                    "Run " + run + " cannot be written (" + failure.getMessage() + "). Is there room on the disk?",
+                    failure);
+        }
         cycles.finish();
         events.finish();
     }

@@ -52,8 +52,11 @@ public abstract class TableFile implements AutoCloseable {
     /** Gives the table up unless it is finished. */
     @Override
     public final void close() throws IOException {
-        out.close();
-        Files.deleteIfExists(part);
+        try {
+            out.close();
+        } finally {
+            Files.deleteIfExists(part);
+        }
     }
 
     abstract void write(List<Object> cells) throws IOException;

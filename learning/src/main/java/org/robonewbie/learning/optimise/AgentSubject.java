@@ -46,8 +46,9 @@ public final class AgentSubject implements Subject {
         this.scene = scene;
         this.numbers = maker.get().numbers();
         if (numbers.isEmpty()) {
-            throw new IllegalArgumentException(name + " declares no number that could be improved. Declare one as a field of"
-                    + " the class, for example: private final double stride = number(\"stride\", 5, 0, 10);");
+            throw new IllegalArgumentException(
+                    name + " declares no number that could be improved. Declare one as a field of"
+                            + " the class, for example: private final double stride = number(\"stride\", 5, 0, 10);");
         }
     }
 
@@ -69,8 +70,8 @@ public final class AgentSubject implements Subject {
     @Override
     public List<SubjectNumber> numbers(double[] coordinates) {
         return IntStream.range(0, numbers.size())
-                .mapToObj(i -> new SubjectNumber(
-                        numbers.get(i).name(), "", value(i, coordinates[i]), size(numbers.get(i))))
+                .mapToObj(i ->
+                        new SubjectNumber(numbers.get(i).name(), "", value(i, coordinates[i]), size(numbers.get(i))))
                 .toList();
     }
 
@@ -107,8 +108,8 @@ public final class AgentSubject implements Subject {
         return IntStream.range(0, numbers.size())
                 .mapToObj(i -> {
                     TunableNumber number = numbers.get(i);
-                    return "  number(\"" + number.name() + "\", " + value(i, coordinates[i]) + ", " + number.least() + ", "
-                            + number.most() + ")";
+                    return "  number(\"" + number.name() + "\", " + value(i, coordinates[i]) + ", " + number.least()
+                            + ", " + number.most() + ")";
                 })
                 .collect(Collectors.joining(
                         "\n",
@@ -118,8 +119,9 @@ public final class AgentSubject implements Subject {
     }
 
     private String file() {
-        return TunableNumbers.fileName(
-                String.valueOf(Path.of(name).getFileName()).replaceFirst("\\.java$", "").replaceFirst("^.*\\.", ""));
+        return TunableNumbers.fileName(String.valueOf(Path.of(name).getFileName())
+                .replaceFirst("\\.java$", "")
+                .replaceFirst("^.*\\.", ""));
     }
 
     private Map<String, Double> values(double[] coordinates) {
@@ -160,6 +162,9 @@ public final class AgentSubject implements Subject {
     }
 
     private static String key(String name) {
-        return name.replace("\\", "\\\\").replace(" ", "\\ ").replace(":", "\\:").replace("=", "\\=");
+        return name.replace("\\", "\\\\")
+                .replace(" ", "\\ ")
+                .replace(":", "\\:")
+                .replace("=", "\\=");
     }
 }

@@ -71,7 +71,7 @@ public final class Optimisation {
             listener.begins(before);
             double[] found = search(workers, checkpoint, scale(before), listener);
             Attempt after = compared(workers, found);
-            OptimisationResult result = 
+            OptimisationResult result =
                     new OptimisationResult(objective, before, after, TRIALS_OF_COMPARISON, subject.advice(found));
             if (result.isBetter()) {
                 subject.save(found, facts(result), output);

@@ -17,8 +17,7 @@ import org.robonewbie.nao.Vector3;
 /** A program whose numbers become better. */
 class AgentSubjectTest {
 
-    private static final AgentScene SCENE =
-            new AgentScene(new Vector3(-4, 0, 0), 0, new Vector3(0, 3, 0), 0.2, 4);
+    private static final AgentScene SCENE = new AgentScene(new Vector3(-4, 0, 0), 0, new Vector3(0, 3, 0), 0.2, 4);
 
     @TempDir
     private Path folder;
@@ -44,8 +43,9 @@ class AgentSubjectTest {
 
         assertThat(result.after().value()).isGreaterThan(result.before().value() + 0.2);
         assertThat(Files.readString(file))
-                .contains("# made by: robonewbie optimise --agent Walker --pose -4.0,0.0,0.0 --ball 0.0,3.0 --spread 0.2"
-                        + " --seconds 4.0 --objective distance-walked")
+                .contains(
+                        "# made by: robonewbie optimise --agent Walker --pose -4.0,0.0,0.0 --ball 0.0,3.0 --spread 0.2"
+                                + " --seconds 4.0 --objective distance-walked")
                 .containsPattern("\nthe\\\\ speed = 0\\.\\d+\n");
         assertThat(result.advice()).contains("Walker.numbers").contains("number(\"the speed\", 0.");
     }
@@ -53,8 +53,7 @@ class AgentSubjectTest {
     @Test
     void numbersStayWithinTheirRange() {
         assertThat(walker.numbers(new double[2]))
-                .containsExactly(
-                        new SubjectNumber("the speed", "", 0.1, 0.1), new SubjectNumber("turn", "", 0, 5));
+                .containsExactly(new SubjectNumber("the speed", "", 0.1, 0.1), new SubjectNumber("turn", "", 0, 5));
         assertThat(walker.numbers(new double[] {100, -100}))
                 .extracting(SubjectNumber::value)
                 .containsExactly(0.4, -10.0);
