@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
@@ -34,7 +35,13 @@ import picocli.CommandLine.Option;
             "  robonewbie benchmark --robots 1,22 --scene walking --seconds 60 --json result.json",
             "  robonewbie benchmark --physics exact --scene heap --robots 6",
             "  robonewbie benchmark --robots 1 --scene walking --seconds 20000 --heap-every 2000      10^6 cycles: is memory lost?",
-            "  robonewbie benchmark --host 127.0.0.1 --pid 4711      another server in sync mode, such as rcssserver3d"
+            "  robonewbie benchmark --json figures.json --table table.md      the table of docs/performance.md",
+            "  robonewbie benchmark --host 127.0.0.1 --pid 4711      another server in sync mode, such as rcssserver3d",
+            "",
+            "A real rcssserver3d: say $agentSyncMode = true and $enableRealTimeMode = false in a copy of its spark.rb in the folder",
+            "in which it starts, start it there without any monitor, find its process with \"pidof rcssserver3d\", and measure it on",
+            "the same computer as above; --port and --monitor-port if it has others than 3100 and 3200. Robots are placed by its",
+            "monitor port. Memory is that of this process, not of the server."
         })
 final class BenchmarkCommand implements Callable<Integer> {
 
@@ -82,6 +89,9 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
     private Optional<Path> json = Optional.empty();
 
+    @Option(names = "--table", paramLabel = "FILE", description = "Write the results as a Markdown table too.")
+    private Optional<Path> table = Optional.empty();
+
     @Option(names = "--host", paramLabel = "H", description = "Measure the server on this computer instead of ours.")
     private Optional<String> host = Optional.empty();
 
@@ -103,11 +113,16 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         BenchmarkPlan plan = plan();
+        json.ifPresent(BenchmarkCommand::checkFolder);
+        table.ifPresent(BenchmarkCommand::checkFolder);
         System.out.print(BenchmarkReport.header());
         BenchmarkReport report = new Benchmark(plan)
                 .run(run -> System.out.print(BenchmarkReport.line(run)), sample -> System.out.print(sample.toLine()));
         if (json.isPresent()) {
             write(json.get(), report.toJson());
+        }
+        if (table.isPresent()) {
+            write(table.get(), report.toMarkdown());
         }
         return ExitCode.OK;
     }
@@ -144,6 +159,14 @@ final class BenchmarkCommand implements Callable<Integer> {
         if (number < 1 || number > LAST_PORT) {
             throw new CalledWronglyException(
                     option + " " + number + " does not exist. Ports are 1 to " + LAST_PORT + ".");
+        }
+    }
+
+    /** It would be a pity to learn after all measurements that they cannot be written. */
+    private static void checkFolder(Path file) {
+        Path folder = Objects.requireNonNullElse(file.toAbsolutePath().getParent(), file.toAbsolutePath());
+        if (!Files.isWritable(folder)) {
+            throw new CalledWronglyException("The results cannot be written to the folder " + folder + ": name another one.");
         }
     }
 

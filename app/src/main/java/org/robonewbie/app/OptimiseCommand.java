@@ -93,8 +93,9 @@ final class OptimiseCommand implements Callable<Integer> {
     @Option(
             names = "--step",
             paramLabel = "X",
-            description = "Spread of the first candidates: 1 is 5 degrees and 60 ms in each keyframe (default: 0.15), or a"
-                    + " quarter of each range of an agent's numbers (default: 0.5).")
+            description =
+                    "Spread of the first candidates: 1 is 5 degrees and 60 ms in each keyframe (default: 0.15), or a"
+                            + " quarter of each range of an agent's numbers (default: 0.5).")
     private Optional<Double> step = Optional.empty();
 
     @Option(
@@ -141,7 +142,8 @@ final class OptimiseCommand implements Callable<Integer> {
 
     private int optimise() throws IOException, InterruptedException {
         if (agent.isWanted() != name.isEmpty()) {
-            throw new CalledWronglyException("Say what shall become better: a motion, walk-engine, or --agent CLASS; one of them.");
+            throw new CalledWronglyException(
+                    "Say what shall become better: a motion, walk-engine, or --agent CLASS; one of them.");
         }
         if (objective.isEmpty()) {
             throw new CalledWronglyException("Say at what " + plainName()
@@ -185,15 +187,12 @@ final class OptimiseCommand implements Callable<Integer> {
 
     private OptimisationResult search(
             Optimisation optimisation, Subject subject, OptimisationListener listener, Path file) throws IOException {
-        OptimisationResult result;
         if (agent.isWanted()) {
             rehearse(subject);
-            try (SilentPrograms silence = SilentPrograms.entirely()) {
-                result = optimisation.run(resume, listener);
-            }
-        } else {
-            result = optimisation.run(resume, listener);
         }
+        OptimisationResult result = agent.isWanted()
+                ? SilentPrograms.entirely(() -> optimisation.run(resume, listener))
+                : optimisation.run(resume, listener);
         if (result.isBetter() && bothSides) {
             OtherSide.write(file);
         }
@@ -201,10 +200,8 @@ final class OptimiseCommand implements Callable<Integer> {
     }
 
     /** Lets an agent's mistakes be seen once and not in each of some thousand trials. */
-    private void rehearse(Subject subject) {
-        try (SilentPrograms silence = SilentPrograms.complaining()) {
-            subject.attempt(new double[subject.dimension()], seed);
-        }
+    private void rehearse(Subject subject) throws IOException {
+        SilentPrograms.complaining(() -> subject.attempt(new double[subject.dimension()], seed));
     }
 
     private double firstStep() {

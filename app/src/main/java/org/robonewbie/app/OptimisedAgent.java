@@ -19,7 +19,8 @@ final class OptimisedAgent {
     @Option(
             names = "--agent",
             paramLabel = "CLASS",
-            description = "Improve the numbers that this agent declares by number(...): an example, your class or .java file.")
+            description =
+                    "Improve the numbers that this agent declares by number(...): an example, your class or .java file.")
     private Optional<String> program = Optional.empty();
 
     @Option(
@@ -74,13 +75,13 @@ final class OptimisedAgent {
     AgentSubject subject(Objective objective) {
         if (pose.size() != 3 || ball.size() != 2) {
             throw new CalledWronglyException(
-                    "Give --pose three numbers, such as -1,0,0, and --ball two, such as 0,0. Given: " + pose + " and " + ball + ".");
+                    "Give --pose three numbers, such as -1,0,0, and --ball two, such as 0,0. Given: " + pose + " and "
+                            + ball + ".");
         }
         String name = program.orElseThrow();
         List<Path> folders =
                 Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
-        StudentsAgents agents =
-                StudentsAgents.of(new AgentFinder(ExampleCatalogue.load(), folders).findClass(name));
+        StudentsAgents agents = StudentsAgents.of(new AgentFinder(ExampleCatalogue.load(), folders).findClass(name));
         AgentScene scene = new AgentScene(
                 new Vector3(pose.get(0), pose.get(1), 0),
                 pose.get(2),

@@ -1,38 +1,45 @@
 package org.robonewbie.app;
 
+import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 
-/** Keeps quiet what programs print, as long as it is open; there may be thousands of trials. */
-final class SilentPrograms implements AutoCloseable {
-
-    private final PrintStream out = System.out;
-    private final PrintStream err = System.err;
+/** Keeps quiet what programs print while something is done; there may be thousands of trials. */
+final class SilentPrograms {
 
     private SilentPrograms() {}
 
+    /** Something to do in silence. */
+    @FunctionalInterface
+    interface Work<T> {
+
+        T run() throws IOException;
+    }
+
     /** Keeps quiet what programs print, but not what they complain about. */
-    static SilentPrograms complaining() {
-        SilentPrograms silence = new SilentPrograms();
+    static <T> T complaining(Work<T> work) throws IOException {
+        PrintStream out = System.out;
         System.setOut(nowhere());
-        return silence;
+        try {
+            return work.run();
+        } finally {
+            System.setOut(out);
+        }
     }
 
     /** Keeps everything quiet. */
-    static SilentPrograms entirely() {
-        SilentPrograms silence = complaining();
+    static <T> T entirely(Work<T> work) throws IOException {
+        PrintStream err = System.err;
         System.setErr(nowhere());
-        return silence;
+        try {
+            return complaining(work);
+        } finally {
+            System.setErr(err);
+        }
     }
 
     private static PrintStream nowhere() {
         return new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
-    }
-
-    @Override
-    public void close() {
-        System.setOut(out);
-        System.setErr(err);
     }
 }

@@ -1,5 +1,6 @@
 package org.robonewbie.app;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
@@ -26,6 +27,20 @@ class BenchmarkCommandTest {
         assertThatThrownBy(command("--host", "localhost", "--port", "70000")::call)
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessage("--port 70000 does not exist. Ports are 1 to 65535.");
+    }
+
+    @Test
+    void refusesToMeasureWhatItCannotWrite() {
+        assertThatThrownBy(command("--json", "no/such/folder/figures.json")::call)
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("The results cannot be written to the folder");
+    }
+
+    @Test
+    void tellsHowToMeasureARealServer() {
+        assertThat(Printed.by("benchmark", "--help").out())
+                .contains("$agentSyncMode = true")
+                .contains("pidof rcssserver3d");
     }
 
     private static BenchmarkCommand command(String... arguments) {

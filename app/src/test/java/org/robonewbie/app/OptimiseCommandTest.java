@@ -181,7 +181,8 @@ class OptimiseCommandTest {
         assertThatThrownBy(() -> command("kick-right", "--agent", "Walker.java", "--objective", "energy")
                         .call())
                 .hasMessage("Say what shall become better: a motion, walk-engine, or --agent CLASS; one of them.");
-        assertThatThrownBy(() -> command("--agent", "Agent_Dance", "--objective", "energy").call())
+        assertThatThrownBy(() -> command("--agent", "Agent_Dance", "--objective", "energy")
+                        .call())
                 .hasMessageStartingWith("Agent_Dance declares no number that could be improved.");
         assertThatThrownBy(() -> command("--agent", "Agent_Dance", "--objective", "energy", "--pose", "1,2")
                         .call())

@@ -5,6 +5,7 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.OptionalDouble;
 
 /**
@@ -24,6 +25,10 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
             "CPU ms per cycle",
             "bytes per cycle",
             "peak memory");
+
+    /** Processor time of rcssserver3d 0.7.3 for each cycle of so many moving robots, measured on the same kind of computer. */
+    private static final Map<Integer, Double> MILLIS_OF_THE_ORIGINAL =
+            Map.of(1, 0.45, 2, 0.9, 6, 2.75, 11, 5.5, 22, 14.4);
 
     /** Makes the list unmodifiable. */
     public BenchmarkReport {
@@ -75,6 +80,39 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
         JsonObject all = new JsonObject();
         all.add("runs", list);
         return new GsonBuilder().serializeNulls().setPrettyPrinting().create().toJson(all) + "\n";
+    }
+
+    /**
+     * Writes the results as the table of the documentation: a line for each number of robots, a column for each scene, and what
+     * rcssserver3d needs.
+     *
+     * @return Markdown text
+     */
+    public String toMarkdown() {
+        List<Scene> scenes = runs.stream().map(BenchmarkRun::scene).distinct().toList();
+        StringBuilder table = new StringBuilder("| robots |");
+        scenes.forEach(scene -> table.append(' ').append(scene).append(" |"));
+        table.append(" rcssserver3d 0.7.3, robots moving |\n|").append("---|".repeat(scenes.size() + 2)).append('\n');
+        runs.stream().map(BenchmarkRun::robots).distinct().forEach(robots -> {
+            table.append("| ").append(robots).append(" |");
+            scenes.forEach(scene -> table.append(' ').append(cell(robots, scene)).append(" |"));
+            table.append(' ').append(original(robots)).append(" |\n");
+        });
+        return table.toString();
+    }
+
+    private String cell(int robots, Scene scene) {
+        return runs.stream()
+                .filter(run -> run.robots() == robots && run.scene() == scene)
+                .findFirst()
+                .map(run -> String.format(
+                        Locale.ROOT, "%s ms, %.0f ×", text("%.2f", run.cpuMillisPerCycle()), run.realTimeFactor()))
+                .orElse("-");
+    }
+
+    private static String original(int robots) {
+        Double millis = MILLIS_OF_THE_ORIGINAL.get(robots);
+        return millis == null ? "-" : millis + " ms";
     }
 
     private static JsonObject json(BenchmarkRun run) {

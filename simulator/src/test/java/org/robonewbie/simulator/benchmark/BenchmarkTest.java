@@ -117,4 +117,22 @@ class BenchmarkTest {
     private static BenchmarkPlan plan(List<Integer> robots, List<Scene> scenes, Optional<ServerAddress> other) {
         return new BenchmarkPlan(robots, scenes, 0.1, 0.2, OptionalDouble.empty(), PhysicsEngine.STANDARD, other);
     }
+
+    @Test
+    void resultsAreWrittenAsTheTableOfTheDocumentation() {
+        BenchmarkReport report = new BenchmarkReport(List.of(
+                run(1, Scene.STANDING, 0.084, 201.4), run(1, Scene.WALKING, 0.091, 190), run(3, Scene.WALKING, 0.2, 80)));
+
+        assertThat(report.toMarkdown()).isEqualTo("""
+                | robots | standing | walking | rcssserver3d 0.7.3, robots moving |
+                |---|---|---|---|
+                | 1 | 0.08 ms, 201 × | 0.09 ms, 190 × | 0.45 ms |
+                | 3 | - | 0.20 ms, 80 × | - |
+                """);
+    }
+
+    private static BenchmarkRun run(int robots, Scene scene, double millis, double factor) {
+        return new BenchmarkRun(
+                robots, scene, 1, 500, factor, OptionalDouble.of(millis), OptionalDouble.empty(), 1, List.of());
+    }
 }
