@@ -166,7 +166,8 @@ final class BenchmarkCommand implements Callable<Integer> {
     private static void checkFolder(Path file) {
         Path folder = Objects.requireNonNullElse(file.toAbsolutePath().getParent(), file.toAbsolutePath());
         if (!Files.isWritable(folder)) {
-            throw new CalledWronglyException("The results cannot be written to the folder " + folder + ": name another one.");
+            throw new CalledWronglyException(
+                    "The results cannot be written to the folder " + folder + ": name another one.");
         }
     }
 

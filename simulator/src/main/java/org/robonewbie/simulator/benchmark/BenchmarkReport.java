@@ -92,10 +92,13 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
         List<Scene> scenes = runs.stream().map(BenchmarkRun::scene).distinct().toList();
         StringBuilder table = new StringBuilder("| robots |");
         scenes.forEach(scene -> table.append(' ').append(scene).append(" |"));
-        table.append(" rcssserver3d 0.7.3, robots moving |\n|").append("---|".repeat(scenes.size() + 2)).append('\n');
+        table.append(" rcssserver3d 0.7.3, robots moving |\n|")
+                .append("---|".repeat(scenes.size() + 2))
+                .append('\n');
         runs.stream().map(BenchmarkRun::robots).distinct().forEach(robots -> {
             table.append("| ").append(robots).append(" |");
-            scenes.forEach(scene -> table.append(' ').append(cell(robots, scene)).append(" |"));
+            scenes.forEach(
+                    scene -> table.append(' ').append(cell(robots, scene)).append(" |"));
             table.append(' ').append(original(robots)).append(" |\n");
         });
         return table.toString();

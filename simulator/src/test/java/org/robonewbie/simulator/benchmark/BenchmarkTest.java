@@ -121,7 +121,9 @@ class BenchmarkTest {
     @Test
     void resultsAreWrittenAsTheTableOfTheDocumentation() {
         BenchmarkReport report = new BenchmarkReport(List.of(
-                run(1, Scene.STANDING, 0.084, 201.4), run(1, Scene.WALKING, 0.091, 190), run(3, Scene.WALKING, 0.2, 80)));
+                run(1, Scene.STANDING, 0.084, 201.4),
+                run(1, Scene.WALKING, 0.091, 190),
+                run(3, Scene.WALKING, 0.2, 80)));
 
         assertThat(report.toMarkdown()).isEqualTo("""
                 | robots | standing | walking | rcssserver3d 0.7.3, robots moving |
