@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,9 +29,7 @@ class MainTest {
     @ParameterizedTest
     @MethodSource("commands")
     void listOfCommandsTellsEachInAWholeSentence(String command) {
-        assertThat(Main.commandLine()
-                        .getSubcommands()
-                        .get(command)
+        assertThat(Objects.requireNonNull(Main.commandLine().getSubcommands().get(command))
                         .getCommandSpec()
                         .usageMessage()
                         .description()[0])
