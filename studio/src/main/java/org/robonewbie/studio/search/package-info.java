@@ -1,5 +1,3 @@
 /** The page on which a search for better numbers is watched. {@link org.robonewbie.studio.search.SearchBoard} first. */
-@NullMarked
+@org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.search;
-
-import org.jspecify.annotations.NullMarked;
