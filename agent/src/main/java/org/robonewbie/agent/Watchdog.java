@@ -1,5 +1,6 @@
 package org.robonewbie.agent;
 
+import java.lang.management.ManagementFactory;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import org.robonewbie.agent.log.Mistakes;
@@ -25,6 +26,7 @@ final class Watchdog implements AutoCloseable {
     private volatile boolean thinking;
     private volatile boolean closed;
     private volatile String slowPlace = "";
+    private long slowMilliseconds;
 
     /**
      * Creates a watchdog for the current thread.
@@ -65,6 +67,7 @@ final class Watchdog implements AutoCloseable {
         long same = -1;
         int ticks = 0;
         int allTicks = 0;
+        boolean told = false;
         while (!closed) {
             try {
                 Thread.sleep(TICK_MILLISECONDS);
@@ -74,15 +77,18 @@ final class Watchdog implements AutoCloseable {
             ticks = thinking && thought.get() == same ? ticks + 1 : 0;
             same = thought.get();
             allTicks++;
+            told &= ticks > 0;
             if (ticks == TICKS_TO_BE_SLOW) {
                 slowPlace = place();
+                slowMilliseconds = processorMilliseconds();
             }
-            if (ticks == TICKS_TO_REPORT) {
+            if (!told && isStalled(ticks, TICKS_TO_REPORT)) {
+                told = true;
                 report(
                         allTicks / TICKS_BETWEEN_REPORTS,
                         "think() has not returned for 1 s; the robot waits for it. Is this an endless loop, or does it wait for something?");
             }
-            if (ticks == TICKS_TO_GIVE_UP && giveUp.isPresent()) {
+            if (giveUp.isPresent() && isStalled(ticks, TICKS_TO_GIVE_UP)) {
                 report(
                         allTicks / TICKS_BETWEEN_REPORTS,
                         "think() has not returned for 5 s; the run ends here. Is this an endless loop, or does it wait for something?");
@@ -90,6 +96,23 @@ final class Watchdog implements AutoCloseable {
                 return;
             }
         }
+    }
+
+    /**
+     * Whether the time has passed by the program's own fault: it waits for something, or it has really computed. On a busy computer a
+     * short thought may take long as well; it gets six times as much time.
+     */
+    private boolean isStalled(int ticks, int patience) {
+        if (ticks < patience) {
+            return false;
+        }
+        boolean waits = watched.getState() != Thread.State.RUNNABLE;
+        long computed = processorMilliseconds() - slowMilliseconds;
+        return waits || computed >= patience * TICK_MILLISECONDS / 5 || ticks >= 6 * patience;
+    }
+
+    private long processorMilliseconds() {
+        return ManagementFactory.getThreadMXBean().getThreadCpuTime(watched.getId()) / 1_000_000;
     }
 
     private String place() {
