@@ -63,6 +63,7 @@ set "SECONDS=0"
 md "%LAUNCH%\lock" 2>nul
 if not errorlevel 1 goto have_lock
 if %SECONDS%==0 echo RoboNewbie is being built in another window; waiting for it ...
+if %SECONDS%==60 echo Is there no other window? Then delete the folder %LAUNCH%\lock
 ping -n 2 127.0.0.1 >nul
 set /a SECONDS+=1
 if %SECONDS% LSS 300 goto wait_for_lock
@@ -77,6 +78,11 @@ exit /b %RESULT%
 >&2 echo   RoboNewbie has to be built once. Copy its folder to a place where you may write, such as your home folder.
 exit /b 1
 
+:no_compiler
+>&2 echo robonewbie: the Java in %JAVA_HOME% has no compiler (javac).
+>&2 echo   Install a JDK 17 or newer instead of a Java run-time (JRE).
+exit /b 1
+
 :build_alone
 call :find_jar
 call :is_fresh
@@ -84,7 +90,7 @@ if not errorlevel 1 exit /b 0
 if defined JAR (echo Sources have changed: building RoboNewbie, about 20 s ...) else (echo Building RoboNewbie for the first time: it downloads Maven and libraries, 1 to 3 minutes ...)
 for /f %%t in ('powershell -NoProfile -Command "Get-Date -Format yyyyMMddHHmmss"') do set "STARTED=%%t"
 for %%b in ("%JAVA%") do for %%h in ("%%~dpb..") do set "JAVA_HOME=%%~fh"
-if not exist "%JAVA_HOME%\bin\javac.exe" set "JAVA_HOME="
+if not exist "%JAVA_HOME%\bin\javac.exe" goto no_compiler
 pushd "%HOME_FOLDER%"
 call "%HOME_FOLDER%\mvnw.cmd" -B -P-lint -Dmaven.test.skip=true -pl app -am package >"%LOG%" 2>&1
 set "RESULT=%ERRORLEVEL%"
