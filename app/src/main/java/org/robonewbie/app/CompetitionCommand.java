@@ -9,6 +9,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import org.robonewbie.competition.Competition;
 import org.robonewbie.competition.CompetitionSettings;
 import org.robonewbie.competition.contest.Conditions;
@@ -23,6 +25,8 @@ import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.competition.trial.Spectators;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.simulator.Viewer;
+import org.robonewbie.simulator.embedded.Browser;
+import org.robonewbie.simulator.server.Console;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -61,6 +65,9 @@ import picocli.CommandLine.Parameters;
                     + " to hand out."
         })
 final class CompetitionCommand implements Callable<Integer> {
+
+    private static final long MOST_NANOS_FOR_EYES = TimeUnit.SECONDS.toNanos(20);
+    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
 
     @Mixin
     final HelpOption help = new HelpOption();
@@ -228,8 +235,18 @@ final class CompetitionCommand implements Callable<Integer> {
         return (simulation, trial) -> {
             Viewer.View view = viewer.open(simulation, 0);
             System.out.println("Watch " + trial.id() + " at " + view.address());
+            Browser.openUnlessWatched(view, Console.standard());
+            awaitEyes(view);
             return view::close;
         };
+    }
+
+    /** Lets a trial wait for a page that shows it, since some are over in seconds; but nobody keeps a competition up. */
+    private static void awaitEyes(Viewer.View view) {
+        long end = System.nanoTime() + MOST_NANOS_FOR_EYES;
+        while (!view.isWatched() && System.nanoTime() < end) {
+            LockSupport.parkNanos(LOOK_NANOS);
+        }
     }
 
     /** Shows the table in the terminal, in columns. */

@@ -35,12 +35,12 @@ final class TablePage {
             <h1>%s</h1>
             <p>%s</p>
             <table>
-            <thead><tr><th></th><th>Team</th>%s<th></th></tr></thead>
+            <thead><tr><th></th><th>Team</th>%s<th class="note"></th><th class="note"></th></tr></thead>
             <tbody>
             %s</tbody>
             </table>
-            <p class="note">Seed %d. Watch a trial again: robonewbie studio recordings/NAME.rec, in the folder of this
-            page.</p>
+            <p class="note">Seed %d. To watch a trial again, write its line below “replay” into a terminal, in the folder of
+            this page.</p>
             """.formatted(
                         Html.text(table.title()), Html.text(table.rule()), heads, rows, seed));
     }
@@ -56,13 +56,25 @@ final class TablePage {
         String members =
                 team.members().isEmpty() ? "" : "<div class=\"members\">" + Html.text(team.members()) + "</div>";
         return """
-            <tr%s><td>%d</td><td>%s%s</td>%s<td><a href="certificates/%s.html">certificate</a></td></tr>
+            <tr%s><td>%d</td><td>%s%s</td>%s<td class="note">%s</td><td class="note"><a href="certificates/%s.html">certificate</a></td></tr>
             """.formatted(
                         row.rank() == 1 ? " class=\"first\"" : "",
                         row.rank(),
                         Html.text(team.title()),
                         members,
                         cells,
+                        replays(row),
                         row.team());
+    }
+
+    /** What shows the recordings of a team's trials in the studio. */
+    private static String replays(Table.Row row) {
+        if (row.trials().isEmpty()) {
+            return "";
+        }
+        return row.trials().stream()
+                .map(trial -> "<a href=\"recordings/" + Html.text(trial) + ".rec\">robonewbie studio recordings/"
+                        + Html.text(trial) + ".rec</a>")
+                .collect(Collectors.joining("<br>", "<details><summary>replay</summary>", "</details>"));
     }
 }

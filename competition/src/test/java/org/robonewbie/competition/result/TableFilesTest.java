@@ -40,6 +40,7 @@ class TableFilesTest {
         assertThat(text("table.json")).contains("\"Goal after\": \"41.20 s\"", "\"recordings/scoring-Red.rec\"");
         assertThat(text("table.html"))
                 .contains("Ants, &quot;red&quot; &lt;b&gt;", "Ada &amp; Alan", "41.20 s", "certificates/Blue.html")
+                .containsOnlyOnce(">robonewbie studio recordings/scoring-Red.rec</a>")
                 .doesNotContain("http", "<b>");
         assertThat(text("certificates/Red.html")).contains("has taken the 1st place of 2", "@page", "41.20 s");
         assertThat(text("certificates/Blue.html")).contains("has taken the 2nd place of 2");
