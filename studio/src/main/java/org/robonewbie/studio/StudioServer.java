@@ -136,11 +136,7 @@ public final class StudioServer implements Viewer.View {
     }
 
     private static Handler live(
-            Server server,
-            LiveFeed feed,
-            StudioFolders folders,
-            Optional<SearchBoard> board,
-            Optional<Course> course) {
+            Server server, LiveFeed feed, StudioFolders folders, Optional<SearchBoard> board, Optional<Course> course) {
         WebSocketUpgradeHandler live = WebSocketUpgradeHandler.from(server, container -> {
             container.setIdleTimeout(QUIET_LIMIT);
             container.setMaxTextMessageSize(MAX_COMMAND_BYTES);
@@ -153,7 +149,8 @@ public final class StudioServer implements Viewer.View {
         ReplayRoom replayRoom =
                 new ReplayRoom(folders.recordings(), folders.openedRecording(), SceneWriter.allModels());
         SceneRoom sceneRoom = new SceneRoom(folders.scenes(), new Continuation(feed), replayRoom::recording);
-        live.setHandler(new Handler.Sequence(new CourseRoom(course), sceneRoom, replayRoom, motionRoom, new WebFiles()));
+        live.setHandler(
+                new Handler.Sequence(new CourseRoom(course), sceneRoom, replayRoom, motionRoom, new WebFiles()));
         return live;
     }
 

@@ -107,6 +107,37 @@ class JudgesTest {
     }
 
     @Test
+    void penaltyIsOverWithTheGoalOfTheAttacker() {
+        Judge judge = penaltyOfRed();
+
+        boolean early = watch(judge, robotAt(3, STANDING, 0), new Vector3(4, 0, 0.04));
+        boolean over = watch(judge, PlayMode.GOAL_LEFT, 1, robotAt(3, STANDING, 0), Vector3.ZERO);
+
+        assertThat(List.of(early, over)).containsExactly(false, true);
+        assertThat(figure(judge, "goals")).isEqualTo(1);
+        assertThat(judge.figures("Blue")).isEmpty();
+    }
+
+    @Test
+    void penaltyIsOverWithoutAGoalWhenTheBallGoesOut() {
+        Judge judge = penaltyOfRed();
+
+        boolean over = watch(judge, PlayMode.GOAL_KICK_RIGHT, 0, robotAt(3, STANDING, 0), new Vector3(6, 2, 0.04));
+
+        assertThat(over).isTrue();
+        assertThat(figure(judge, "goals")).isZero();
+    }
+
+    private Judge penaltyOfRed() {
+        Contest contest = Contests.penalties(conditions(), 3, 30);
+        trial = contest.trials(List.of("Red", "Blue"), id -> Optional.empty()).stream()
+                .filter(attack -> attack.entrants().get(0).team().equals("Red"))
+                .findFirst()
+                .orElseThrow();
+        return contest.judge(trial);
+    }
+
+    @Test
     void standingEndsWithTheFall() {
         Judge judge = judge(Contests.stand(conditions()));
 
