@@ -123,9 +123,12 @@ public final class StudioServer implements Viewer.View {
         LiveFeed feed = new LiveFeed(simulation, new RunNotes(folders.recordings())::keep);
         AccessRule rule = new AccessRule(openPort, token);
         String policy = WebFiles.contentSecurityPolicy(openPort);
-        server.setHandler(new AccessGuard(rule, policy, live(server, feed, folders, board, course)));
+        WebFiles files = new WebFiles();
+        Handler rooms = rooms(feed, folders, course, files);
+        server.setHandler(new AccessGuard(rule, policy, live(server, feed, board, rooms)));
         run(server);
         feed.start();
+        FirstVisit.start(files, openPort);
         return new StudioServer(server, feed, URI.create("http://127.0.0.1:" + openPort + "/?token=" + token.text()));
     }
 
@@ -136,7 +139,7 @@ public final class StudioServer implements Viewer.View {
     }
 
     private static Handler live(
-            Server server, LiveFeed feed, StudioFolders folders, Optional<SearchBoard> board, Optional<Course> course) {
+            Server server, LiveFeed feed, Optional<SearchBoard> board, Handler rooms) {
         WebSocketUpgradeHandler live = WebSocketUpgradeHandler.from(server, container -> {
             container.setIdleTimeout(QUIET_LIMIT);
             container.setMaxTextMessageSize(MAX_COMMAND_BYTES);
@@ -145,13 +148,16 @@ public final class StudioServer implements Viewer.View {
             board.ifPresent(search -> container.addMapping(
                     SearchBoard.PATH, (request, response, callback) -> new SearchSpectator(search)));
         });
+        live.setHandler(rooms);
+        return live;
+    }
+
+    private static Handler rooms(LiveFeed feed, StudioFolders folders, Optional<Course> course, WebFiles files) {
         MotionRoom motionRoom = new MotionRoom(folders.motions(), SceneWriter.model(NaoModel.of(RobotType.TYPE_0)));
         ReplayRoom replayRoom =
                 new ReplayRoom(folders.recordings(), folders.openedRecording(), SceneWriter.allModels());
         SceneRoom sceneRoom = new SceneRoom(folders.scenes(), new Continuation(feed), replayRoom::recording);
-        live.setHandler(
-                new Handler.Sequence(new CourseRoom(course), sceneRoom, replayRoom, motionRoom, new WebFiles()));
-        return live;
+        return new Handler.Sequence(new CourseRoom(course), sceneRoom, replayRoom, motionRoom, files);
     }
 
     private static void openPort(ServerConnector connector, int port) throws IOException {

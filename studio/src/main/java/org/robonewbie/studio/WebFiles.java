@@ -5,14 +5,13 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.Base64;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.http.HttpStatus;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
@@ -33,12 +32,15 @@ final class WebFiles extends Handler.Abstract {
     private static final Pattern PATH = Pattern.compile("/((?:[a-z0-9-]+/)*[a-z0-9-]+(?:\\.[a-z0-9]+)*\\.([a-z]+))");
     private static final Pattern IMPORT_MAP =
             Pattern.compile("<script type=\"importmap\">(.*?)</script>", Pattern.DOTALL);
+    private static final Pattern LINK = Pattern.compile("<(?:link|script)[^>]* (?:href|src)=\"([^\"]+)\"");
     private static final Map<String, String> TYPES = Map.of(
             "html", "text/html;charset=utf-8",
             "css", "text/css;charset=utf-8",
             "js", "text/javascript;charset=utf-8",
             "svg", "image/svg+xml",
             "png", "image/png");
+
+    private final Map<String, WebFile> files = new ConcurrentHashMap<>();
 
     @Override
     public boolean handle(Request request, Response response, Callback callback) throws Exception {
@@ -47,17 +49,50 @@ final class WebFiles extends Handler.Abstract {
         if (!matcher.matches() || !TYPES.containsKey(matcher.group(2))) {
             return false;
         }
-        Optional<byte[]> content = read(matcher.group(1));
-        if (content.isEmpty()) {
+        Optional<WebFile> found = file(matcher.group(1));
+        if (found.isEmpty()) {
             return false;
         }
+        WebFile file = found.get();
         response.getHeaders()
                 .put(HttpHeader.CONTENT_TYPE, TYPES.get(matcher.group(2)))
                 .put(HttpHeader.CACHE_CONTROL, "no-cache")
-                .put(HttpHeader.CONTENT_LENGTH, content.get().length);
+                .put(HttpHeader.ETAG, file.tag());
+        if (file.tag().equals(request.getHeaders().get(HttpHeader.IF_NONE_MATCH))) {
+            response.setStatus(HttpStatus.NOT_MODIFIED_304);
+            response.write(true, ByteBuffer.allocate(0), callback);
+            return true;
+        }
+        response.getHeaders().put(HttpHeader.CONTENT_LENGTH, file.content().length);
         boolean withBody = !request.getMethod().equals("HEAD");
-        response.write(true, ByteBuffer.wrap(withBody ? content.get() : new byte[0]), callback);
+        response.write(true, ByteBuffer.wrap(withBody ? file.content() : new byte[0]), callback);
         return true;
+    }
+
+    /** Reads what the start page needs, so that the first page need not wait for it. */
+    void warmUp() {
+        String page = file(START_PAGE).map(WebFile::text).orElse("");
+        LINK.matcher(page).results().forEach(link -> file(link.group(1)));
+    }
+
+    /** A file is read once; a page is told which scripts it will need. */
+    private Optional<WebFile> file(String name) {
+        WebFile kept = files.get(name);
+        if (kept != null) {
+            return Optional.of(kept);
+        }
+        Optional<WebFile> read = read(name).map(WebFile::of).map(file -> isPage(name) ? withPreloads(file) : file);
+        read.ifPresent(file -> files.put(name, file));
+        return read;
+    }
+
+    private static boolean isPage(String name) {
+        return name.endsWith(".html") && !name.contains("/");
+    }
+
+    private WebFile withPreloads(WebFile page) {
+        ModuleGraph scripts = new ModuleGraph(name -> file(name).map(WebFile::text));
+        return WebFile.of(scripts.withPreloads(page.text()).getBytes(StandardCharsets.UTF_8));
     }
 
     /**
@@ -81,13 +116,7 @@ final class WebFiles extends Handler.Abstract {
         if (!matcher.find()) {
             throw new IllegalStateException(START_PAGE + " has no import map.");
         }
-        try {
-            MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            byte[] hash = digest.digest(matcher.group(1).getBytes(StandardCharsets.UTF_8));
-            return Base64.getEncoder().encodeToString(hash);
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("Every Java has SHA-256.", e);
-        }
+        return WebFile.hash(matcher.group(1).getBytes(StandardCharsets.UTF_8));
     }
 
     private static Optional<byte[]> read(String name) {

@@ -63,6 +63,32 @@ class StudioAccessTest {
     }
 
     @Test
+    void unchangedFileIsNotSentAgain() throws IOException {
+        String first = get("/theme.css", host());
+        String tag = first.lines()
+                .filter(line -> line.startsWith("ETag: "))
+                .findFirst()
+                .orElseThrow()
+                .substring("ETag: ".length());
+
+        String second = RawHttp.send(
+                studio.address(), "GET /theme.css HTTP/1.1", "Host: " + host(), "If-None-Match: " + tag);
+
+        assertThat(second).startsWith("HTTP/1.1 304").endsWith("\r\n\r\n");
+        assertThat(RawHttp.send(
+                        studio.address(), "GET /theme.css HTTP/1.1", "Host: " + host(), "If-None-Match: \"other\""))
+                .startsWith("HTTP/1.1 200");
+    }
+
+    @Test
+    void startPageNamesAllScriptsThatItNeeds() throws IOException {
+        assertThat(get("/", host()))
+                .contains("<link rel=\"modulepreload\" href=\"main.js\">")
+                .contains("<link rel=\"modulepreload\" href=\"state/studio-state.js\">")
+                .doesNotContain("motion-room.js");
+    }
+
+    @Test
     void pagesMayLoadFromThisServerOnly() throws IOException {
         assertThat(get("/", host()))
                 .contains("Content-Security-Policy: default-src 'none'; script-src 'self' 'sha256-")

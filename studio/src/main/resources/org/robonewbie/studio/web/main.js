@@ -1,4 +1,4 @@
-/** Starts the studio: brings connection, state, picture and panels together. */
+/** The studio: brings connection, state, picture and panels together. */
 import { CameraDesk, CAMERAS } from './field/camera-desk.js';
 import { FieldView } from './field/field-view.js';
 import { Hand } from './field/hand.js';
@@ -43,7 +43,6 @@ window.addEventListener('error', (event) => note(`This page has met an error: ${
 window.addEventListener('unhandledrejection', (event) => note(`This page has met an error: ${event.reason}. Load it again.`));
 
 tell(message(state, 0));
-await firstPaint();
 
 const asked = qualityIndex(options.get('quality'));
 const view = openView(QUALITIES[asked < 0 ? 1 : asked]);
@@ -180,12 +179,6 @@ function robotOfRun() {
   const robot = frame?.robots[desk.chosen];
   const isThere = tense === 'recorded' || state.connection === 'live';
   return player && robot && isThere ? { name: `${player.team} ${player.number}`.trim() || 'the robot', degrees: robot.degrees } : undefined;
-}
-
-/** Lets the browser show the page before the graphics are set up, which takes a while without a graphics card. */
-function firstPaint() {
-  const painted = new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
-  return Promise.race([painted, new Promise((done) => setTimeout(done, 1000))]);
 }
 
 /** @param {import('./state/quality.js').Quality} quality */

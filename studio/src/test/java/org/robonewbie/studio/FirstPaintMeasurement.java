@@ -1,0 +1,55 @@
+package org.robonewbie.studio;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Measures how long a browser without graphics card takes from the address to the first paint of the page and to the first
+ * picture of the field, for {@code docs/performance.md}: in a Java that has just started, which is the first line, and in one
+ * that has served pages before; each time in a browser that has never seen the page, and once more in the same browser.
+ * It is not part of the usual tests, since it judges the computer: {@code -Dtest=FirstPaintMeasurement}.
+ */
+class FirstPaintMeasurement {
+
+    private static final int STARTS = 5;
+    private static final String WATCH_PICTURES = "(function look() { if (window.studio?.view.drawCalls > 0) {"
+            + " window.firstPicture = performance.now(); } else { requestAnimationFrame(look); } })()";
+    private static final String FIRST_PAINT = "performance.getEntriesByName('first-contentful-paint')[0]";
+
+    @Test
+    void millisecondsToTheFirstPaint() throws IOException {
+        Tool.BROWSER.orSkip();
+        for (int start = 0; start < STARTS; start++) {
+            try (Chromium browser = Chromium.open(1366, 768);
+                    SmallSimulation simulation = new SmallSimulation().withRobot().start();
+                    StudioServer studio = StudioServer.start(simulation, 0, AccessToken.random())) {
+                LockSupport.parkNanos(TimeUnit.SECONDS.toNanos(1));
+                browser.runBeforePages(WATCH_PICTURES);
+                report(start == 0 ? "cold Java" : "warm Java", browser, studio);
+                report("seen before", browser, studio);
+            }
+        }
+    }
+
+    private static void report(String occasion, Chromium browser, StudioServer studio) {
+        browser.visit("about:blank");
+        browser.visit(studio.address().toString());
+        browser.await("window.firstPicture && " + FIRST_PAINT);
+        System.out.printf(
+                Locale.ROOT,
+                "%s: answered after %.0f ms, first paint after %.0f ms, scripts there after %.0f ms, first picture after"
+                        + " %.0f ms, load %.1f%n",
+                occasion,
+                browser.evaluate("performance.getEntriesByType('navigation')[0].responseEnd")
+                        .getAsDouble(),
+                browser.evaluate(FIRST_PAINT + ".startTime").getAsDouble(),
+                browser.evaluate("performance.getEntriesByType('navigation')[0].domContentLoadedEventStart")
+                        .getAsDouble(),
+                browser.evaluate("window.firstPicture").getAsDouble(),
+                ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage());
+    }
+}
