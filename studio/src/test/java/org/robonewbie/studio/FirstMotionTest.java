@@ -3,16 +3,26 @@ package org.robonewbie.studio;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.DoubleAccumulator;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
 
 /** Somebody who has read nothing but {@code docs/first-motion.md} and presses what is printed bold there. */
 @InBrowser
@@ -21,11 +31,12 @@ class FirstMotionTest {
     private static final Path GUIDE = Path.of("..", "docs", "first-motion.md");
     private static final Pattern STEP = Pattern.compile("(?ms)^\\d\\. .*?(?=^\\d\\. |^## )");
     private static final Pattern BOLD = Pattern.compile("\\*\\*(.+?)\\*\\*");
+    private static final Joint ARM = Joint.LEFT_SHOULDER_PITCH;
     private static final String STATE = "studio.motion.editor.state";
     private static final String FRAMES = STATE + ".history.present.value.lines.filter(line => line.keyframe)";
 
     @TempDir
-    private Path folder;
+    private Path project;
 
     private final Chromium browser;
 
@@ -34,7 +45,8 @@ class FirstMotionTest {
     }
 
     @Test
-    void guideLeadsToAMotionOfThreeKeyframesThatIsSaved() throws IOException {
+    void guideLeadsToAMotionOfThreeKeyframesThatAnAgentPlaysByItsName() throws Exception {
+        Path folder = project.resolve("motions");
         List<String> bold = boldWordsOfTheSteps();
         assertThat(bold).containsExactly("Motion", "+ New", "+ Keyframe", "▶ Play", "Try on a physical robot", "Save");
         try (SmallSimulation simulation = new SmallSimulation().withRobot().start();
@@ -69,7 +81,40 @@ class FirstMotionTest {
                     .isNotEqualTo(keyframes.get(0).posture())
                     .isNotEqualTo(keyframes.get(2).posture());
             assertThat(browser.complaints()).isEmpty();
+            assertThat(nearestToWhenPlayed(keyframes.get(1).posture().degrees(ARM)))
+                    .isLessThan(3);
         }
+    }
+
+    /** Lets an agent play the motion by its name, and gives how near its robot's arm came to an angle, in degrees. */
+    private double nearestToWhenPlayed(double degrees) throws Exception {
+        int hinge = NaoModel.of(RobotType.TYPE_0).hingeIndex(ARM);
+        DoubleAccumulator nearest = new DoubleAccumulator(Math::min, Double.MAX_VALUE);
+        SimulationObserver observer = world ->
+                world.robots().forEach(robot -> nearest.accumulate(Math.abs(robot.jointDegrees()[hinge] - degrees)));
+        SimulatorSettings settings = SimulatorSettings.beginner()
+                .agentPort(0)
+                .synchronous(true)
+                .awaitedAgents(1)
+                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .seed(1)
+                .build();
+        try (Simulator simulator = Simulator.start(settings, Console.silent())) {
+            simulator.control().addObserver(observer);
+            Process agent = new ProcessBuilder(
+                            ProcessHandle.current().info().command().orElse("java"),
+                            "-cp",
+                            System.getProperty("java.class.path"),
+                            PlaysByName.class.getName(),
+                            "my-first",
+                            Integer.toString(simulator.agentPort()))
+                    .directory(project.toFile())
+                    .redirectErrorStream(true)
+                    .start();
+            String said = new String(agent.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            assertThat(said.lines()).contains("played");
+        }
+        return nearest.get();
     }
 
     private static List<String> boldWordsOfTheSteps() throws IOException {

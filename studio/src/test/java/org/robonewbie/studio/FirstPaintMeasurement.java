@@ -25,7 +25,8 @@ class FirstPaintMeasurement {
         Tool.BROWSER.orSkip();
         for (int start = 0; start < STARTS; start++) {
             try (Chromium browser = Chromium.open(1366, 768);
-                    SmallSimulation simulation = new SmallSimulation().withRobot().start();
+                    SmallSimulation simulation =
+                            new SmallSimulation().withRobot().start();
                     StudioServer studio = StudioServer.start(simulation, 0, AccessToken.random())) {
                 LockSupport.parkNanos(TimeUnit.SECONDS.toNanos(1));
                 browser.runBeforePages(WATCH_PICTURES);

@@ -8,22 +8,37 @@ import org.junit.jupiter.api.Test;
 
 class ModuleGraphTest {
 
-    private final ModuleGraph graph = new ModuleGraph(name -> Optional.ofNullable(Map.of(
-                    "start.js",
-                    "/** @typedef {import('./types.js').Type} Type */\nawait import('./main.js');\n",
-                    "main.js",
-                    "import * as three from 'three';\nimport {\n  one,\n  two,\n} from './parts/one.js';\n"
-                            + "import './parts/two.js';\nconst later = await import('./later.js');\n",
-                    "parts/one.js",
-                    "export { two } from './two.js';\nimport { other } from '../other.js';\n",
-                    "parts/two.js",
-                    "import { one } from './one.js';\n")
-            .get(name)));
+    private static final String START = """
+            /** @typedef {import('./types.js').Type} Type */
+            await import('./main.js');
+            """;
+
+    private static final String MAIN = """
+            import * as three from 'three';
+            import {
+              one,
+              two,
+            } from './parts/one.js';
+            import './parts/two.js';
+            const later = await import('./later.js');
+            """;
+
+    private static final String ONE = """
+            export { two } from './two.js';
+            import { other } from '../other.js';
+            """;
+
+    private static final Map<String, String> SCRIPTS = Map.of(
+            "start.js", START,
+            "main.js", MAIN,
+            "parts/one.js", ONE,
+            "parts/two.js", "import { one } from './one.js';");
+
+    private final ModuleGraph graph = new ModuleGraph(name -> Optional.ofNullable(SCRIPTS.get(name)));
 
     @Test
     void allScriptsAreFoundLayerByLayerAndLaterOnesAreLeftOut() {
-        assertThat(graph.scriptsOf("start.js"))
-                .containsExactly("main.js", "parts/one.js", "parts/two.js", "other.js");
+        assertThat(graph.scriptsOf("start.js")).containsExactly("main.js", "parts/one.js", "parts/two.js", "other.js");
     }
 
     @Test

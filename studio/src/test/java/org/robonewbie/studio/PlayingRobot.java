@@ -1,6 +1,7 @@
 package org.robonewbie.studio;
 
 import java.io.IOException;
+import java.util.OptionalInt;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.server.Console;
@@ -21,8 +22,14 @@ final class PlayingRobot implements AutoCloseable {
     }
 
     static PlayingRobot start() throws IOException {
+        return start(OptionalInt.empty());
+    }
+
+    /** Starts it on a server that can be watched from outside too. */
+    static PlayingRobot start(OptionalInt monitorPort) throws IOException {
         SimulatorSettings settings = SimulatorSettings.beginner()
                 .agentPort(0)
+                .monitorPort(monitorPort)
                 .synchronous(true)
                 .speed(1)
                 .build();

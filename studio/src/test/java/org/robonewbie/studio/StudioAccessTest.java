@@ -71,8 +71,8 @@ class StudioAccessTest {
                 .orElseThrow()
                 .substring("ETag: ".length());
 
-        String second = RawHttp.send(
-                studio.address(), "GET /theme.css HTTP/1.1", "Host: " + host(), "If-None-Match: " + tag);
+        String second =
+                RawHttp.send(studio.address(), "GET /theme.css HTTP/1.1", "Host: " + host(), "If-None-Match: " + tag);
 
         assertThat(second).startsWith("HTTP/1.1 304").endsWith("\r\n\r\n");
         assertThat(RawHttp.send(

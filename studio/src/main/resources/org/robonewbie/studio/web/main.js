@@ -122,7 +122,7 @@ const draws = [
 ];
 const happenings = new Happenings();
 const drawTimeLine = timeLinePanel(cursor, touch);
-const rooms = new RoomDesk({ token, note, quality: () => chooser.quality, robotOfRun, send, goLive, goTo: (seconds) => (cursor.goTo(seconds * 50), touch()) });
+const rooms = new RoomDesk({ token, note, quality: () => chooser.quality, robotOfRun, send, goLive, hasClock: () => state.scene?.clock !== false, goTo: (seconds) => (cursor.goTo(seconds * 50), touch()) });
 const room = roomsPanel(enter);
 new CoursePanel(token, note, goLive);
 setShadows(shadows);

@@ -34,6 +34,7 @@ export class RoomDesk {
    * @param {() => import('../state/quality.js').Quality} surroundings.quality
    * @param {(command: object) => void} surroundings.send
    * @param {() => void} surroundings.goLive shows what happens now
+   * @param {() => boolean} surroundings.hasClock whether time can be stopped
    * @param {(seconds: number) => void} surroundings.goTo shows a moment of the running simulation
    * @param {() => {name: string, degrees: ArrayLike<number>} | undefined} surroundings.robotOfRun
    */

@@ -2,6 +2,7 @@
 import { button, byId, element, setText } from '../panels/elements.js';
 import { advanced, atMoment, BEGINNING, csvOf, frameOf, looped, MOMENTS_PER_SECOND, neighbourEvent, sceneOf, stepped } from '../state/replay/replay-state.js';
 import { startFrom } from '../panels/scene-panel.js';
+import { NO_CLOCK } from '../panels/transport.js';
 import { ComparisonPanel } from './comparison-panel.js';
 import { eventText, ReplayLine } from './replay-line.js';
 import { listRecordings, loadLog, loadModels, RecordingFile } from './recordings.js';
@@ -10,13 +11,14 @@ import { listRecordings, loadLog, loadModels, RecordingFile } from './recordings
  * @typedef {import('../state/replay/replay-state.js').ReplayState} ReplayState
  * @typedef {import('../live/state-frame.js').Scene} Scene
  * @typedef {import('../live/state-frame.js').Frame} Frame
+ * @typedef {{token: string, note: (text: string) => void, goLive: () => void, hasClock: () => boolean}} Surroundings
  */
 
 const LIST_MILLISECONDS = 3000;
 const BEHIND_MOMENTS = 100;
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
 
-/** @param {{token: string, note: (text: string) => void, goLive: () => void}} surroundings */
+/** @param {Surroundings} surroundings */
 export async function openReplayRoom(surroundings) {
   const room = new ReplayRoom(surroundings, await loadModels(surroundings.token));
   await room.refresh();
@@ -25,7 +27,7 @@ export async function openReplayRoom(surroundings) {
 
 class ReplayRoom {
   /**
-   * @param {{token: string, note: (text: string) => void, goLive: () => void}} surroundings
+   * @param {Surroundings} surroundings
    * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
    */
   constructor(surroundings, models) {
@@ -190,7 +192,7 @@ class ReplayRoom {
     log.id = 'export-log';
     const page = button('HTML', 'Save one file that plays this run in any browser, without network', () => this.#offerPage());
     page.id = 'export-html';
-    const start = button('Start here', 'The simulation goes on from this moment, with the clock stopped; puppets stand in for missing robots', () => this.#startHere());
+    const start = button('Start here', '', () => this.#startHere());
     start.id = 'start-here';
     const line = element('div', { class: 'replay-line', id: 'replay-line', title: 'Drag to any moment' });
     const drawing = new ReplayLine(line, (index) => this.#set({ ...atMoment(this.state, index), playing: false }));
@@ -230,9 +232,10 @@ class ReplayRoom {
       speed.value = String(state.speed);
       const seconds = (/** @type {number} */ index) => (Math.max(0, index) / MOMENTS_PER_SECOND).toFixed(2);
       setText(reading, list.length === 0 ? 'Nothing is recorded yet.' : `${seconds(state.index)} of ${seconds(state.count - 1)} s`);
-      for (const control of [play, start]) {
-        control.disabled = state.count === 0;
-      }
+      play.disabled = state.count === 0;
+      const hasClock = this.surroundings.hasClock();
+      start.disabled = state.count === 0 || !hasClock;
+      start.title = hasClock ? 'The simulation goes on from this moment, with the clock stopped; puppets stand in for missing robots' : NO_CLOCK;
       for (const control of [csv, log, page]) {
         control.disabled = state.count === 0 || !this.file?.isWhole;
       }

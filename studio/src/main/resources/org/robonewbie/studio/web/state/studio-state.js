@@ -124,7 +124,8 @@ export function message(state, now) {
     return waiting('Looking for the simulator…', 'If this stays, start the simulator again and open the address that it prints.');
   }
   if (state.scene.robots.length === 0) {
-    return waiting('Waiting for a robot…', 'Add a puppet, or run an agent: ./robonewbie run Agent_BasicStructure');
+    const own = 'Add a puppet, or run an agent: ./robonewbie run Agent_BasicStructure';
+    return waiting('Waiting for a robot…', state.scene.clock !== false ? own : 'Run an agent that joins the server that is watched.');
   }
   if (state.frame && !state.frame.paused && now - state.movedMilliseconds > STANDSTILL_MILLISECONDS) {
     return waiting('The world waits for an agent', 'Is one at a breakpoint? It goes on when the agent does.');

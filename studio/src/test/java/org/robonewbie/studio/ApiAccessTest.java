@@ -1,0 +1,120 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.simulator.recording.RecordingShelf;
+
+/** Each address below {@code /api/} answers pages of the studio only, and no name leads out of its folder. */
+class ApiAccessTest {
+
+    private static final AccessToken TOKEN = AccessToken.random();
+
+    @TempDir
+    private static Path place;
+
+    private static final SmallSimulation simulation = new SmallSimulation();
+    private static StudioServer studio;
+
+    @BeforeAll
+    static void start() throws IOException {
+        Path runs = Files.createDirectory(place.resolve("runs"));
+        RecordedRun.write(runs.resolve("game.rec"));
+        RecordedRun.write(place.resolve("secret.rec"));
+        for (Path notes : new Path[] {runs.resolve("game.notes"), place.resolve("secret.notes")}) {
+            Files.writeString(notes, "{\"seconds\":1,\"robot\":\"A 1\",\"level\":\"INFO\",\"text\":\"hush\"}\n");
+        }
+        RecordingShelf shelf = new RecordingShelf(runs, 1_000_000_000);
+        StudioFolders folders = new StudioFolders(place.resolve("motions"), Optional.of(shelf));
+        studio = StudioServer.start(simulation.start(), 0, TOKEN, folders);
+    }
+
+    @AfterAll
+    static void close() {
+        studio.close();
+        simulation.close();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "GET /api/notes/game",
+                "GET /api/recordings",
+                "GET /api/recordings/game",
+                "GET /api/log/game",
+                "GET /api/models",
+                "GET /api/robot",
+                "GET /api/motions",
+                "GET /api/library/wave",
+                "GET /api/poses",
+                "GET /api/scenes",
+            })
+    void onlyPagesOfTheStudioAreAnswered(String order) throws IOException {
+        String token = "Studio-Token: " + TOKEN.text();
+
+        assertThat(ask(order, host(), token)).startsWith("HTTP/1.1 200");
+        assertThat(ask(order, "evil.example", token)).startsWith("HTTP/1.1 403").contains("not to \"evil.example\"");
+        assertThat(ask(order, host(), token, "Origin: http://evil.example"))
+                .startsWith("HTTP/1.1 403")
+                .contains("Pages of \"http://evil.example\" may not talk to the studio.");
+        assertThat(ask(order, host())).startsWith("HTTP/1.1 403").contains("The access token is missing or wrong.");
+        assertThat(ask(order, host(), "Studio-Token: " + AccessToken.random().text()))
+                .startsWith("HTTP/1.1 403")
+                .contains("The access token is missing or wrong.");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "PUT /api/poses",
+                "PUT /api/motions/mine",
+                "DELETE /api/drafts/mine",
+                "POST /api/trial",
+                "PUT /api/scenes/mine",
+                "POST /api/scenes/mine",
+                "DELETE /api/scenes/mine",
+                "POST /api/start/game?moment=1",
+            })
+    void nothingIsChangedForAProgramThatNamesNoOrigin(String order) throws IOException {
+        assertThat(ask(order, host(), "Studio-Token: " + TOKEN.text(), "Content-Length: 0"))
+                .startsWith("HTTP/1.1 403")
+                .contains("Only a page of the studio may change files; this request names no origin.");
+        assertThat(ask(order, host(), "Origin: http://" + host(), "Content-Length: 0"))
+                .startsWith("HTTP/1.1 403")
+                .contains("The access token is missing or wrong.");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"..%2fsecret", "%2e%2e%2fsecret", "..%5csecret", "../secret", "..", "%00", "%2fetc%2fpasswd"})
+    void namesOfRunsThatLeadElsewhereAreNotFound(String name) throws IOException {
+        for (String shelf : new String[] {"notes", "recordings", "log"}) {
+            assertThat(ask("GET /api/" + shelf + "/" + name, host(), "Studio-Token: " + TOKEN.text()))
+                    .containsPattern("^HTTP/1.1 40[0-9]")
+                    .doesNotContain("hush");
+        }
+        String start = "POST /api/start/" + name + "?moment=1";
+        assertThat(ask(start, host(), "Studio-Token: " + TOKEN.text(), "Origin: http://" + host(), "Content-Length: 0"))
+                .containsPattern("^HTTP/1.1 40[0-9]");
+    }
+
+    private static String host() {
+        return studio.address().getAuthority();
+    }
+
+    private static String ask(String order, String host, String... headers) throws IOException {
+        String[] lines = new String[headers.length + 2];
+        lines[0] = order + " HTTP/1.1";
+        lines[1] = "Host: " + host;
+        System.arraycopy(headers, 0, lines, 2, headers.length);
+        return RawHttp.send(studio.address(), lines);
+    }
+}
