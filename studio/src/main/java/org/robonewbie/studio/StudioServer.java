@@ -138,8 +138,7 @@ public final class StudioServer implements Viewer.View {
         }
     }
 
-    private static Handler live(
-            Server server, LiveFeed feed, Optional<SearchBoard> board, Handler rooms) {
+    private static Handler live(Server server, LiveFeed feed, Optional<SearchBoard> board, Handler rooms) {
         WebSocketUpgradeHandler live = WebSocketUpgradeHandler.from(server, container -> {
             container.setIdleTimeout(QUIET_LIMIT);
             container.setMaxTextMessageSize(MAX_COMMAND_BYTES);
