@@ -3,6 +3,7 @@ package org.robonewbie.exercises;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.Socket;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -60,7 +61,7 @@ class GuestDoorTest {
     @Test
     void programThatFallsSilentFailsTheTrial() throws IOException {
         try (GuestDoor door = GuestDoor.open(0, 0.2);
-                Socket silent = new Socket("127.0.0.1", door.port())) {
+                Socket silent = new Socket(InetAddress.getLoopbackAddress(), door.port())) {
             new FrameOutput(silent.getOutputStream()).write(text("(scene rsg/agent/nao/nao.rsg)(syn)"));
 
             Score score =
@@ -83,7 +84,7 @@ class GuestDoorTest {
     /** An agent that answers some messages without moving, and goes. */
     private static void begin(GuestDoor door, int answers) {
         daemon(() -> {
-            try (Socket socket = new Socket("127.0.0.1", door.port())) {
+            try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), door.port())) {
                 FrameOutput output = new FrameOutput(socket.getOutputStream());
                 FrameInput input = new FrameInput(socket.getInputStream(), 1 << 20);
                 for (int i = 0; i < answers; i++) {
