@@ -129,6 +129,29 @@ class MistakesTest {
     }
 
     @Test
+    void keyframeDeveloperPlaysWhatIsSavedWhileItRunsAlsoAfterAMistake() throws Exception {
+        try (ChildProgram program = run(
+                Agent_KeyframeDeveloper.class,
+                "--headless",
+                "--seed",
+                "1",
+                "--fast",
+                "--seconds",
+                "600",
+                "--report",
+                "report.json")) {
+            program.awaitLine("and save it");
+            Files.writeString(folder.resolve("motions/my-motion.txt"), "oops\n");
+            program.awaitLine("cannot be played: my-motion.txt line 1");
+            new MotionLibrary().find("fall-back").orElseThrow().save(folder.resolve("motions/my-motion.txt"));
+            int exitCode = program.exitCode();
+
+            assertThat(exitCode).isZero();
+            assertThat(Files.readString(folder.resolve("report.json"))).containsPattern("\"falls\": [1-9]");
+        }
+    }
+
+    @Test
     void keyframeDeveloperGetsUpByItselfAndTriesAgain() throws Exception {
         Files.createDirectories(folder.resolve("motions"));
         MotionFile fall = new MotionLibrary().find("fall-back").orElseThrow();
