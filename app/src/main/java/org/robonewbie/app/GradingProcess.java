@@ -26,7 +26,6 @@ final class GradingProcess {
     /** What stands in the file of the result while the student's program runs. */
     static final String STARTED = "started";
 
-    private static final int MEGABYTES = 512;
     private static final int OUT_OF_MEMORY = 3;
     private static final int SECONDS_AT_LEAST = 60;
     private static final int SECONDS_FOR_EACH_SEED = 20;
@@ -86,26 +85,13 @@ final class GradingProcess {
     }
 
     private List<String> command(Path result) {
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:+UseSerialGC",
-                "-Xmx" + MEGABYTES + "m",
-                "-XX:+ExitOnOutOfMemoryError",
-                "-cp",
-                System.getProperty("java.class.path"),
-                Main.class.getName(),
-                GradeCommand.NAME,
-                exercise.name(),
-                program,
-                "--seeds",
-                Integer.toString(seeds),
-                INSIDE,
-                result.toString()));
+        List<String> arguments = new ArrayList<>(
+                List.of(exercise.name(), program, "--seeds", Integer.toString(seeds), INSIDE, result.toString()));
         if (!classPath.isEmpty()) {
-            command.addAll(List.of("--class-path", classPath));
+            arguments.addAll(List.of("--class-path", classPath));
         }
-        recording.ifPresent(file -> command.addAll(List.of("--record", file.toString())));
-        return command;
+        recording.ifPresent(file -> arguments.addAll(List.of("--record", file.toString())));
+        return StudentJava.grade(List.of(), arguments);
     }
 
     private boolean waitFor(Process process) {
@@ -122,7 +108,7 @@ final class GradingProcess {
         if (!ended) {
             finding = "The program took too long.";
         } else if (exitCode == OUT_OF_MEMORY) {
-            finding = "The program took all memory (" + MEGABYTES + " MB).";
+            finding = "The program took all memory (" + StudentJava.MEGABYTES + " MB).";
         } else {
             finding = "The program ended the whole process (exit code " + exitCode + "). Does it call System.exit?";
         }

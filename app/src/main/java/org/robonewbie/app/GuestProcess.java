@@ -11,7 +11,6 @@ import org.robonewbie.exercises.Exercise;
 /** A student's program in a process of its own, which comes to a trial through a port as any agent does. */
 final class GuestProcess implements AutoCloseable {
 
-    private static final int MEGABYTES = 512;
     private static final int MOST_CHARACTERS = 4000;
 
     private final Process process;
@@ -22,20 +21,9 @@ final class GuestProcess implements AutoCloseable {
     }
 
     static GuestProcess start(Exercise exercise, String program, int port, Path folder) {
-        List<String> command = List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:+UseSerialGC",
-                "-XX:TieredStopAtLevel=1",
-                "-Xmx" + MEGABYTES + "m",
-                "-XX:+ExitOnOutOfMemoryError",
-                "-cp",
-                System.getProperty("java.class.path"),
-                Main.class.getName(),
-                GradeCommand.NAME,
-                exercise.name(),
-                program,
-                GradeCommand.AT_DOOR,
-                Integer.toString(port));
+        List<String> command = StudentJava.grade(
+                List.of("-XX:TieredStopAtLevel=1"),
+                List.of(exercise.name(), program, GradeCommand.AT_DOOR, Integer.toString(port)));
         try {
             Process process = new ProcessBuilder(command)
                     .directory(folder.toFile())

@@ -3,7 +3,6 @@ package org.robonewbie.exercises;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.Supplier;
 import org.robonewbie.exercises.task.ArmBySideTask;
 import org.robonewbie.exercises.task.AroundTheBallTask;
 import org.robonewbie.exercises.task.BallDirectionTask;
@@ -26,7 +25,7 @@ import org.robonewbie.exercises.task.WhereAmITask;
 public final class Exercises {
 
     private static final List<Exercise> ALL = List.of(
-            exercise(
+            new Exercise(
                     1,
                     "raise-arms",
                     "RaiseArms",
@@ -35,7 +34,7 @@ public final class Exercises {
                     "Raise the left arm to 60° and the right arm to 45°.",
                     4,
                     RaiseArmsTask::new),
-            exercise(
+            new Exercise(
                     2,
                     "stop-at-30",
                     "StopAt30",
@@ -44,7 +43,7 @@ public final class Exercises {
                     "Stop the left shoulder at 30° ± 1°, from wherever it begins.",
                     5,
                     StopAt30Task::new),
-            exercise(
+            new Exercise(
                     3,
                     "arm-by-side",
                     "ArmBySide",
@@ -53,7 +52,7 @@ public final class Exercises {
                     "Raise the arm on whose side another robot is seen; none seen, both arms down.",
                     18,
                     ArmBySideTask::new),
-            exercise(
+            new Exercise(
                     4,
                     "find-the-ball",
                     "FindTheBall",
@@ -62,7 +61,7 @@ public final class Exercises {
                     "Look for the ball and face it within 8 s.",
                     9,
                     FindTheBallTask::new),
-            exercise(
+            new Exercise(
                     5,
                     "ball-direction",
                     "BallDirection",
@@ -71,7 +70,7 @@ public final class Exercises {
                     "Tell the ball's direction to 0.4°, however the head turns.",
                     12,
                     BallDirectionTask::new),
-            exercise(
+            new Exercise(
                     6,
                     "smooth-motion",
                     "SmoothMotion",
@@ -80,7 +79,7 @@ public final class Exercises {
                     "Play a motion through all its keyframes without jerks.",
                     4,
                     SmoothMotionTask::new),
-            exercise(
+            new Exercise(
                     7,
                     "dance",
                     "MyDance",
@@ -89,7 +88,7 @@ public final class Exercises {
                     "Dance with at least six joints and stay on your feet.",
                     15,
                     DanceTask::new),
-            exercise(
+            new Exercise(
                     8,
                     "get-up",
                     "GetUp",
@@ -98,7 +97,7 @@ public final class Exercises {
                     "Get up from the back and from the front within 12 s.",
                     13,
                     GetUpTask::new),
-            exercise(
+            new Exercise(
                     9,
                     "two-behaviours",
                     "TwoBehaviours",
@@ -107,7 +106,7 @@ public final class Exercises {
                     "Follow the ball with the head and swing the arm at the same time.",
                     12,
                     TwoBehavioursTask::new),
-            exercise(
+            new Exercise(
                     10,
                     "go-to-ball",
                     "GoToTheBall",
@@ -116,7 +115,7 @@ public final class Exercises {
                     "Walk to the ball, stop before it without touching it, raise the left arm.",
                     45,
                     GoToTheBallTask::new),
-            exercise(
+            new Exercise(
                     11,
                     "around-the-ball",
                     "AroundTheBall",
@@ -125,7 +124,7 @@ public final class Exercises {
                     "Walk once around the ball without touching it.",
                     90,
                     AroundTheBallTask::new),
-            exercise(
+            new Exercise(
                     12,
                     "kick",
                     "Kick",
@@ -134,7 +133,7 @@ public final class Exercises {
                     "Kick the ball 2 m or more and stay on your feet.",
                     12,
                     KickTask::new),
-            exercise(
+            new Exercise(
                     13,
                     "where-am-i",
                     "WhereAmI",
@@ -143,7 +142,7 @@ public final class Exercises {
                     "Find out where on the pitch you stand, to 30 cm.",
                     24,
                     WhereAmITask::new),
-            exercise(
+            new Exercise(
                     14,
                     "goalkeeper",
                     "Goalkeeper",
@@ -152,7 +151,7 @@ public final class Exercises {
                     "Keep a shot out of the goal.",
                     9,
                     GoalkeeperTask::new),
-            exercise(
+            new Exercise(
                     15,
                     "passing",
                     "Passing",
@@ -161,7 +160,7 @@ public final class Exercises {
                     "Play the ball to a team mate, who comes to meet it.",
                     20,
                     PassingTask::new),
-            exercise(
+            new Exercise(
                     16,
                     "faster-walk",
                     "FasterWalk",
@@ -170,7 +169,7 @@ public final class Exercises {
                     "Learn to walk 4 m in 10 s, straight and without a fall.",
                     10,
                     FasterWalkTask::new),
-            exercise(
+            new Exercise(
                     17,
                     "score-a-goal",
                     "ScoreAGoal",
@@ -205,17 +204,5 @@ public final class Exercises {
                         || wanted.equals(Integer.toString(exercise.number()))
                         || wanted.equalsIgnoreCase(exercise.className()))
                 .findFirst();
-    }
-
-    private static Exercise exercise(
-            int number,
-            String name,
-            String className,
-            String title,
-            int minutes,
-            String goal,
-            double seconds,
-            Supplier<? extends Task> task) {
-        return new Exercise(number, name, className, title, minutes, goal, seconds, task);
     }
 }
