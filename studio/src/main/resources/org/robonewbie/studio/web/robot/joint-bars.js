@@ -16,7 +16,7 @@ export function jointBars(place) {
   let rows = [];
   /** @type {string} */
   let shown = '';
-  const head = element('div', { class: 'joint-head' }, ...['', '', 'angle', 'speed', 'command'].map((text) => element('span', { class: 'faint' }, text)));
+  const head = element('div', { class: 'joint-columns' }, ...['', '', 'angle', 'speed', 'command'].map((text) => element('span', { class: 'faint' }, text)));
   return ({ model, frame, robot, traces, seconds }) => {
     const names = model.hinges.map(({ joint }) => joint).join();
     if (names !== shown) {
