@@ -227,6 +227,9 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
             JsonObject event = new JsonObject();
             event.addProperty("type", type);
             event.addProperty("key", key);
+            if (key.equals("Tab")) {
+                event.addProperty("windowsVirtualKeyCode", 9);
+            }
             if (key.length() == 1 && type.equals("keyDown")) {
                 event.addProperty("text", key);
             }

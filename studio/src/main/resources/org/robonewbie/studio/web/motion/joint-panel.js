@@ -76,7 +76,7 @@ export function jointPanel(place, body, editor) {
   place.append(
     element(
       'div',
-      { class: 'joint-head' },
+      { class: 'both-sides' },
       element('label', { class: 'check', title: 'What one arm or leg does, the other does too' }, symmetric, 'Both sides alike'),
       button('L→R', 'Copy the left arm and leg to the right', () => editor.copySide('LEFT')),
       button('R→L', 'Copy the right arm and leg to the left', () => editor.copySide('RIGHT')),

@@ -60,7 +60,7 @@ class MotionRoom {
     const picture = part('motion-stage', 'The robot; drag its limbs');
     const joints = part('motion-joints', 'Joints');
     const bar = part('motion-transport', 'Play and try');
-    const line = part('motion-timeline', 'Timeline');
+    const line = part('motion-timeline', 'Timeline. The left and right arrow keys choose a keyframe.');
     this.stage = new MotionStage(picture, body, surroundings.quality);
     picture.append(this.#options(), this.#conflict(run));
     this.timeline = new Timeline(line, {

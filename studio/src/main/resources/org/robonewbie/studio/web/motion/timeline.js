@@ -44,6 +44,7 @@ export class Timeline {
     this.playhead.append(node('line', { y1: '0', y2: '150' }), node('path', { d: 'M-6 0h12l-6 9z' }));
     this.svg.append(this.still, this.playhead);
     place.append(this.svg);
+    place.tabIndex = 0;
     this.scale = 0.1;
     this.gestures = 0;
     /** @type {{index: number, x: number, millis: number, gesture: string} | undefined} */
@@ -162,8 +163,7 @@ export class Timeline {
         class: `keyframe${isChosen ? ' chosen' : ''}`,
         transform: `translate(${x.toFixed(1)} 0)`,
         'data-keyframe': String(i),
-        tabindex: '-1',
-        role: 'button',
+        role: 'img',
         'aria-label': `Keyframe ${i + 1} at ${secondsText(times[i])}`,
       });
       const hasRoom = x - lastFigure >= LEAST_GAP || isChosen;
