@@ -46,7 +46,11 @@ class CoursePageTest {
     }
 
     private void visit() {
-        browser.visit(studio.address() + "&quality=lowest&theme=light");
+        visit("lowest");
+    }
+
+    private void visit(String quality) {
+        browser.visit(studio.address() + "&theme=light&quality=" + quality);
         browser.await("studio.state.frame && studio.view.drawCalls > 0");
         browser.await("document.querySelector(\"#rooms a[href='#field/exercises']\")?.hidden === false");
         browser.click("#rooms a[href='#field/exercises']");
@@ -82,7 +86,7 @@ class CoursePageTest {
 
     @Test
     void trialIsShownLiveAndItsVerdictBesideIt() throws IOException {
-        visit();
+        visit("high");
         chooseKick();
         browser.evaluate("document.querySelector('#course-program').value = 'Other.java'");
 
@@ -97,7 +101,7 @@ class CoursePageTest {
         browser.await("document.querySelector('#course-progress').innerText === 'Not yet passed: 4.0 of 10 points'");
         browser.await("document.querySelector('#course-output pre').textContent === 'hello from the program'");
         Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-        Files.write(Files.createDirectories(pictures).resolve("studio-exercise.png"), browser.screenshot());
+        Files.write(Files.createDirectories(pictures).resolve("studio-exercises.png"), browser.screenshot());
         browser.click("#course-stop");
         browser.await("studio.state.scene.robots.length === 0 && document.querySelector('#course-stop').hidden");
         assertThat(browser.complaints()).isEmpty();

@@ -17,8 +17,11 @@ import org.robonewbie.simulator.recording.RecordingShelf;
 import org.robonewbie.studio.search.SearchBoard;
 import org.robonewbie.studio.search.SearchTask;
 
-/** Somebody without a mouse walks through each room with the Tab key: every control is reached, and shows that it is. */
-@InBrowser
+/**
+ * Somebody without a mouse walks through each room with the Tab key: every control is reached, shows that it is, and
+ * lies on the page also on a small projector.
+ */
+@InBrowser(width = 1024)
 class KeyboardPageTest {
 
     /** Notes which controls there are, what has had the focus, and what of it did not show a ring. */
@@ -42,7 +45,9 @@ class KeyboardPageTest {
               });
               const missed = () => [...document.querySelectorAll(controls)]
                 .filter((each) => isUsable(each) && !reached.has(groupOf(each))).map(name);
-              return {missed, plain: () => [...plain], count: () => document.querySelectorAll(controls).length};
+              const beside = () => [...document.querySelectorAll(controls)].filter(isUsable)
+                .filter((each) => each.getBoundingClientRect().right > innerWidth + 1).map(name);
+              return {missed, beside, plain: () => [...plain], count: () => document.querySelectorAll(controls).length};
             })()""";
 
     @TempDir
@@ -167,6 +172,7 @@ class KeyboardPageTest {
         assertThat(texts("walk.missed()"))
                 .as("controls that Tab does not reach")
                 .isEmpty();
+        assertThat(texts("walk.beside()")).as("controls beside the page").isEmpty();
         assertThat(texts("walk.plain()")).as("controls without a ring").isEmpty();
     }
 
