@@ -103,8 +103,14 @@ class PuppetTest {
         return browser.send(request, HttpResponse.BodyHandlers.ofString());
     }
 
+    /** Waits for something that is seen from now on. */
     private WorldSnapshot await(Predicate<WorldSnapshot> condition) throws InterruptedException {
         seen.clear();
+        return awaitSinceLast(condition);
+    }
+
+    /** Waits for something that may have been seen since the test waited last; a world that stands still is reported once. */
+    private WorldSnapshot awaitSinceLast(Predicate<WorldSnapshot> condition) throws InterruptedException {
         WorldSnapshot snapshot = seen.poll(60, TimeUnit.SECONDS);
         while (snapshot != null && !condition.test(snapshot)) {
             snapshot = seen.poll(60, TimeUnit.SECONDS);
@@ -173,7 +179,7 @@ class PuppetTest {
 
         order("{'do':'removePuppet','side':'left','number':1}");
 
-        await(now -> now.robots().isEmpty());
+        awaitSinceLast(now -> now.robots().isEmpty());
     }
 
     @Test
@@ -189,7 +195,7 @@ class PuppetTest {
         HttpResponse<String> outside = ask("PUT", "/api/scenes/..%2Fout");
         assertThat(ask("POST", "/api/scenes/Corner%202").statusCode()).isEqualTo(200);
 
-        WorldSnapshot restored = await(now -> now.paused() && now.ballPosition().x() > 0.9);
+        WorldSnapshot restored = awaitSinceLast(now -> now.paused() && now.ballPosition().x() > 0.9);
         assertThat(x(restored)).isCloseTo(x(saved), within(0.1f));
         assertThat(ask("GET", "/api/scenes").body()).contains("\"Corner 2\"");
         assertThat(folder.resolve("scenes").resolve("Corner 2.rec")).exists();
@@ -212,7 +218,7 @@ class PuppetTest {
 
         assertThat(answer.body()).isEqualTo("{}");
         WorldSnapshot restored =
-                await(now -> now.paused() && now.robots().size() == 1 && Math.abs(x(now) - x(moment)) < 0.02);
+                awaitSinceLast(now -> now.paused() && now.robots().size() == 1 && Math.abs(x(now) - x(moment)) < 0.02);
         assertThat(restored.teamLeft()).isEqualTo("Puppets");
         assertThat(restored.gameTime()).isCloseTo(moment.gameTime(), within(0.05));
     }
