@@ -118,7 +118,7 @@ final class OptimiseCommand implements Callable<Integer> {
 
     @Option(
             names = "--again",
-            description = "Make a motion of the library again, exactly as it was made; OUTPUT is a folder.")
+            description = "Search for a motion of the library again, from the first guess on; OUTPUT is a folder.")
     private boolean again;
 
     @Mixin
@@ -137,7 +137,16 @@ final class OptimiseCommand implements Callable<Integer> {
         Path folder = output.orElse(Path.of("motions"));
         MotionWorkshop.make(name, folder);
         System.out.println("Written to the folder " + folder + ".");
+        laterSearch(name)
+                .ifPresent(command -> System.out.println("The library's file was improved then by: " + command));
         return ExitCode.OK;
+    }
+
+    /** Tells which search went on from what {@code --again} makes, if there was one. */
+    static Optional<String> laterSearch(String motion) {
+        return Library.file(motion)
+                .property("made by")
+                .filter(command -> command.startsWith("robonewbie ") && !command.contains(" --again"));
     }
 
     private int optimise() throws IOException, InterruptedException {

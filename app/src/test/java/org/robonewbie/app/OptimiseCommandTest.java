@@ -45,6 +45,13 @@ class OptimiseCommandTest {
     }
 
     @Test
+    void namesTheSearchThatWentOnFromAnEarlierOne() {
+        assertThat(OptimiseCommand.laterSearch("kick-right").orElseThrow()).contains("sketches/kick-right.txt");
+        assertThat(OptimiseCommand.laterSearch("turn-left-small")).isEmpty();
+        assertThat(OptimiseCommand.laterSearch("wave")).isEmpty();
+    }
+
+    @Test
     void leavesACheckpointAndCanGoOn() throws Exception {
         Path output = folder.resolve("kick-right.txt");
         String[] options = {

@@ -195,7 +195,8 @@ class PuppetTest {
         HttpResponse<String> outside = ask("PUT", "/api/scenes/..%2Fout");
         assertThat(ask("POST", "/api/scenes/Corner%202").statusCode()).isEqualTo(200);
 
-        WorldSnapshot restored = awaitSinceLast(now -> now.paused() && now.ballPosition().x() > 0.9);
+        WorldSnapshot restored =
+                awaitSinceLast(now -> now.paused() && now.ballPosition().x() > 0.9);
         assertThat(x(restored)).isCloseTo(x(saved), within(0.1f));
         assertThat(ask("GET", "/api/scenes").body()).contains("\"Corner 2\"");
         assertThat(folder.resolve("scenes").resolve("Corner 2.rec")).exists();
