@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
@@ -103,14 +104,8 @@ class PuppetTest {
         return browser.send(request, HttpResponse.BodyHandlers.ofString());
     }
 
-    /** Waits for something that is seen from now on. */
     private WorldSnapshot await(Predicate<WorldSnapshot> condition) throws InterruptedException {
         seen.clear();
-        return awaitSinceLast(condition);
-    }
-
-    /** Waits for something that may have been seen since the test waited last; a world that stands still is reported once. */
-    private WorldSnapshot awaitSinceLast(Predicate<WorldSnapshot> condition) throws InterruptedException {
         WorldSnapshot snapshot = seen.poll(60, TimeUnit.SECONDS);
         while (snapshot != null && !condition.test(snapshot)) {
             snapshot = seen.poll(60, TimeUnit.SECONDS);
@@ -176,10 +171,13 @@ class PuppetTest {
     @Test
     void puppetIsTakenAway() throws InterruptedException {
         addPuppet();
+        order("{'do':'addPuppet','side':'right'}"); // without any agent the world would stand still, and nobody leave
+        // it
+        await(now -> now.robots().size() == 2);
 
         order("{'do':'removePuppet','side':'left','number':1}");
 
-        awaitSinceLast(now -> now.robots().isEmpty());
+        await(now -> now.robots().size() == 1 && now.robots().get(0).side().equals(Optional.of(TeamSide.RIGHT)));
     }
 
     @Test
@@ -187,6 +185,7 @@ class PuppetTest {
         addPuppet();
         simulator.control().placeBall(new Vector3(1, 2, 0.042), Vector3.ZERO);
         WorldSnapshot saved = await(now -> now.ballPosition().x() > 0.9);
+        awaitSightOfTheStudio();
         assertThat(ask("PUT", "/api/scenes/Corner%202").statusCode()).isEqualTo(200);
         simulator.control().reset();
         await(now -> now.ballPosition().length() < 0.1);
@@ -195,8 +194,7 @@ class PuppetTest {
         HttpResponse<String> outside = ask("PUT", "/api/scenes/..%2Fout");
         assertThat(ask("POST", "/api/scenes/Corner%202").statusCode()).isEqualTo(200);
 
-        WorldSnapshot restored =
-                awaitSinceLast(now -> now.paused() && now.ballPosition().x() > 0.9);
+        WorldSnapshot restored = await(now -> now.paused() && now.ballPosition().x() > 0.9);
         assertThat(x(restored)).isCloseTo(x(saved), within(0.1f));
         assertThat(ask("GET", "/api/scenes").body()).contains("\"Corner 2\"");
         assertThat(folder.resolve("scenes").resolve("Corner 2.rec")).exists();
@@ -219,7 +217,7 @@ class PuppetTest {
 
         assertThat(answer.body()).isEqualTo("{}");
         WorldSnapshot restored =
-                awaitSinceLast(now -> now.paused() && now.robots().size() == 1 && Math.abs(x(now) - x(moment)) < 0.02);
+                await(now -> now.paused() && now.robots().size() == 1 && Math.abs(x(now) - x(moment)) < 0.02);
         assertThat(restored.teamLeft()).isEqualTo("Puppets");
         assertThat(restored.gameTime()).isCloseTo(moment.gameTime(), within(0.05));
     }
