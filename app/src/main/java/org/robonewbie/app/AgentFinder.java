@@ -1,11 +1,13 @@
 package org.robonewbie.app;
 
+import java.io.File;
 import java.io.UncheckedIOException;
 import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -21,6 +23,11 @@ final class AgentFinder {
     AgentFinder(ExampleCatalogue examples, List<Path> classPath) {
         this.examples = examples;
         this.classPath = classPath;
+    }
+
+    /** Reads a class path as Java writes it. */
+    static List<Path> folders(String classPath) {
+        return Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
     }
 
     /**

@@ -1,10 +1,8 @@
 package org.robonewbie.app;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.ServiceLoader;
@@ -95,8 +93,7 @@ final class ExperimentCommand implements Callable<Integer> {
             throw new CalledWronglyException(
                     "There is no plan \"" + planFile + "\". See robonewbie experiment --help.");
         }
-        List<Path> folders =
-                Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
+        List<Path> folders = AgentFinder.folders(classPath);
         Thread.currentThread().setContextClassLoader(AgentFinder.loaderOf(folders));
         try {
             ResultTable table = run(ExperimentPlan.read(planFile), engine());

@@ -1,8 +1,6 @@
 package org.robonewbie.app;
 
-import java.io.File;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.Agent;
@@ -79,8 +77,7 @@ final class OptimisedAgent {
                             + ball + ".");
         }
         String name = program.orElseThrow();
-        List<Path> folders =
-                Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
+        List<Path> folders = AgentFinder.folders(classPath);
         StudentsAgents agents = StudentsAgents.of(new AgentFinder(ExampleCatalogue.load(), folders).findClass(name));
         AgentScene scene = new AgentScene(
                 new Vector3(pose.get(0), pose.get(1), 0),

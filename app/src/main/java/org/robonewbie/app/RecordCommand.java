@@ -1,13 +1,11 @@
 package org.robonewbie.app;
 
-import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -94,8 +92,7 @@ final class RecordCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         check();
-        List<Path> classFolders =
-                Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
+        List<Path> classFolders = AgentFinder.folders(classPath);
         AgentProgram program = new AgentFinder(ExampleCatalogue.load(), classFolders).find(agentAndOptions.get(0));
         DataSet set = create();
         try (RecordingGuard guard = RecordingGuard.begin(set, runs, seconds)) {

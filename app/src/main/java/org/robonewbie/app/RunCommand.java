@@ -1,9 +1,6 @@
 package org.robonewbie.app;
 
-import java.io.File;
-import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -55,16 +52,12 @@ final class RunCommand implements Callable<Integer> {
             throw new CalledWronglyException("Name the agent first, then its options: robonewbie run "
                     + ExampleCatalogue.FIRST_EXAMPLE + " " + optionsBeforeTheAgent.get(0));
         }
-        AgentFinder finder = new AgentFinder(ExampleCatalogue.load(), folders());
+        AgentFinder finder = new AgentFinder(ExampleCatalogue.load(), AgentFinder.folders(classPath));
         if (agentAndOptions.isEmpty()) {
             throw new CalledWronglyException("Which agent shall run? Write for example: robonewbie run "
                     + ExampleCatalogue.FIRST_EXAMPLE + System.lineSeparator() + finder.listOfExamples());
         }
         List<String> options = agentAndOptions.subList(1, agentAndOptions.size());
         return finder.find(agentAndOptions.get(0)).run(options);
-    }
-
-    private List<Path> folders() {
-        return Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
     }
 }
