@@ -3,7 +3,10 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
 
-const STYLES = readFileSync(new URL('../../main/resources/org/robonewbie/studio/web/theme.css', import.meta.url), 'utf8');
+const STYLES = readFileSync(
+  new URL('../../main/resources/org/robonewbie/studio/web/theme.css', import.meta.url),
+  'utf8',
+);
 
 /** Ratio that the accessibility guidelines of the web ask for (WCAG 2.2, 1.4.3 for letters, 1.4.11 for shapes). */
 const LETTERS = 4.5;
@@ -17,22 +20,40 @@ const LETTERS_IN_DRAWINGS = ['font-size: 5.4px', 'font-size: 0.6px', 'font-size:
 
 /** How people without one kind of cone see linear red, green and blue (Machado, Oliveira and Fernandes 2009, severity 1). */
 const BLINDNESS = {
-  protanopia: [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
-  deuteranopia: [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]],
-  tritanopia: [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.3039]],
+  protanopia: [
+    [0.152286, 1.052583, -0.204868],
+    [0.114503, 0.786281, 0.099216],
+    [-0.003882, -0.048116, 1.051998],
+  ],
+  deuteranopia: [
+    [0.367322, 0.860646, -0.227968],
+    [0.280085, 0.672501, 0.047413],
+    [-0.01182, 0.04294, 0.968881],
+  ],
+  tritanopia: [
+    [1.255528, -0.076749, -0.178779],
+    [-0.078411, 0.930809, 0.147602],
+    [0.004733, 0.691367, 0.3039],
+  ],
 };
 
 /** @param {'light' | 'dark'} theme @returns {Record<string, number[]>} red, green, blue from 0 to 1, and how opaque */
 function palette(theme) {
-  const block = theme === 'light' ? STYLES.slice(STYLES.indexOf(':root {')) : STYLES.slice(STYLES.indexOf("[data-theme='dark']"));
+  const block =
+    theme === 'light' ? STYLES.slice(STYLES.indexOf(':root {')) : STYLES.slice(STYLES.indexOf("[data-theme='dark']"));
   const rules = block.slice(0, block.indexOf('}'));
-  return Object.fromEntries([...rules.matchAll(/--([\w-]+): ([^;]+);/g)].map(([, name, value]) => [name, colour(value)]));
+  return Object.fromEntries(
+    [...rules.matchAll(/--([\w-]+): ([^;]+);/g)].map(([, name, value]) => [name, colour(value)]),
+  );
 }
 
 /** @param {string} text */
 function colour(text) {
   if (text.startsWith('#')) {
-    const digits = text.length === 4 ? [...text.slice(1)].map((digit) => digit + digit) : [1, 3, 5].map((at) => text.slice(at, at + 2));
+    const digits =
+      text.length === 4
+        ? [...text.slice(1)].map((digit) => digit + digit)
+        : [1, 3, 5].map((at) => text.slice(at, at + 2));
     return [...digits.map((pair) => parseInt(pair, 16) / 255), 1];
   }
   const [red, green, blue, percent] = [...text.matchAll(/[\d.]+/g)].map(Number);
@@ -43,7 +64,8 @@ function colour(text) {
 const over = (front, behind) => [0, 1, 2].map((i) => front[i] * front[3] + behind[i] * (1 - front[3]));
 
 /** @param {number[]} rgb */
-const linear = (rgb) => rgb.slice(0, 3).map((value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4));
+const linear = (rgb) =>
+  rgb.slice(0, 3).map((value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4));
 
 /** @param {number[]} rgb */
 function luminance(rgb) {
@@ -69,7 +91,12 @@ function lab([red, green, blue]) {
 for (const theme of /** @type {const} */ (['light', 'dark'])) {
   const colours = palette(theme);
   const grass = theme === 'light' ? colour('#5cab69') : colour('#2d6a3c');
-  const grounds = { page: colours.page, panel: over(colours.panel, colours.page), 'panel over grass': over(colours.panel, grass), field: colours.field };
+  const grounds = {
+    page: colours.page,
+    panel: over(colours.panel, colours.page),
+    'panel over grass': over(colours.panel, grass),
+    field: colours.field,
+  };
 
   test(`letters can be read on every ground, ${theme}`, () => {
     for (const [ground, behind] of Object.entries(grounds)) {
@@ -92,7 +119,17 @@ for (const theme of /** @type {const} */ (['light', 'dark'])) {
     for (const [kind, matrix] of Object.entries(BLINDNESS)) {
       const [left, right] = [colours.left, colours.right].map((each) => {
         const light = linear(each);
-        return lab(matrix.map((row) => Math.min(1, Math.max(0, row.reduce((sum, part, i) => sum + part * light[i], 0)))));
+        return lab(
+          matrix.map((row) =>
+            Math.min(
+              1,
+              Math.max(
+                0,
+                row.reduce((sum, part, i) => sum + part * light[i], 0),
+              ),
+            ),
+          ),
+        );
       });
       const distance = Math.hypot(...left.map((value, i) => value - right[i]));
       assert.ok(distance > 50, `${kind}: ${distance.toFixed(0)}`);
@@ -103,7 +140,9 @@ for (const theme of /** @type {const} */ (['light', 'dark'])) {
 test('no letters are smaller than twelve pixels', () => {
   const folder = new URL('../../main/resources/org/robonewbie/studio/web/', import.meta.url);
   for (const file of ['theme', 'layout', 'messages', 'motion', 'puppet', 'replay', 'robot', 'time-line']) {
-    const sizes = [...readFileSync(new URL(`${file}.css`, folder), 'utf8').matchAll(/font(?:-size)?:[^;]*?([\d.]+)(px|rem|em)/g)];
+    const sizes = [
+      ...readFileSync(new URL(`${file}.css`, folder), 'utf8').matchAll(/font(?:-size)?:[^;]*?([\d.]+)(px|rem|em)/g),
+    ];
     for (const [rule, size, unit] of sizes.filter(([each]) => !LETTERS_IN_DRAWINGS.includes(each))) {
       assert.ok(Number(size) * (unit === 'px' ? 1 : 15) >= 12, `${file}.css: ${rule}`);
     }

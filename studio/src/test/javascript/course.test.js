@@ -1,19 +1,38 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { hints, progressText, trialText, usualProgram } from '../../main/resources/org/robonewbie/studio/web/state/course.js';
+import {
+  hints,
+  progressText,
+  trialText,
+  usualProgram,
+} from '../../main/resources/org/robonewbie/studio/web/state/course.js';
 
 /** @typedef {import('../../main/resources/org/robonewbie/studio/web/state/course.js').Attempt} Attempt */
 
 const trial = { seed: 1, passed: false, points: 4, finding: 'the ball went 1.00 m', hint: 'Be quick.' };
 
 /** @type {Attempt} */
-const attempt = { id: 1, state: 'RUNNING', exercise: 'kick', program: 'Kick.java', port: 3110, trials: 2, judged: [trial], points: 4, passed: false, output: '' };
+const attempt = {
+  id: 1,
+  state: 'RUNNING',
+  exercise: 'kick',
+  program: 'Kick.java',
+  port: 3110,
+  trials: 2,
+  judged: [trial],
+  points: 4,
+  passed: false,
+  output: '',
+};
 
 test('progress tells which trial runs and how all of them ended', () => {
   assert.equal(progressText(attempt), 'Trial 2 of 2 is running and being judged.');
   assert.equal(progressText({ ...attempt, state: 'WAITING' }), 'Trial 2 of 2: Kick.java is starting…');
   assert.equal(progressText({ ...attempt, state: 'OVER', judged: [trial, trial] }), 'Not yet passed: 4.0 of 10 points');
-  assert.equal(progressText({ ...attempt, state: 'OVER', judged: [trial, trial], passed: true, points: 10 }), 'Passed: 10.0 of 10 points');
+  assert.equal(
+    progressText({ ...attempt, state: 'OVER', judged: [trial, trial], passed: true, points: 10 }),
+    'Passed: 10.0 of 10 points',
+  );
   assert.equal(progressText({ ...attempt, state: 'NONE' }), '');
 });
 
@@ -23,11 +42,23 @@ test('an own agent is told how to come', () => {
 
 test('a trial tells seed, points and what was measured, and hints come once', () => {
   assert.equal(trialText(trial), '✗ Seed 1: 4 points, the ball went 1.00 m');
-  assert.deepEqual(hints({ ...attempt, judged: [trial, { ...trial, seed: 2 }, { ...trial, hint: '' }] }), ['Be quick.']);
+  assert.deepEqual(hints({ ...attempt, judged: [trial, { ...trial, seed: 2 }, { ...trial, hint: '' }] }), [
+    'Be quick.',
+  ]);
 });
 
 test('the usual program is chosen if it is there', () => {
-  const lesson = { number: 12, name: 'kick', title: '', goal: '', level: '', minutes: 1, points: 10, worksheet: '', file: 'Kick.java' };
+  const lesson = {
+    number: 12,
+    name: 'kick',
+    title: '',
+    goal: '',
+    level: '',
+    minutes: 1,
+    points: 10,
+    worksheet: '',
+    file: 'Kick.java',
+  };
 
   assert.equal(usualProgram(lesson, ['Kick.java', 'Other.java']), 'Kick.java');
   assert.equal(usualProgram(lesson, ['Other.java']), '');

@@ -9,10 +9,24 @@ const { bodyOf, linkIndex, placed, pointOf, posesOf } = await import(`${WEB}/bod
 const { bodyMarks, jointMarks } = await import(`${WEB}/checks.js`);
 const { collisionsOf } = await import(`${WEB}/collisions.js`);
 const { deleted, duplicated, mirroredMotion, pasted, copied, shifted, timed, turned } = await import(`${WEB}/edits.js`);
-const { atTime, documentOf, framesOf, initialEditor, isUnsaved, judgeDisk, played, posed, selected, withFile, withKeyframeHere, withUndo } = await import(`${WEB}/editor-state.js`);
+const {
+  atTime,
+  documentOf,
+  framesOf,
+  initialEditor,
+  isUnsaved,
+  judgeDisk,
+  played,
+  posed,
+  selected,
+  withFile,
+  withKeyframeHere,
+  withRedo,
+  withUndo,
+} = await import(`${WEB}/editor-state.js`);
 const { parse, textOf } = await import(`${WEB}/motion-text.js`);
 const { STANDING, readPostures, usualPostures, writePostures } = await import(`${WEB}/poses.js`);
-const { copiedSide, mirrored, postureFrom, symmetric } = await import(`${WEB}/posture.js`);
+const { copiedSide, mirrored, mostTurned, postureFrom, symmetric } = await import(`${WEB}/posture.js`);
 const { chainJoints, followed, ownJoints, pulled, torsoMoved } = await import(`${WEB}/reach.js`);
 
 const file = join(process.env.STUDIO_FRAME_FOLDER ?? '', 'robot.json');
@@ -40,14 +54,22 @@ withBody('the usual postures are within all ranges and no limbs touch', () => {
       assert.ok(angle >= minDegrees && angle <= maxDegrees, `${name}: ${body.joints[i].name} ${angle}`);
     });
     const pairs = collisionsOf(body, posesOf(body, degrees, placed(body, degrees, 'soles')));
-    assert.deepEqual(pairs.map((/** @type {number[]} */ pair) => pair.map((link) => body.model.links[link].name)), [], name);
+    assert.deepEqual(
+      pairs.map((/** @type {number[]} */ pair) => pair.map((link) => body.model.links[link].name)),
+      [],
+      name,
+    );
   }
 });
 
 withBody('standing is balanced on both soles, and arms through the belly are found', () => {
   const balance = balanceOf(body, posesOf(body, stand, placed(body, stand, 'soles')));
   assert.ok(balance.margin > 0.02, String(balance.margin));
-  const crossed = stand.with(joint('LEFT_SHOULDER_YAW'), -1).with(joint('LEFT_ARM_ROLL'), 0).with(joint('LEFT_ARM_YAW'), -90).with(joint('LEFT_SHOULDER_PITCH'), -60);
+  const crossed = stand
+    .with(joint('LEFT_SHOULDER_YAW'), -1)
+    .with(joint('LEFT_ARM_ROLL'), 0)
+    .with(joint('LEFT_ARM_YAW'), -90)
+    .with(joint('LEFT_SHOULDER_PITCH'), -60);
   assert.ok(collisionsOf(body, posesOf(body, crossed, placed(body, crossed, 'soles'))).length > 0);
 });
 
@@ -66,11 +88,16 @@ withBody('a pulled hand is reached with the whole arm, and only the elbow turns 
   let reached = stand;
   let target = [0, 0, 0];
   for (let step = 1; step <= 12; step++) {
-    const wanted = stand.map((/** @type {number} */ angle, /** @type {number} */ i) => angle + (step / 12) * (end[i] - angle));
+    const wanted = stand.map(
+      (/** @type {number} */ angle, /** @type {number} */ i) => angle + (step / 12) * (end[i] - angle),
+    );
     target = pointOf(posesOf(body, wanted, torso), link, [0, 0.05, 0]);
     reached = pulled(body, reached, torso, { link, local: [0, 0.05, 0], target, joints: chainJoints(body, link) });
     const there = pointOf(posesOf(body, reached, torso), link, [0, 0.05, 0]);
-    assert.ok(Math.hypot(...there.map((/** @type {number} */ value, /** @type {number} */ i) => value - target[i])) < 0.002, `step ${step}`);
+    assert.ok(
+      Math.hypot(...there.map((/** @type {number} */ value, /** @type {number} */ i) => value - target[i])) < 0.002,
+      `step ${step}`,
+    );
   }
   const own = pulled(body, stand, torso, { link, local: [0, 0.05, 0], target, joints: ownJoints(body, link) });
   body.joints.forEach((/** @type {any} */ { name, minDegrees, maxDegrees }, /** @type {number} */ i) => {
@@ -85,17 +112,30 @@ withBody('a far jump of the hand comes as near as many small moves do', () => {
   const local = [0, 0.05, 0];
   const joints = chainJoints(body, link);
   const from = pointOf(posesOf(body, stand, torso), link, local);
-  for (const way of [[0.3, 0.2, 0.3], [-0.5, -0.1, 0.4], [0.1, -0.6, 0], [0, 0.2, -0.9]]) {
-    const at = (/** @type {number} */ part) => from.map((/** @type {number} */ value, /** @type {number} */ axis) => value + part * way[axis]);
+  for (const way of [
+    [0.3, 0.2, 0.3],
+    [-0.5, -0.1, 0.4],
+    [0.1, -0.6, 0],
+    [0, 0.2, -0.9],
+  ]) {
+    const at = (/** @type {number} */ part) =>
+      from.map((/** @type {number} */ value, /** @type {number} */ axis) => value + part * way[axis]);
     const strides = Math.min(25, Math.ceil(Math.hypot(...way) / 0.02));
     let slowly = stand;
     for (let step = 1; step <= strides; step++) {
       slowly = followed(body, slowly, torso, { link, local, target: at(step / strides), joints });
     }
     const atOnce = followed(body, stand, torso, { link, local, target: at(1), joints });
-    const distance = (/** @type {number[]} */ posture) => Math.hypot(...pointOf(posesOf(body, posture, torso), link, local).map((/** @type {number} */ value, /** @type {number} */ i) => value - at(1)[i]));
+    const distance = (/** @type {number[]} */ posture) =>
+      Math.hypot(
+        ...pointOf(posesOf(body, posture, torso), link, local).map(
+          (/** @type {number} */ value, /** @type {number} */ i) => value - at(1)[i],
+        ),
+      );
     assert.ok(distance(atOnce) < distance(slowly) + 0.03, `${way}: ${distance(atOnce)} instead of ${distance(slowly)}`);
-    body.joints.forEach((/** @type {any} */ { minDegrees, maxDegrees }, /** @type {number} */ i) => assert.ok(atOnce[i] >= minDegrees && atOnce[i] <= maxDegrees));
+    body.joints.forEach((/** @type {any} */ { minDegrees, maxDegrees }, /** @type {number} */ i) =>
+      assert.ok(atOnce[i] >= minDegrees && atOnce[i] <= maxDegrees),
+    );
   }
 });
 
@@ -104,8 +144,13 @@ withBody('the feet stay while the torso goes down', () => {
   const moved = torsoMoved(body, stand, torso, [0, 0, -0.05]);
   for (const name of ['lfoot', 'rfoot']) {
     const link = linkIndex(body, name);
-    const [before, after] = [posesOf(body, stand, torso), posesOf(body, moved.posture, moved.torso)].map((poses) => pointOf(poses, link, [0, 0.08, -0.01]));
-    assert.ok(Math.hypot(...before.map((/** @type {number} */ value, /** @type {number} */ i) => value - after[i])) < 0.004, name);
+    const [before, after] = [posesOf(body, stand, torso), posesOf(body, moved.posture, moved.torso)].map((poses) =>
+      pointOf(poses, link, [0, 0.08, -0.01]),
+    );
+    assert.ok(
+      Math.hypot(...before.map((/** @type {number} */ value, /** @type {number} */ i) => value - after[i])) < 0.004,
+      name,
+    );
   }
   assert.ok(moved.posture[joint('LEFT_KNEE_PITCH')] < stand[joint('LEFT_KNEE_PITCH')] - 10);
 });
@@ -127,14 +172,23 @@ withBody('what motors cannot do and where limbs touch is marked with time and re
     { millis: 500, degrees: stand.with(joint('NECK_PITCH'), 60) },
   ];
   const marks = jointMarks(body, frames);
-  assert.deepEqual(marks.map(({ kind, from, to }) => [kind, from, to]), [['speed', 500, 600], ['range', 1100, 1100]]);
+  assert.deepEqual(
+    marks.map(({ kind, from, to }) => [kind, from, to]),
+    [
+      ['speed', 500, 600],
+      ['range', 1100, 1100],
+    ],
+  );
   assert.match(marks[0].text, /neck yaw turns 90° in 100 ms; its motor needs 260 ms/);
   assert.deepEqual(bodyMarks(body, frames, 'soles'), []);
 });
 
 withBody('a posture at the playhead becomes a keyframe, in time', () => {
   const state = posed(atTime(editorWith(2), 200), stand.with(0, 10), 'Drag');
-  assert.deepEqual(framesOf(state).map(({ millis }) => millis), [100, 100, 100]);
+  assert.deepEqual(
+    framesOf(state).map(({ millis }) => millis),
+    [100, 100, 100],
+  );
   assert.equal(framesOf(state)[1].degrees[0], 10);
   assert.equal(state.last, 1);
   assert.ok(isUnsaved(state));
@@ -162,7 +216,10 @@ withBody('both sides alike turns the partner too', () => {
 
 withBody('a new keyframe at the end comes after the last one', () => {
   const state = withKeyframeHere(selected(editorWith(2), 1));
-  assert.deepEqual(framesOf(state).map(({ millis }) => millis), [100, 200, 500]);
+  assert.deepEqual(
+    framesOf(state).map(({ millis }) => millis),
+    [100, 200, 500],
+  );
 });
 
 withBody('the animation stops at the end, or begins again', () => {
@@ -187,5 +244,54 @@ withBody('own postures are kept in a readable file', () => {
 });
 
 test('the hull of a square with a point inside is the square', () => {
-  assert.deepEqual(hull([[0, 0], [1, 0], [0.5, 0.5], [1, 1], [0, 1]]), [[0, 0], [1, 0], [1, 1], [0, 1]]);
+  assert.deepEqual(
+    hull([
+      [0, 0],
+      [1, 0],
+      [0.5, 0.5],
+      [1, 1],
+      [0, 1],
+    ]),
+    [
+      [0, 0],
+      [1, 0],
+      [1, 1],
+      [0, 1],
+    ],
+  );
+});
+
+withBody('undo and redo choose the keyframe that they change', () => {
+  const changed = turned(selected(editorWith(4), 2), joint('NECK_YAW'), 20);
+
+  assert.equal(withUndo(selected(changed, 0)).last, 2);
+  assert.equal(withRedo(selected(withUndo(changed), 0)).last, 2);
+});
+
+withBody('an edit that changes nothing makes no step', () => {
+  const state = editorWith(2);
+
+  assert.equal(turned(state, joint('LEFT_KNEE_PITCH'), stand[joint('LEFT_KNEE_PITCH')]).history.past.length, 0);
+  assert.equal(timed(state, 1, framesOf(state)[1].millis).history.past.length, 0);
+});
+
+withBody('a dragged limb chooses the joint that turns most', () => {
+  const posture = stand.with(joint('LEFT_ARM_ROLL'), -70).with(joint('LEFT_ARM_YAW'), -30);
+
+  assert.equal(mostTurned(stand, posture, 0), joint('LEFT_ARM_ROLL'));
+  assert.equal(mostTurned(stand, stand, 7), 7);
+});
+
+withBody('the head is a ball: an arm beside the corner of its box does not touch it', () => {
+  const near = stand
+    .with(joint('NECK_YAW'), 33)
+    .with(joint('NECK_PITCH'), 7)
+    .with(joint('RIGHT_SHOULDER_PITCH'), -95.5);
+  const poses = posesOf(body, near, placed(body, near, 'soles'));
+
+  assert.deepEqual(collisionsOf(body, poses), []);
+  const inside = poses.slice();
+  const [hand, head] = ['rupperarm', 'head'].map((name) => 7 * linkIndex(body, name));
+  inside.set(poses.slice(head, head + 3), hand);
+  assert.ok(collisionsOf(body, inside).some((pair) => pair.includes(linkIndex(body, 'head'))));
 });

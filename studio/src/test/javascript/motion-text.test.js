@@ -2,7 +2,12 @@ import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
-import { changed, historyOf, redone, undone } from '../../main/resources/org/robonewbie/studio/web/state/motion/history.js';
+import {
+  changed,
+  historyOf,
+  redone,
+  undone,
+} from '../../main/resources/org/robonewbie/studio/web/state/motion/history.js';
 import {
   keyframesOf,
   reversed,
@@ -12,7 +17,14 @@ import {
   withMoved,
   without,
 } from '../../main/resources/org/robonewbie/studio/web/state/motion/motion-document.js';
-import { decode, encode, numberText, parse, textOf } from '../../main/resources/org/robonewbie/studio/web/state/motion/motion-text.js';
+import {
+  decode,
+  encode,
+  numberText,
+  parse,
+  problemOf,
+  textOf,
+} from '../../main/resources/org/robonewbie/studio/web/state/motion/motion-text.js';
 import { postureAt, timesOf } from '../../main/resources/org/robonewbie/studio/web/state/motion/timing.js';
 import { readWebots, writeWebots } from '../../main/resources/org/robonewbie/studio/web/state/motion/webots.js';
 
@@ -21,7 +33,10 @@ const FILE = `// author: Ada\r\n500 ${ANGLES}  // first\r\n\r\nnonsense\r\n300\t
 
 test('a file keeps every character', () => {
   assert.equal(textOf(parse(FILE)), FILE);
-  assert.deepEqual(keyframesOf(parse(FILE)).map(({ millis }) => millis), [500, 300]);
+  assert.deepEqual(
+    keyframesOf(parse(FILE)).map(({ millis }) => millis),
+    [500, 300],
+  );
   assert.match(parse(FILE).lines[3].problem ?? '', /found “nonsense”, expected the time/);
 });
 
@@ -41,18 +56,30 @@ test('keyframes are put in, taken out and moved with their comments', () => {
   const document = parse(FILE);
   const frame = { millis: 40, degrees: keyframesOf(document)[0].degrees };
   const grown = withInserted(document, 2, frame);
-  assert.deepEqual(keyframesOf(grown).map(({ millis }) => millis), [500, 300, 40]);
+  assert.deepEqual(
+    keyframesOf(grown).map(({ millis }) => millis),
+    [500, 300, 40],
+  );
   assert.equal(textOf(grown).split('\r\n').length, FILE.split('\r\n').length + 2);
-  assert.deepEqual(keyframesOf(without(grown, 0)).map(({ millis }) => millis), [300, 40]);
+  assert.deepEqual(
+    keyframesOf(without(grown, 0)).map(({ millis }) => millis),
+    [300, 40],
+  );
   const moved = withMoved(document, 0, 1);
-  assert.deepEqual(keyframesOf(moved).map(({ millis }) => millis), [300, 500]);
+  assert.deepEqual(
+    keyframesOf(moved).map(({ millis }) => millis),
+    [300, 500],
+  );
   assert.ok(textOf(moved).trimEnd().endsWith('// first'));
 });
 
 test('reversing twice gives the same motion, and tempo keeps whole cycles', () => {
   const document = parse(FILE);
   assert.deepEqual(keyframesOf(reversed(reversed(document))), keyframesOf(document));
-  assert.deepEqual(keyframesOf(scaled(document, 0.33)).map(({ millis }) => millis), [160, 100]);
+  assert.deepEqual(
+    keyframesOf(scaled(document, 0.33)).map(({ millis }) => millis),
+    [160, 100],
+  );
 });
 
 test('numbers are written without exponent', () => {
@@ -87,22 +114,34 @@ test('a joint moves evenly from keyframe to keyframe', () => {
 test('a motion survives the way to Webots and back', () => {
   const frames = keyframesOf(parse(FILE));
   const back = readWebots(writeWebots(frames));
-  assert.deepEqual(back.map(({ millis }) => millis), [500, 300]);
-  back.forEach(({ degrees }, i) => degrees.forEach((angle, k) => assert.ok(Math.abs(angle - frames[i].degrees[k]) < 1e-4)));
+  assert.deepEqual(
+    back.map(({ millis }) => millis),
+    [500, 300],
+  );
+  back.forEach(({ degrees }, i) =>
+    degrees.forEach((angle, k) => assert.ok(Math.abs(angle - frames[i].degrees[k]) < 1e-4)),
+  );
   assert.throws(() => readWebots('hello'), /no Webots motion/);
   assert.throws(() => readWebots('#WEBOTS_MOTION,V1.0,HeadYaw\n1,Pose1,0\n'), /Line 2 .* expected a time such as/);
 });
 
 test('Webots files with some joints only, in their own order, are read', () => {
-  const frames = readWebots('#WEBOTS_MOTION,V1.0,HeadPitch,HeadYaw{S}\r\n00:00:120,Pose1,0.1,*\r\n00:01:120,Pose2,0,-1.5707963\r\n');
-  assert.deepEqual(frames.map(({ millis }) => millis), [120, 1000]);
+  const frames = readWebots(
+    '#WEBOTS_MOTION,V1.0,HeadPitch,HeadYaw{S}\r\n00:00:120,Pose1,0.1,*\r\n00:01:120,Pose2,0,-1.5707963\r\n',
+  );
+  assert.deepEqual(
+    frames.map(({ millis }) => millis),
+    [120, 1000],
+  );
   assert.ok(Math.abs(frames[0].degrees[1] - 5.7296) < 1e-3);
   assert.equal(frames[1].degrees[0], -90);
 });
 
 test('the page understands and changes files exactly as the robot does', (context) => {
   const folder = process.env.STUDIO_FRAME_FOLDER ?? '';
-  const cases = existsSync(join(folder, 'motions')) ? readdirSync(join(folder, 'motions')).filter((name) => name.endsWith('.txt')) : [];
+  const cases = existsSync(join(folder, 'motions'))
+    ? readdirSync(join(folder, 'motions')).filter((name) => name.endsWith('.txt'))
+    : [];
   if (cases.length === 0) {
     context.skip('run by Maven');
     return;
@@ -112,11 +151,24 @@ test('the page understands and changes files exactly as the robot does', (contex
     const truth = JSON.parse(readFileSync(join(folder, 'motions', name.replace('.txt', '.json')), 'utf8'));
     const document = decode(bytes);
     assert.deepEqual(encode(document), bytes, name);
-    assert.deepEqual(keyframesOf(document).map(({ millis, degrees }) => [millis, ...degrees]), truth.keyframes, name);
+    assert.deepEqual(
+      keyframesOf(document).map(({ millis, degrees }) => [millis, ...degrees]),
+      truth.keyframes,
+      name,
+    );
     assert.equal(document.lines.filter(({ problem }) => problem).length, truth.errors, name);
     truth.keyframes.forEach((/** @type {number[]} */ _, /** @type {number} */ i) => {
       const degrees = keyframesOf(document)[i].degrees.with(i % 22, truth.angle);
       assert.equal(textOf(withKeyframe(document, i, { millis: 1234, degrees })), truth.changed[i], name);
     });
   }
+});
+
+test('a line that no robot can read is told with its number', () => {
+  assert.equal(problemOf(parse('// fine\n\n')), '');
+  assert.equal(
+    problemOf(parse('// fine\nthis line is nonsense\n')),
+    'Line 2 cannot be read: found “this”, expected the time in whole milliseconds, such as 500',
+  );
+  assert.match(problemOf(parse('a\nb\n')), /\(2 such lines\)$/);
 });

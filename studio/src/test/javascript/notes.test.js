@@ -6,7 +6,10 @@ import { notesOf } from '../../main/resources/org/robonewbie/studio/web/state/re
 const line = (seconds, level, text) => JSON.stringify({ seconds, robot: 'Blue 1', level, text });
 
 test('warnings and lines of logs become events at their cycles', () => {
-  const events = notesOf(`${line(1.02, 'INFO', 'I see the ball')}\n${line(2, 'WARNING', 'too fast')}\n${line(2, 'ERROR', 'no')}\n`, 1);
+  const events = notesOf(
+    `${line(1.02, 'INFO', 'I see the ball')}\n${line(2, 'WARNING', 'too fast')}\n${line(2, 'ERROR', 'no')}\n`,
+    1,
+  );
 
   assert.deepEqual(events, [
     { index: 50, kind: 'log', text: 'Blue 1 says I see the ball' },

@@ -69,7 +69,10 @@ test('without its commands a recording shows the same, also where it ends in the
 });
 
 test('something else is refused in plain words', () => {
-  assert.throws(() => new RecordingReader(() => 22).push(new TextEncoder().encode('Hello, this is some other file')), /not a recording/);
+  assert.throws(
+    () => new RecordingReader(() => 22).push(new TextEncoder().encode('Hello, this is some other file')),
+    /not a recording/,
+  );
 });
 
 test('the replay plays, stops at the end and repeats a part', () => {
@@ -93,5 +96,7 @@ test('events are found forwards and backwards', () => {
 
 /** @param {ArrayLike<number>} actual @param {number[]} expected @param {number} tolerance */
 function isNear(actual, expected, tolerance) {
-  expected.forEach((value, i) => assert.ok(Math.abs(actual[i] - value) <= tolerance, `${i}: ${actual[i]} is not ${value}`));
+  expected.forEach((value, i) =>
+    assert.ok(Math.abs(actual[i] - value) <= tolerance, `${i}: ${actual[i]} is not ${value}`),
+  );
 }

@@ -20,7 +20,9 @@ export function sampleModel() {
       { name: 'body', position: [0, 0, 0], size: [0.1, 0.1, 0.2] },
       { name: 'arm', position: [0.1, 0.1, 0], size: [0.02, 0.2, 0.02] },
     ],
-    hinges: [{ joint: 'ARM', child: 1, parent: 0, anchor: [0.1, 0, 0], axis: [1, 0, 0], minDegrees: -90, maxDegrees: 90 }],
+    hinges: [
+      { joint: 'ARM', child: 1, parent: 0, anchor: [0.1, 0, 0], axis: [1, 0, 0], minDegrees: -90, maxDegrees: 90 },
+    ],
   };
 }
 
@@ -53,6 +55,7 @@ export function sampleFrame(changes = {}) {
  */
 export function isNear(actual, expected, tolerance = 1e-5) {
   return (
-    actual.length === expected.length && Array.from(actual).every((value, i) => Math.abs(value - expected[i]) <= tolerance)
+    actual.length === expected.length &&
+    Array.from(actual).every((value, i) => Math.abs(value - expected[i]) <= tolerance)
   );
 }

@@ -1,20 +1,60 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bars, duration, facts, initialSearch, sentence, stepCurve, valueCurves, withNews, withoutLine } from '../../main/resources/org/robonewbie/studio/web/state/search.js';
+import {
+  bars,
+  duration,
+  facts,
+  initialSearch,
+  sentence,
+  stepCurve,
+  valueCurves,
+  withNews,
+  withoutLine,
+} from '../../main/resources/org/robonewbie/studio/web/state/search.js';
 
-const TASK = { subject: 'kick-right', objective: 'kick-distance', unit: 'm', isLargerBetter: true, rounds: 4, method: 'CMA-ES' };
-const round = (number) => ({ number, best: 5 + number, mean: 4 + number, success: 0.75, step: 1 / number, trialsPerSecond: 12, secondsLeft: 75 });
+const TASK = {
+  subject: 'kick-right',
+  objective: 'kick-distance',
+  unit: 'm',
+  isLargerBetter: true,
+  rounds: 4,
+  method: 'CMA-ES',
+};
+const round = (number) => ({
+  number,
+  best: 5 + number,
+  mean: 4 + number,
+  success: 0.75,
+  step: 1 / number,
+  trialsPerSecond: 12,
+  secondsLeft: 75,
+});
 const number = (value, spread = 1) => ({ name: 'knee', unit: 'degrees', start: 10, value, spread, size: 5 });
 
-const whole = { kind: 'whole', task: TASK, rounds: [round(1)], numbers: [number(11)], before: 5.5, place: '#motion/kick' };
+const whole = {
+  kind: 'whole',
+  task: TASK,
+  rounds: [round(1)],
+  numbers: [number(11)],
+  before: 5.5,
+  place: '#motion/kick',
+};
 
 test('a page that comes late knows the rounds before', () => {
   const late = withNews(initialSearch(), whole);
   const later = withNews(late, { kind: 'round', round: round(2), numbers: [number(12)], place: '#motion/kick' });
 
   assert.equal(late.phase, 'running');
-  assert.deepEqual(valueCurves(later), [[1, 2], [6, 7], [5, 6], [5.5, 5.5]]);
-  assert.deepEqual(stepCurve(later), [[1, 2], [1, 0.5]]);
+  assert.deepEqual(valueCurves(later), [
+    [1, 2],
+    [6, 7],
+    [5, 6],
+    [5.5, 5.5],
+  ]);
+  assert.deepEqual(stepCurve(later), [
+    [1, 2],
+    [1, 0.5],
+  ]);
   assert.equal(later.numbers[0].value, 12);
 });
 
@@ -40,7 +80,10 @@ test('what a search has told outlives its program', () => {
 test('the numbers that changed most come first', () => {
   const shown = bars([number(11), number(0), number(15)], 2);
 
-  assert.deepEqual(shown.map(({ value }) => value), [0, 15]);
+  assert.deepEqual(
+    shown.map(({ value }) => value),
+    [0, 15],
+  );
   assert.ok(shown[0].at < 0.5 && shown[1].at > 0.5);
   assert.ok(shown.every(({ at, half }) => at - half >= 0 && at + half <= 1));
 });

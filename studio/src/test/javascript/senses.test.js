@@ -1,7 +1,10 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { fixed } from '../../main/resources/org/robonewbie/studio/web/state/numbers.js';
-import { readExpressions, writeExpression } from '../../main/resources/org/robonewbie/studio/web/state/robot/expressions.js';
+import {
+  readExpressions,
+  writeExpression,
+} from '../../main/resources/org/robonewbie/studio/web/state/robot/expressions.js';
 import { readOrders, readSenses } from '../../main/resources/org/robonewbie/studio/web/state/robot/senses.js';
 
 const MESSAGE =
@@ -34,9 +37,24 @@ test('senses are read in the framework’s directions', () => {
 test('what the camera sees is read', () => {
   const { seen } = readSenses(MESSAGE);
 
-  assert.deepEqual(seen?.things.map(({ name, kind }) => [name, kind]), [['G2R', 'post'], ['B', 'ball'], ['Red 3', 'player']]);
-  assert.deepEqual(seen?.things[2].points.map(({ name }) => name), ['head', 'rlowerarm']);
-  assert.deepEqual(seen?.lines, [[[12.11, -40.77, -2.4], [12.95, -37.76, -2.41]]]);
+  assert.deepEqual(
+    seen?.things.map(({ name, kind }) => [name, kind]),
+    [
+      ['G2R', 'post'],
+      ['B', 'ball'],
+      ['Red 3', 'player'],
+    ],
+  );
+  assert.deepEqual(
+    seen?.things[2].points.map(({ name }) => name),
+    ['head', 'rlowerarm'],
+  );
+  assert.deepEqual(seen?.lines, [
+    [
+      [12.11, -40.77, -2.4],
+      [12.95, -37.76, -2.41],
+    ],
+  ]);
   assert.equal(readSenses('(GYR (n torso) (rt 1 2 3))').seen, undefined);
   assert.deepEqual(readSenses('(See )').seen, { things: [], lines: [] });
 });

@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import test from 'node:test';
 import { believedPlace, seenFrom } from '../../main/resources/org/robonewbie/studio/web/state/robot/robot-facts.js';
 import { RobotMemory } from '../../main/resources/org/robonewbie/studio/web/state/robot/robot-memory.js';
@@ -23,8 +24,17 @@ test('log, motion, belief and drawings of a robot are read', () => {
   assert.deepEqual(thoughts.log, [{ seconds: 12.34, level: 'INFO', text: 'ball\tat 1.20 m\nnear' }]);
   assert.deepEqual(thoughts.motion, { name: 'walk-forward', keyframe: 4 });
   assert.deepEqual(thoughts.belief?.self, [-0.5, 0.4, -40]);
-  assert.deepEqual(thoughts.belief?.things.map(({ name, visible }) => [name, visible]), [['ball', true], ['Red 1', false]]);
-  assert.deepEqual(thoughts.drawings.map(({ shape }) => shape), ['circle', 'line', 'text']);
+  assert.deepEqual(
+    thoughts.belief?.things.map(({ name, visible }) => [name, visible]),
+    [
+      ['ball', true],
+      ['Red 1', false],
+    ],
+  );
+  assert.deepEqual(
+    thoughts.drawings.map(({ shape }) => shape),
+    ['circle', 'line', 'text'],
+  );
   assert.equal(thoughts.drawings[2].text, 'hello');
 });
 
@@ -46,9 +56,18 @@ test('a belief without own place is read, and a line of another kind is left out
 test('drawings of older cycles vanish', () => {
   const memory = remembered('draw\t1\tBlue\t3\tpoint\tred\t0\t0\t0', 'draw\t1.02\tBlue\t3\tpoint\tblue\t0\t0\t0');
 
-  assert.deepEqual(memory.at(1).drawings.map(({ colour }) => colour), ['red']);
-  assert.deepEqual(memory.at(1.02).drawings.map(({ colour }) => colour), ['blue']);
-  assert.deepEqual(memory.at(2).drawings.map(({ colour }) => colour), ['blue']);
+  assert.deepEqual(
+    memory.at(1).drawings.map(({ colour }) => colour),
+    ['red'],
+  );
+  assert.deepEqual(
+    memory.at(1.02).drawings.map(({ colour }) => colour),
+    ['blue'],
+  );
+  assert.deepEqual(
+    memory.at(2).drawings.map(({ colour }) => colour),
+    ['blue'],
+  );
   assert.deepEqual(memory.at(2.04).drawings, []);
 });
 
@@ -78,3 +97,31 @@ test('the right team counts from its own side', () => {
   assert.ok(Math.hypot(...position) < 1e-9);
   assert.equal(heading, 90);
 });
+
+const folder = process.env.STUDIO_FRAME_FOLDER;
+
+test('each line that Java writes means here what it meant there', { skip: !folder && 'run by Maven' }, () => {
+  const written = JSON.parse(readFileSync(`${folder}/telemetry.json`, 'utf8'));
+
+  for (const { line, team, number, seconds, kind, item } of written) {
+    const told = readTelemetry(line);
+    assert.deepEqual([told.seconds, told.robot], [seconds, robotKey(team, number)], line);
+    assert.deepEqual(MEANINGS[kind](told), item, line);
+  }
+  assert.deepEqual(new Set(written.map(({ kind }) => kind)), new Set(Object.keys(MEANINGS)));
+});
+
+/** What was read, in the words of the Java classes. */
+const MEANINGS = {
+  LogEntry: ({ log: { level, text } }) => ({ level, text }),
+  MotionProgress: ({ motion }) => motion,
+  Belief: ({ belief: { self, things } }) => ({ self: self ? [self] : [], things }),
+  Picture: ({ drawings }) => ({ drawings: drawings.map(meant) }),
+  PlotValue: ({ name, value }) => ({ name, value }),
+};
+
+/** The parts that a shape has. */
+function meant({ shape, colour, place, to, radius, text }) {
+  const parts = { point: {}, line: { to }, circle: { radius }, text: { text } };
+  return { shape, colour, place, ...parts[shape] };
+}

@@ -15,7 +15,12 @@ test('values of a cycle that come late find their row', () => {
   traces.add(10, [['b', 5]]);
   traces.add(11, [['b', 6]]);
 
-  assert.deepEqual(traces.columns(['a', 'b', 'none'], 0, 1), [[0.2, 0.22, 0.24], [1, null, 3], [5, 6, null], [null, null, null]]);
+  assert.deepEqual(traces.columns(['a', 'b', 'none'], 0, 1), [
+    [0.2, 0.22, 0.24],
+    [1, null, 3],
+    [5, 6, null],
+    [null, null, null],
+  ]);
   assert.equal(traces.valueAt('a', 0.23), 1);
   assert.equal(traces.valueAt('a', 0.1), undefined);
   assert.equal(tableOf(traces, ['a', 'b'], 0, 1), 'seconds,a,b\n0.20,1,5\n0.22,,6\n0.24,3,\n');
@@ -33,34 +38,38 @@ test('only the wanted part of long curves is given', () => {
   assert.equal(traces.valueAt('a', 399.98), 19_999);
 });
 
-test('the cursor goes back while the simulation goes on, and to now again', { skip: folder ? false : 'run by Maven' }, () => {
-  const scene = JSON.parse(readFileSync(join(String(folder), 'scene.json'), 'utf8'));
-  const bytes = new Uint8Array(readFileSync(join(String(folder), 'frame.bin'))).buffer;
-  const cursor = new TimeCursor();
-  const frameAt = (/** @type {number} */ cycle) => {
-    const copy = bytes.slice(0);
-    new DataView(copy).setUint32(4, cycle, true);
-    return copy;
-  };
-  for (let cycle = 100; cycle <= 200; cycle += 2) {
-    cursor.history.push(cycle, scene, frameAt(cycle));
-  }
-  const live = /** @type {any} */ ({ scene, frame: readFrame(frameAt(200), scene) });
+test(
+  'the cursor goes back while the simulation goes on, and to now again',
+  { skip: folder ? false : 'run by Maven' },
+  () => {
+    const scene = JSON.parse(readFileSync(join(String(folder), 'scene.json'), 'utf8'));
+    const bytes = new Uint8Array(readFileSync(join(String(folder), 'frame.bin'))).buffer;
+    const cursor = new TimeCursor();
+    const frameAt = (/** @type {number} */ cycle) => {
+      const copy = bytes.slice(0);
+      new DataView(copy).setUint32(4, cycle, true);
+      return copy;
+    };
+    for (let cycle = 100; cycle <= 200; cycle += 2) {
+      cursor.history.push(cycle, scene, frameAt(cycle));
+    }
+    const live = /** @type {any} */ ({ scene, frame: readFrame(frameAt(200), scene) });
 
-  assert.equal(cursor.shown(live).tense, 'live');
-  cursor.goTo(151);
-  cursor.history.push(202, scene, frameAt(202));
-  assert.equal(cursor.shown(live).tense, 'past');
-  assert.equal(cursor.shown(live).frame?.cycle, 150);
-  cursor.step(10);
-  assert.equal(cursor.shown(live).frame?.cycle, 160);
-  cursor.goTo(3);
-  assert.equal(cursor.shown(live).frame?.cycle, 100);
-  cursor.goTo(900);
-  assert.equal(cursor.shown(live).tense, 'live');
-  cursor.goTo(150);
-  cursor.goToRecorded(/** @type {any} */ ({ name: 'run', scene, frame: live.frame }));
-  assert.equal(cursor.shown(live).tense, 'recorded');
-  cursor.goLive();
-  assert.equal(cursor.shown(live).tense, 'live');
-});
+    assert.equal(cursor.shown(live).tense, 'live');
+    cursor.goTo(151);
+    cursor.history.push(202, scene, frameAt(202));
+    assert.equal(cursor.shown(live).tense, 'past');
+    assert.equal(cursor.shown(live).frame?.cycle, 150);
+    cursor.step(10);
+    assert.equal(cursor.shown(live).frame?.cycle, 160);
+    cursor.goTo(3);
+    assert.equal(cursor.shown(live).frame?.cycle, 100);
+    cursor.goTo(900);
+    assert.equal(cursor.shown(live).tense, 'live');
+    cursor.goTo(150);
+    cursor.goToRecorded(/** @type {any} */ ({ name: 'run', scene, frame: live.frame }));
+    assert.equal(cursor.shown(live).tense, 'recorded');
+    cursor.goLive();
+    assert.equal(cursor.shown(live).tense, 'live');
+  },
+);

@@ -1,6 +1,12 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { eye, moved, overview, turned, zoomed } from '../../main/resources/org/robonewbie/studio/web/state/view-point.js';
+import {
+  eye,
+  moved,
+  overview,
+  turned,
+  zoomed,
+} from '../../main/resources/org/robonewbie/studio/web/state/view-point.js';
 import { isNear } from './sample-world.js';
 
 const view = { target: [1, 2, 0], azimuthDegrees: -90, elevationDegrees: 30, distance: 10 };

@@ -1,23 +1,19 @@
 package org.robonewbie.agent;
 
-import java.io.IOException;
-import java.io.PrintStream;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
+import org.robonewbie.agent.cycle.Clockwork;
+import org.robonewbie.agent.cycle.CycleWatch;
+import org.robonewbie.agent.cycle.Session;
+import org.robonewbie.agent.cycle.SingleMessagePort;
 import org.robonewbie.agent.log.Logger;
-import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.log.StudentCode;
 import org.robonewbie.agent.motion.LookAround;
-import org.robonewbie.agent.motion.MotionLibrary;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.perception.LocalFieldView;
 import org.robonewbie.agent.walk.Walk;
-import org.robonewbie.nao.TeamSide;
-import org.robonewbie.protocol.effector.EffectorCommand;
-import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
 /**
  * A robot that thinks: the framework turns the cycle of sense, think and act, 50 times per simulated second.
@@ -35,52 +31,46 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
  * }
  * }</pre>
  *
- * <p>A mistake in {@link #think} does not stop the robot: it is reported with its line, and the next cycle begins. The program
+ * <p>An exception in {@link #think} does not stop the robot: it is reported with its line, and the next cycle begins. The program
  * then ends with exit code 1.
  */
 public abstract class Agent {
 
     private static final int MOST_CALLS = 8;
 
-    /** What the robot logs; printed when the run is over. */
-    protected final Logger log = new Logger(nameOf(getClass()));
+    private final Clockwork clockwork = new Clockwork(nameOf(getClass()));
+    private final TunableNumbers numbers = TunableNumbers.of(nameOf(getClass()), clockwork.mistakes());
 
-    private final Mistakes mistakes = new Mistakes(System.err);
-    private final TunableNumbers numbers = TunableNumbers.of(nameOf(getClass()), mistakes);
+    /** What the robot logs; printed when the run is over. */
+    protected final Logger log = clockwork.log();
 
     /** Sensors and motors. */
-    protected final NaoBody nao = new NaoBody(log, mistakes);
+    protected final Robot nao = new Robot(clockwork);
 
     /** Motions by name. */
-    protected final Motions motions = new Motions(nao.motors(), new MotionLibrary(), mistakes, nao::getBodyPosition);
+    protected final Motions motions = clockwork.motions();
 
-    /** A walk into any direction, for those who find the motions of keyframes too slow. */
-    protected final Walk walk = new Walk(nao.motors(), motions, mistakes, nao::getBodyPosition);
+    /** A walk into any direction, faster than motions of keyframes. */
+    protected final Walk walk = clockwork.walk();
 
     /** What the robot remembers of the field. */
-    protected final LocalFieldView fieldView = new LocalFieldView(mistakes);
+    protected final LocalFieldView fieldView = clockwork.fieldView();
 
     /** The head's movement to see more; moves only in cycles in which {@code lookAround.look()} is called. */
-    protected final LookAround lookAround = new LookAround(nao.motors());
+    protected final LookAround lookAround = clockwork.lookAround();
 
-    private final Runnable senseStep = this::senseOnce;
-    private final Runnable thinkStep = this::think;
-    private final Runnable actStep = this::act;
-    private final RehearsalPort rehearsal = new RehearsalPort();
-    private final PrintStream out = System.out;
-    private Session session = new Session(nao, walk, fieldView, rehearsal, OptionalDouble.empty(), System.err);
+    private Session session = new Session(clockwork, new SingleMessagePort(), OptionalDouble.empty(), CycleWatch.NONE);
     private Options options = Options.none();
     private boolean failed;
-    private boolean running;
 
     /** Creates an agent that is not yet connected. */
     protected Agent() {}
 
     /**
-     * Says who the robot is and where it starts if the user does not say otherwise. The place is that of the number that stands
-     * here (1 if there is none): started with another {@code --number}, the robot takes that number's place in the line-up.
+     * Returns who the robot is and where it starts unless the user says otherwise. The place belongs to the number given here (1 if
+     * there is none): started with another {@code --number}, the robot takes that number's place in the line-up.
      *
-     * @return the usual options; an agent may override this, for example by {@code
+     * @return the usual options; override this, for example with {@code
      *     Options.none().withTeam("Blue").withPose(-1, 0, 0)}
      */
     protected Options defaults() {
@@ -106,20 +96,7 @@ public abstract class Agent {
         return numbers.declare(name, usual, least, most);
     }
 
-    /**
-     * Lists the numbers of this program.
-     *
-     * @return all that it has declared so far by {@link #number}, in their order
-     */
-    public final List<TunableNumber> numbers() {
-        return numbers.list();
-    }
-
-    /**
-     * Tells who the robot is and where it lives, as the user wants it.
-     *
-     * @return the options of the running robot; the usual ones before it runs
-     */
+    /** {@return the options of the running robot, as the user wants them; the usual ones before it runs} */
     protected final Options options() {
         return options;
     }
@@ -143,7 +120,7 @@ public abstract class Agent {
     public static void runTogether(String[] args, Agent... agents) {
         int exitCode;
         try {
-            exitCode = Options.of(args).isHelp() ? help() : Game.play(List.of(args), List.of(agents));
+            exitCode = Options.of(args).isHelp() ? help() : AgentRunner.run(List.of(args), List.of(agents));
         } catch (StartUpException wrong) {
             System.err.println(wrong.getMessage());
             exitCode = 2;
@@ -153,118 +130,81 @@ public abstract class Agent {
         }
     }
 
-    /**
-     * Tells the agent who it is, before it answers by {@link #respond}; in a game the framework does that.
-     *
-     * @param who its team and number, among others
-     * @param side the half of its team
-     */
-    public final void introduce(Options who, TeamSide side) {
-        options = who;
-        nao.senses().introduce(who.team(), who.number(), side);
+    /** Turns the robot's cycle until the game is over; a message of the simulator begins each turn. */
+    final void run(Session game) {
+        session = game;
+        while (session.next()) {
+            try {
+                sense();
+                think();
+                act();
+            } catch (RuntimeException | StackOverflowError | AssertionError mistake) {
+                report(mistake);
+            }
+        }
     }
 
-    /**
-     * Lets the agent answer one message without any simulator, for tests, learning and replay.
-     *
-     * @param message what the robot senses
-     * @return what the robot does
-     */
-    public final List<EffectorCommand> respond(PerceptorMessage message) {
-        rehearsal.put(message);
-        cycle(Optional.empty());
-        return rehearsal.answer();
-    }
-
-    /**
-     * Waits for the next message and reads all sensors. Who overrides this calls {@code super.sense()} first.
-     *
-     * @return false if the run is over
-     */
-    protected boolean sense() {
-        return session.sense();
+    /** Reads all sensors. Overriding methods must call {@code super.sense()} first. */
+    protected void sense() {
+        session.sense();
     }
 
     /** Decides what to do: reads sensors, sets motors, starts motions. Agents that only react need none. */
     protected void think() {}
 
-    /** Sends what was set in this cycle. Who overrides this calls {@code super.act()} last. */
+    /** Sends what was set in this cycle. Overriding methods must call {@code super.act()} last. */
     protected void act() {
         session.act();
     }
 
-    /** Lives in a game until it is over. */
-    final int live(Home home, LinkPort port, Options wanted) throws IOException {
+    /** Ends the run after this cycle. */
+    protected final void leaveGame() {
+        session.leave();
+    }
+
+    final void begin(Options wanted) {
         options = wanted;
-        LastWords lastWords = new LastWords(log, home, out);
-        nao.thoughts().tellTo(home.telemetry());
-        numbers.reportUnknown();
-        try {
-            new StartDialogue(port, nao, options).run();
-            OptionalDouble life = home.endsByItself() ? OptionalDouble.empty() : options.seconds();
-            session = new Session(nao, walk, fieldView, port, life, System.err);
-            Optional<Runnable> giveUp = options.isHeadless() ? Optional.of(() -> System.exit(1)) : Optional.empty();
-            try (Watchdog watchdog = new Watchdog(mistakes, giveUp)) {
-                session.askWhenLate(watchdog::slowPlace);
-                Optional<Watchdog> guard = Optional.of(watchdog);
-                do {
-                    cycle(guard);
-                } while (running);
-            }
-            return failed || session.isBroken() ? 1 : 0;
-        } finally {
-            session.close();
-            lastWords.close();
-        }
     }
 
-    final LinkPort portTo(Home home) throws IOException {
-        return new LinkPort(home.connect(), nao.senses().buffer());
+    final Clockwork clockwork() {
+        return clockwork;
     }
 
-    /** One turn of sense, think and act; whatever fails, the simulator gets its answer. */
-    private void cycle(Optional<Watchdog> watchdog) {
-        long before = session.cycles();
-        running = true;
-        attempt("sense()", senseStep);
-        if (session.cycles() == before && running) {
-            mistakes.reportAt("", "sense", () -> "sense() did not call super.sense(); the framework does it.");
-            running = session.sense();
-        }
-        if (running) {
-            watchdog.ifPresent(Watchdog::thinkBegins);
-            attempt("think()", thinkStep);
-            watchdog.ifPresent(Watchdog::thinkEnds);
-            attempt("act()", actStep);
-            if (session.isAnswerDue()) {
-                mistakes.reportAt("", "act", () -> "act() did not call super.act(); the framework does it.");
-                session.act();
-            }
-        }
+    final TunableNumbers numbers() {
+        return numbers;
     }
 
-    private void senseOnce() {
-        running = sense();
+    final boolean hasFailed() {
+        return failed;
     }
 
-    private void attempt(String name, Runnable step) {
-        try {
-            step.run();
-        } catch (RuntimeException | StackOverflowError | AssertionError mistake) {
-            failed = true;
-            report(name, mistake);
-        }
-    }
-
-    private void report(String name, Throwable mistake) {
+    /** Reports an exception, and does the rest of the cycle without the program. */
+    private void report(Throwable mistake) {
+        failed = true;
+        String step = failedStep(mistake.getStackTrace());
         String place = StudentCode.place(mistake.getStackTrace()).orElse("");
-        mistakes.reportAt(place, name + mistake.getClass(), () -> {
-            log.error("%s failed: %s%s", name, mistake, stack(mistake));
-            return name + " failed with " + mistake + "; the robot goes on with the next step.";
+        clockwork.mistakes().reportAt(place, step + mistake.getClass(), () -> {
+            log.error("%s failed: %s%s", step, mistake, stack(mistake));
+            return step + " failed with " + mistake + "; the robot goes on with the next step.";
         });
+        session.complete();
     }
 
-    /** Where a mistake happened, one call below the other; what lies outside of the student's code is left out. */
+    /** The method that {@link #run} has called: the last call before it. */
+    private static String failedStep(StackTraceElement[] calls) {
+        for (int i = 1; i < calls.length; i++) {
+            if (isRun(calls[i])) {
+                return calls[i - 1].getMethodName() + "()";
+            }
+        }
+        return "think()";
+    }
+
+    private static boolean isRun(StackTraceElement call) {
+        return call.getMethodName().equals("run") && call.getClassName().equals(Agent.class.getName());
+    }
+
+    /** The calls that led to an exception, one below the other, without those of the framework. */
     private static String stack(Throwable mistake) {
         return Arrays.stream(mistake.getStackTrace())
                 .limit(MOST_CALLS)
@@ -274,7 +214,8 @@ public abstract class Agent {
     }
 
     private static String nameOf(Class<?> type) {
-        return type.isAnonymousClass() ? nameOf(type.getSuperclass()) : type.getSimpleName();
+        String name = type.getSimpleName();
+        return name.isEmpty() ? nameOf(type.getSuperclass()) : name;
     }
 
     private static int help() {

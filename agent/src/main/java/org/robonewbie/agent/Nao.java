@@ -1,12 +1,14 @@
 package org.robonewbie.agent;
 
 import java.io.IOException;
-import java.util.OptionalDouble;
-import org.robonewbie.agent.log.Logger;
-import org.robonewbie.agent.log.Mistakes;
-import org.robonewbie.agent.motion.MotionLibrary;
+import org.robonewbie.agent.cycle.Clockwork;
+import org.robonewbie.agent.cycle.CycleWatch;
+import org.robonewbie.agent.cycle.Session;
+import org.robonewbie.agent.motion.LookAround;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.perception.LocalFieldView;
+import org.robonewbie.agent.running.LogPrinter;
+import org.robonewbie.agent.running.SimulatorConnection;
 import org.robonewbie.agent.walk.Walk;
 
 /**
@@ -25,27 +27,17 @@ import org.robonewbie.agent.walk.Walk;
  * <p>50 times per simulated second {@link #sense} receives what all sensors say, and {@link #act} sends what was set since
  * then. {@link Agent} is for programs that let the framework turn the cycle.
  */
-public final class Nao extends NaoBody implements AutoCloseable {
+public final class Nao extends Robot implements AutoCloseable {
 
-    private final Motions motions;
-    private final Walk walk;
-    private final LocalFieldView fieldView;
-    private final Home home;
+    private final SimulatorConnection simulator;
     private final Session session;
-    private final LastWords lastWords;
+    private final LogPrinter printer;
 
-    private Nao(Options options, Home home) throws IOException {
-        super(new Logger("the robot"), new Mistakes(System.err));
-        this.home = home;
-        motions = new Motions(motors(), new MotionLibrary(), mistakes(), this::getBodyPosition);
-        walk = new Walk(motors(), motions, mistakes(), this::getBodyPosition);
-        fieldView = new LocalFieldView(mistakes());
-        LinkPort port = new LinkPort(home.connect(), senses().buffer());
-        thoughts().tellTo(home.telemetry());
-        new StartDialogue(port, this, options).run();
-        OptionalDouble life = home.endsByItself() ? OptionalDouble.empty() : options.seconds();
-        session = new Session(this, walk, fieldView, port, life, System.err);
-        lastWords = new LastWords(log(), home, System.out);
+    private Nao(Clockwork clockwork, Session session, SimulatorConnection simulator) {
+        super(clockwork);
+        this.session = session;
+        this.simulator = simulator;
+        this.printer = new LogPrinter(clockwork.log(), System.out, simulator::close);
     }
 
     /**
@@ -78,27 +70,22 @@ public final class Nao extends NaoBody implements AutoCloseable {
      * @throws StartUpException if there is no such simulator or it refuses the robot
      */
     public static Nao connect(Options options) {
-        Home home = Home.find(options, 1);
-        System.out.println(home.description());
-        try {
-            return new Nao(options, home);
-        } catch (IOException lost) {
-            home.close();
-            throw new StartUpException("The simulator has not let the robot in: " + lost.getMessage());
-        } catch (StartUpException refused) {
-            home.close();
-            throw refused;
-        }
+        return join(options, AgentRunner.open(options, 1));
     }
 
-    /**
-     * Brings a robot into the game that tells nobody about it.
-     *
-     * @throws IOException if the simulator closes the connection
-     * @throws StartUpException if it refuses the robot
-     */
-    static Nao quiet(Options options, Home home) throws IOException {
-        return new Nao(options, home);
+    /** Brings a robot into the game of a simulator that belongs to this robot alone. */
+    static Nao join(Options options, SimulatorConnection simulator) {
+        Clockwork clockwork = new Clockwork("the robot");
+        try {
+            Session session = AgentRunner.join(clockwork, simulator, simulator.connect(), options, CycleWatch.NONE);
+            return new Nao(clockwork, session, simulator);
+        } catch (IOException lost) {
+            simulator.close();
+            throw new StartUpException("The simulator has not let the robot in: " + lost.getMessage());
+        } catch (StartUpException refused) {
+            simulator.close();
+            throw refused;
+        }
     }
 
     /**
@@ -107,7 +94,7 @@ public final class Nao extends NaoBody implements AutoCloseable {
      * @return false if the run is over
      */
     public boolean sense() {
-        return session.sense();
+        return session.senseNext();
     }
 
     /** Sends what was set since the last {@link #sense}; a second time in the same cycle it does nothing but report that. */
@@ -123,46 +110,39 @@ public final class Nao extends NaoBody implements AutoCloseable {
      */
     public boolean perform(String motion) {
         session.act();
-        boolean performing = motions.start(motion);
-        while (performing && !motions.isFinished()) {
-            performing = session.sense();
+        boolean performing = motions().start(motion);
+        while (performing && !motions().isFinished()) {
+            performing = session.senseNext();
             session.act();
         }
         return performing;
     }
 
-    /**
-     * Gives access to motions that play while the program goes on with its cycle.
-     *
-     * @return the motions
-     */
+    /** {@return the motions, which play while the program goes on with its cycle} */
     public Motions motions() {
-        return motions;
+        return clockwork().motions();
     }
 
-    /**
-     * Gives access to a walk into any direction, while the program goes on with its cycle.
-     *
-     * @return the walk
-     */
+    /** {@return the walk into any direction, while the program goes on with its cycle} */
     public Walk walk() {
-        return walk;
+        return clockwork().walk();
     }
 
-    /**
-     * Gives access to what the robot remembers of the field.
-     *
-     * @return the view, renewed by each {@link #sense}
-     */
+    /** {@return the head's movement to see more; moves only in cycles in which {@code lookAround().look()} is called} */
+    public LookAround lookAround() {
+        return clockwork().lookAround();
+    }
+
+    /** {@return what the robot remembers of the field, renewed by each {@link #sense}} */
     public LocalFieldView fieldView() {
-        return fieldView;
+        return clockwork().fieldView();
     }
 
-    /** Leaves the game, prints the log and ends the simulator if it is the robot's own. */
+    /** Leaves the game, prints the log and ends the simulator if it belongs to this program. */
     @Override
     public void close() {
         session.close();
-        home.close();
-        lastWords.close();
+        simulator.close();
+        printer.close();
     }
 }

@@ -61,7 +61,7 @@ enum Option {
         return placeholder.isEmpty();
     }
 
-    /** Says what is wrong with a value; empty if nothing is. */
+    /** What is wrong with a value; empty if nothing is. */
     Optional<String> complaint(String value) {
         return check.complaint(value);
     }

@@ -1,14 +1,9 @@
 package org.robonewbie.agent;
 
-import java.io.IOException;
-import java.io.Reader;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
-import java.util.Properties;
 
 /** The places from which options come; a later one is stronger. */
 enum OptionSource {
@@ -23,7 +18,7 @@ enum OptionSource {
         this.where = where;
     }
 
-    /** What somebody said for an option, and how much that counts. */
+    /** The value of an option, and the precedence of the place where it stands. */
     record Value(String text, int strength) {}
 
     static Map<Option, Value> ofEnvironment(Map<String, String> environment) {
@@ -37,18 +32,12 @@ enum OptionSource {
         return values;
     }
 
-    static Map<Option, Value> ofFile(Path file) throws IOException {
+    static Map<Option, Value> ofProperties(Map<String, String> properties) {
         Map<Option, Value> values = new EnumMap<>(Option.class);
-        if (Files.isRegularFile(file)) {
-            Properties properties = new Properties();
-            try (Reader reader = Files.newBufferedReader(file)) {
-                properties.load(reader);
-            }
-            for (String key : properties.stringPropertyNames()) {
-                Option option = find(key, FILE.where);
-                values.put(option, FILE.value(option, properties.getProperty(key)));
-            }
-        }
+        properties.forEach((key, text) -> {
+            Option option = find(key, FILE.where);
+            values.put(option, FILE.value(option, text));
+        });
         return values;
     }
 

@@ -1,7 +1,6 @@
 package org.robonewbie.agent;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -12,6 +11,9 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
+import org.robonewbie.agent.running.Surroundings;
+import org.robonewbie.agent.running.WantedSimulator;
+import org.robonewbie.protocol.embedded.SimulatorRequest;
 
 /**
  * Where a robot lives and who it is: the same options for every agent. They are taken from the command line, from the file
@@ -25,6 +27,8 @@ import java.util.stream.Collectors;
  */
 public final class Options {
 
+    private static final String THIS_COMPUTER = "127.0.0.1";
+    private static final int USUAL_PORT = 3100;
     private static final String DEFAULT_TEAM = "RoboNewbie";
     private static final List<Option> ONLY_OWN_SIMULATOR =
             List.of(Option.SEED, Option.FAST, Option.REPORT, Option.RECORD, Option.WAIT_FOR);
@@ -38,11 +42,7 @@ public final class Options {
         checkPlace();
     }
 
-    /**
-     * Takes nothing from anywhere: all options have their usual values.
-     *
-     * @return the usual options
-     */
+    /** {@return options that are all left open} */
     public static Options none() {
         return new Options(new EnumMap<>(Option.class), List.of());
     }
@@ -66,16 +66,16 @@ public final class Options {
      * @throws StartUpException if an option is unknown or has a wrong value
      */
     public Options overriddenBy(String... args) {
-        return overriddenBy(Arrays.asList(args), Path.of("robonewbie.properties"), System.getenv());
+        return overriddenBy(Arrays.asList(args), "robonewbie.properties", Surroundings.environment());
     }
 
-    Options overriddenBy(List<String> args, Path file, Map<String, String> environment) {
+    Options overriddenBy(List<String> args, String file, Map<String, String> environment) {
         Map<Option, OptionSource.Value> merged = new EnumMap<>(Option.class);
         merged.putAll(values);
         List<String> others = new ArrayList<>(arguments);
         merged.putAll(OptionSource.ofEnvironment(environment));
         try {
-            merged.putAll(OptionSource.ofFile(file));
+            merged.putAll(OptionSource.ofProperties(Surroundings.properties(file)));
         } catch (IOException unreadable) {
             throw new StartUpException("The file " + file + " cannot be read: " + unreadable.getMessage());
         }
@@ -99,11 +99,7 @@ public final class Options {
         return new Options(changed, arguments);
     }
 
-    /**
-     * Lists what the user can say.
-     *
-     * @return one line for each option
-     */
+    /** {@return the help: one line for each option} */
     public static String help() {
         return Arrays.stream(Option.values()).map(Option::helpLine).collect(Collectors.joining("\n"))
                 + "\nEach option can also stand in robonewbie.properties (such as host=192.168.0.7) or in the environment"
@@ -111,7 +107,7 @@ public final class Options {
     }
 
     /**
-     * Names another team.
+     * Sets the team.
      *
      * @param team the team's name
      * @return these options with the other team
@@ -121,7 +117,7 @@ public final class Options {
     }
 
     /**
-     * Gives another number.
+     * Sets the number on the shirt.
      *
      * @param number 1 to 11, or 0 for any free number
      * @return these options with the other number
@@ -131,9 +127,9 @@ public final class Options {
     }
 
     /**
-     * Starts somewhere else.
+     * Sets the start.
      *
-     * @param x metres from the centre, the own half has x ≤ 0
+     * @param x metres from the centre, your half has x ≤ 0
      * @param y metres to the left of the centre
      * @param degrees direction to look to; 0 is towards the opponents' goal, positive is left
      * @return these options with the other start
@@ -143,7 +139,7 @@ public final class Options {
     }
 
     /**
-     * Ends the run at another time.
+     * Sets the end of the run.
      *
      * @param seconds simulated seconds, above 0
      * @return these options with the other end
@@ -153,7 +149,7 @@ public final class Options {
     }
 
     /**
-     * Changes one option by its name on the command line.
+     * Sets one option by its name on the command line.
      *
      * @param name such as {@code seed}
      * @param value such as {@code 1}; {@code true} switches a flag on
@@ -171,149 +167,85 @@ public final class Options {
         return new Options(changed, arguments);
     }
 
-    /**
-     * Tells which server to join.
-     *
-     * @return the name of the computer; empty if the user leaves it open
-     */
+    /** {@return the name of the server's computer; empty if the user leaves it open} */
     public Optional<String> host() {
         return text(Option.HOST);
     }
 
-    /**
-     * Tells the port of the server.
-     *
-     * @return the TCP port; empty if the user leaves it open
-     */
+    /** {@return the server's TCP port; empty if the user leaves it open} */
     public OptionalInt port() {
         Optional<String> port = text(Option.PORT);
         return port.isPresent() ? OptionalInt.of(Integer.parseInt(port.get())) : OptionalInt.empty();
     }
 
-    /**
-     * Names the team.
-     *
-     * @return the name, {@code RoboNewbie} if the user leaves it open
-     */
+    /** {@return the team's name, {@code RoboNewbie} if the user leaves it open} */
     public String team() {
         return text(Option.TEAM).orElse(DEFAULT_TEAM);
     }
 
-    /**
-     * Tells the number on the shirt.
-     *
-     * @return 1 to 11; 0 for any free number
-     */
+    /** {@return the number on the shirt, 1 to 11; 0 for any free number} */
     public int number() {
         return text(Option.NUMBER).map(Integer::valueOf).orElse(0);
     }
 
-    /**
-     * Tells where the robot starts.
-     *
-     * @return its first place; empty if the user leaves it open
-     */
+    /** {@return where the robot starts; empty if the user leaves it open} */
     public Optional<StartPose> pose() {
         return text(Option.POSE).map(Options::parsePose);
     }
 
-    /**
-     * Tells the build of the robot.
-     *
-     * @return 0 to 4, see {@code org.robonewbie.nao.model.RobotType}
-     */
+    /** {@return the build of the robot, 0 to 4, see {@code org.robonewbie.nao.model.RobotType}} */
     public int type() {
         return text(Option.TYPE).map(Integer::valueOf).orElse(0);
     }
 
-    /**
-     * Tells the start of all random numbers.
-     *
-     * @return the seed; empty if the run need not be repeatable
-     */
+    /** {@return the start of all random numbers; empty if the run need not be repeatable} */
     public OptionalLong seed() {
         Optional<String> seed = text(Option.SEED);
         return seed.isPresent() ? OptionalLong.of(Long.parseLong(seed.get())) : OptionalLong.empty();
     }
 
-    /**
-     * Tells whether the own simulator does not wait for real time.
-     *
-     * @return whether it runs as fast as it can
-     */
+    /** {@return whether the program's own simulator runs as fast as it can instead of in real time} */
     public boolean isFast() {
         return isSet(Option.FAST);
     }
 
-    /**
-     * Tells how long the run lasts.
-     *
-     * @return simulated seconds; empty if it has no end of its own
-     */
+    /** {@return simulated seconds until the run ends; empty if it has no end of its own} */
     public OptionalDouble seconds() {
         Optional<String> seconds = text(Option.SECONDS);
         return seconds.isPresent() ? OptionalDouble.of(Double.parseDouble(seconds.get())) : OptionalDouble.empty();
     }
 
-    /**
-     * Tells whether nobody watches.
-     *
-     * @return whether there is no studio
-     */
+    /** {@return whether there is no studio} */
     public boolean isHeadless() {
         return isSet(Option.HEADLESS);
     }
 
-    /**
-     * Tells whether the browser is left alone.
-     *
-     * @return whether the studio is not opened in the browser
-     */
+    /** {@return whether the studio is not opened in the browser} */
     public boolean isNoBrowser() {
         return isSet(Option.NO_BROWSER);
     }
 
-    /**
-     * Tells whether the robot may know what only the simulator knows, for experiments.
-     *
-     * @return whether {@code nao.getVision()} of an own simulator also has the true places of robot and ball
-     */
+    /** {@return whether pictures of the camera tell the true places of robot and ball, for experiments} */
     public boolean isTruth() {
         return isSet(Option.TRUTH);
     }
 
-    /**
-     * Tells where the true results are written to.
-     *
-     * @return the JSON file; empty for none
-     */
-    public Optional<Path> report() {
-        return text(Option.REPORT).map(Path::of);
+    /** {@return the JSON file for the true results; empty for none} */
+    public Optional<String> report() {
+        return text(Option.REPORT);
     }
 
-    /**
-     * Tells where the run is recorded.
-     *
-     * @return the file; empty for none
-     */
-    public Optional<Path> record() {
-        return text(Option.RECORD).map(Path::of);
+    /** {@return the file for the recording; empty for none} */
+    public Optional<String> record() {
+        return text(Option.RECORD);
     }
 
-    /**
-     * Tells how many robots must be in before the own simulator starts its clock.
-     *
-     * @return at least 1
-     */
+    /** {@return how many robots must be in before the simulator starts its clock, at least 1} */
     public int waitFor() {
         return text(Option.WAIT_FOR).map(Integer::valueOf).orElse(1);
     }
 
-    /**
-     * Lists the arguments that are no options, for the agent's own use.
-     *
-     * @return the arguments in their order
-     */
+    /** {@return the arguments that are not options, in their order} */
     public List<String> arguments() {
         return arguments;
     }
@@ -322,14 +254,36 @@ public final class Options {
         return isSet(Option.HELP);
     }
 
-    /** Whether the robot must live in a simulator of this process. */
-    boolean needsOwnSimulator() {
-        return strongest(ONLY_OWN_SIMULATOR) > strength(Option.HOST);
+    /** Resolves where robots live; the simulator holds its clock until all of them are in. */
+    WantedSimulator simulator(int robots) {
+        WantedSimulator.Kind kind = kind();
+        int usualPort = kind == WantedSimulator.Kind.OWN ? 0 : USUAL_PORT;
+        int port = port().orElse(usualPort);
+        String host = kind == WantedSimulator.Kind.SERVER ? host().orElse(THIS_COMPUTER) : THIS_COMPUTER;
+        return new WantedSimulator(kind, host, port, request(port, robots));
     }
 
-    /** Whether the robot must join the server that the user named. */
-    boolean needsServer() {
-        return strength(Option.HOST) > strongest(ONLY_OWN_SIMULATOR);
+    private WantedSimulator.Kind kind() {
+        int own = strongest(ONLY_OWN_SIMULATOR);
+        int server = strength(Option.HOST);
+        if (own == server) {
+            return WantedSimulator.Kind.ANY;
+        }
+        return own > server ? WantedSimulator.Kind.OWN : WantedSimulator.Kind.SERVER;
+    }
+
+    private SimulatorRequest request(int port, int robots) {
+        return new SimulatorRequest(
+                port,
+                seed(),
+                isFast(),
+                seconds(),
+                isHeadless(),
+                !isNoBrowser() && !isHeadless(),
+                isTruth(),
+                report(),
+                record(),
+                Math.max(robots, waitFor()));
     }
 
     private void checkPlace() {

@@ -2,11 +2,17 @@ package org.robonewbie.agent;
 
 import java.io.IOException;
 import java.util.List;
-import org.robonewbie.protocol.effector.EffectorMessageWriter;
-import org.robonewbie.protocol.frame.MessageBuffer;
+import java.util.Optional;
+import org.robonewbie.agent.cycle.Clockwork;
+import org.robonewbie.agent.cycle.MessagePort;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorCommand.Beam;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
+import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
+import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
 
 /**
- * Brings a robot into the game: builds it, joins a team, waits for number and side, goes to the first place and stands there.
+ * Brings a robot into the game: creates it, joins a team, waits for number and side, beams to the first place and stands there.
  * Each received message is answered once, so it works with servers that wait for their agents and with those that do not.
  */
 final class StartDialogue {
@@ -17,46 +23,44 @@ final class StartDialogue {
     private static final int MESSAGES_TO_SETTLE = 15;
 
     private final MessagePort port;
-    private final NaoBody body;
+    private final Clockwork robot;
     private final Options options;
-    private final MessageBuffer buffer = new MessageBuffer();
 
-    StartDialogue(MessagePort port, NaoBody body, Options options) {
+    StartDialogue(MessagePort port, Clockwork robot, Options options) {
         this.port = port;
-        this.body = body;
+        this.robot = robot;
         this.options = options;
     }
 
     void run() throws IOException {
-        body.senses().setTeam(options.team());
-        EffectorMessageWriter writer = new EffectorMessageWriter(buffer);
-        if (options.type() == 0) {
-            writer.createRobot(SCENE, List.of());
-        } else {
-            writer.createRobot(SCENE_OF_TYPE, List.of(Integer.toString(options.type())));
-        }
-        answer();
+        robot.senses().setTeam(options.team());
+        answer(Optional.of(createRobot()));
         receive();
-        writer.joinTeam(options.number(), options.team());
-        answer();
+        answer(Optional.of(new JoinTeam(options.number(), options.team())));
         waitForNumber();
-        StartPose pose = options.pose().orElseGet(() -> StartPose.ofNumber(body.getNumber()));
-        writer.beam(pose.x(), pose.y(), pose.degrees());
-        answer();
+        StartPose pose =
+                options.pose().orElseGet(() -> StartPose.ofNumber(robot.senses().number()));
+        answer(Optional.of(new Beam(pose.x(), pose.y(), pose.degrees())));
         for (int i = 0; i < MESSAGES_TO_SETTLE; i++) {
             receive();
-            answer();
+            answer(Optional.empty());
         }
-        body.senses().falls().reset();
+        robot.senses().falls().reset();
+    }
+
+    private CreateRobot createRobot() {
+        return options.type() == 0
+                ? new CreateRobot(SCENE, List.of())
+                : new CreateRobot(SCENE_OF_TYPE, List.of(Integer.toString(options.type())));
     }
 
     private void waitForNumber() throws IOException {
         for (int i = 0; i < PATIENCE_MESSAGES; i++) {
             receive();
-            if (body.senses().isJoined()) {
+            if (robot.senses().isJoined()) {
                 return;
             }
-            answer();
+            answer(Optional.empty());
         }
         throw new StartUpException("The simulator has refused number " + options.number() + " of team "
                 + options.team() + ": choose a number that is free (--number 0 takes any), or the name of a team that"
@@ -67,12 +71,11 @@ final class StartDialogue {
         if (!port.receive()) {
             throw new IOException("it has closed the connection");
         }
-        body.accept(port.message());
+        robot.sense(port.message());
     }
 
-    private void answer() throws IOException {
-        new EffectorMessageWriter(buffer).synchronise();
-        port.send(buffer);
-        buffer.clear();
+    private void answer(Optional<EffectorCommand> command) throws IOException {
+        Synchronise end = new Synchronise();
+        port.send(command.isPresent() ? List.of(command.get(), end) : List.of(end));
     }
 }

@@ -1,12 +1,12 @@
 package org.robonewbie.agent;
 
 /**
- * Where a robot stands on the pitch, as seen by its own team: the origin is the centre spot, x points to the opponents'
+ * Where a robot stands on the pitch, in its team's own coordinates: the origin is the centre spot, x points to the opponents'
  * goal and y to the left of that.
  *
- * @param x metres; the own half has x ≤ 0
+ * @param x metres; your half has x ≤ 0
  * @param y metres
- * @param degrees direction in which the robot looks; 0 is towards the opponents' goal, positive is left
+ * @param degrees heading; 0 is towards the opponents' goal, positive is left
  */
 public record StartPose(double x, double y, double degrees) {
 
@@ -26,10 +26,10 @@ public record StartPose(double x, double y, double degrees) {
     };
 
     /**
-     * Looks up a place in the usual line-up of a team.
+     * Returns a place in the usual line-up of a team.
      *
      * @param number the robot's number, 1 to 11
-     * @return a place in the own half that no other number has
+     * @return a place in your half that no other number has
      * @throws IllegalArgumentException if there is no such number
      */
     public static StartPose ofNumber(int number) {

@@ -4,7 +4,7 @@ package org.robonewbie.agent;
  * A number in a robot's program that can be tuned.
  *
  * @param name what the program calls it
- * @param usual its value if nobody says otherwise
+ * @param usual its default value
  * @param least smallest sensible value
  * @param most largest sensible value
  * @param value its value in this robot

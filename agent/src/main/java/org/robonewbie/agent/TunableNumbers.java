@@ -1,17 +1,14 @@
 package org.robonewbie.agent;
 
 import java.io.IOException;
-import java.io.Reader;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Properties;
 import java.util.function.Supplier;
 import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.running.Surroundings;
 
 /**
  * The numbers that a robot's program has declared by {@link Agent#number}. Other values for them stand in a file with the name of
@@ -28,17 +25,17 @@ public final class TunableNumbers {
 
     private final String file;
     private final Mistakes mistakes;
-    private final Map<String, Double> wanted;
+    private Optional<Map<String, Double>> wanted;
     private final Map<String, TunableNumber> declared = new LinkedHashMap<>();
 
-    private TunableNumbers(String file, Mistakes mistakes, Map<String, Double> wanted) {
+    private TunableNumbers(String file, Mistakes mistakes, Optional<Map<String, Double>> wanted) {
         this.file = file;
         this.mistakes = mistakes;
         this.wanted = wanted;
     }
 
     /**
-     * Names the file with other values for the numbers of a program.
+     * Returns the name of the file with other values for the numbers of a program.
      *
      * @param type the program's class
      * @return such as {@code Walker.numbers}
@@ -48,10 +45,10 @@ public final class TunableNumbers {
     }
 
     /**
-     * Makes a robot with other numbers than those of its file.
+     * Creates a robot with other numbers than those of its file.
      *
      * @param values value by name; numbers that are not named have their usual value
-     * @param maker makes the robot, in this thread
+     * @param maker creates the robot, in this thread
      * @param <A> the robot's class
      * @return the robot
      */
@@ -66,9 +63,7 @@ public final class TunableNumbers {
     }
 
     static TunableNumbers of(String type, Mistakes mistakes) {
-        String file = fileName(type);
-        Map<String, Double> wanted = TRIED.get().orElseGet(() -> read(Path.of(file), mistakes));
-        return new TunableNumbers(file, mistakes, wanted);
+        return new TunableNumbers(fileName(type), mistakes, TRIED.get());
     }
 
     double declare(String name, double usual, double least, double most) {
@@ -81,7 +76,7 @@ public final class TunableNumbers {
                     + "): give the usual value, then the least and the most it may be, such as (\"" + name
                     + "\", 5, 0, 10).");
         }
-        double value = within(name, wanted.getOrDefault(name, usual), usual, least, most);
+        double value = within(name, wanted().getOrDefault(name, usual), usual, least, most);
         declared.put(name, new TunableNumber(name, usual, least, most, value));
         return value;
     }
@@ -92,7 +87,7 @@ public final class TunableNumbers {
 
     /** Reports names in the file that the program does not have, once all of its numbers are declared. */
     void reportUnknown() {
-        for (String name : wanted.keySet()) {
+        for (String name : wanted().keySet()) {
             if (!declared.containsKey(name)) {
                 mistakes.reportAt(
                         "",
@@ -101,6 +96,13 @@ public final class TunableNumbers {
                                 + "\", but the program declares none of this name; it has " + declared.keySet() + ".");
             }
         }
+    }
+
+    /** The file is read when the first number is declared, so a program without numbers needs none. */
+    private Map<String, Double> wanted() {
+        Map<String, Double> values = wanted.orElseGet(() -> read(file, mistakes));
+        wanted = Optional.of(values);
+        return values;
     }
 
     private double within(String name, double value, double usual, double least, double most) {
@@ -115,30 +117,24 @@ public final class TunableNumbers {
         return taken;
     }
 
-    private static Map<String, Double> read(Path file, Mistakes mistakes) {
+    private static Map<String, Double> read(String file, Mistakes mistakes) {
         Map<String, Double> values = new HashMap<>();
-        if (Files.isRegularFile(file)) {
-            try (Reader reader = Files.newBufferedReader(file)) {
-                Properties properties = new Properties();
-                properties.load(reader);
-                properties.stringPropertyNames().forEach(name -> {
-                    String text = properties.getProperty(name);
-                    number(text)
+        try {
+            Surroundings.properties(file)
+                    .forEach((name, text) -> number(text)
                             .ifPresentOrElse(
                                     value -> values.put(name, value),
                                     () -> mistakes.reportAt(
                                             "",
                                             "number " + name,
                                             () -> name + " = " + text + " in " + file
-                                                    + " is no number; the usual one is taken."));
-                });
-            } catch (IOException | IllegalArgumentException unreadable) {
-                mistakes.reportAt(
-                        "",
-                        "numbers",
-                        () -> "The file " + file + " cannot be read (" + unreadable.getMessage()
-                                + "); the usual numbers are taken.");
-            }
+                                                    + " is no number; the usual one is taken.")));
+        } catch (IOException unreadable) {
+            mistakes.reportAt(
+                    "",
+                    "numbers",
+                    () -> "The file " + file + " cannot be read (" + unreadable.getMessage()
+                            + "); the usual numbers are taken.");
         }
         return values;
     }

@@ -2,13 +2,14 @@ package org.robonewbie.agent;
 
 import java.util.Optional;
 import java.util.function.DoublePredicate;
+import org.robonewbie.nao.math.PortableMath;
 
 /** Checks of option values; each says in half a sentence what was expected. */
 final class Values {
 
     private Values() {}
 
-    /** Says what is wrong with a value; empty if nothing is. */
+    /** What is wrong with a value; empty if nothing is. */
     @FunctionalInterface
     interface Check {
         Optional<String> complaint(String value);
@@ -30,7 +31,7 @@ final class Values {
 
     static Check wholeNumber(int least, int most) {
         return value -> expect(
-                isNumber(value, number -> number >= least && number <= most && number == Math.rint(number)),
+                isNumber(value, number -> number >= least && number <= most && number == PortableMath.rint(number)),
                 "a whole number from " + least + " to " + most);
     }
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
@@ -38,10 +39,10 @@ class AgentTest {
 
     @Test
     void answersEachMessageWithItsCommandsAndOneSynchronisation() {
-        Agent agent = new Careless(nao -> {
+        AgentDriver agent = new AgentDriver(new Careless(nao -> {
             nao.setJointSpeed(Joint.NECK_YAW, 90);
             nao.say("hello");
-        });
+        }));
 
         List<EffectorCommand> answer = agent.respond(Messages.standing().build());
 
@@ -55,11 +56,11 @@ class AgentTest {
     @Test
     void stopsAMotorOnceAndThenSaysNoMoreAboutIt() {
         AtomicInteger cycle = new AtomicInteger();
-        Agent agent = new Careless(nao -> {
+        AgentDriver agent = new AgentDriver(new Careless(nao -> {
             if (cycle.incrementAndGet() <= 2) {
                 nao.setJointSpeed(Joint.NECK_YAW, cycle.get() == 1 ? 50 : 0);
             }
-        });
+        }));
 
         agent.respond(Messages.standing().at(1.00).build());
         List<EffectorCommand> second =
@@ -72,7 +73,7 @@ class AgentTest {
 
     @Test
     void reportsSpeedNaNOnceWithTimeAndLine() {
-        Agent agent = new Careless(Careless::speedNaN);
+        AgentDriver agent = new AgentDriver(new Careless(Careless::speedNaN));
 
         agent.respond(Messages.standing().at(1.00).build());
         List<EffectorCommand> answer =
@@ -87,7 +88,7 @@ class AgentTest {
 
     @Test
     void reportsAnAngleBeyondTheRangeAndGoesToItsEnd() {
-        Agent agent = new Careless(Careless::beyondRange);
+        AgentDriver agent = new AgentDriver(new Careless(Careless::beyondRange));
         Posture nearlyThere = Posture.ZERO.with(Joint.LEFT_KNEE_PITCH, 0.8);
 
         agent.respond(Messages.standing().posture(nearlyThere).build());
@@ -103,7 +104,7 @@ class AgentTest {
 
     @Test
     void asksForASpeedAboveZeroInsteadOfADirection() {
-        Agent agent = new Careless(nao -> nao.setJointAngle(Joint.LEFT_KNEE_PITCH, -10, -20));
+        AgentDriver agent = new AgentDriver(new Careless(nao -> nao.setJointAngle(Joint.LEFT_KNEE_PITCH, -10, -20)));
 
         agent.respond(Messages.standing().build());
 
@@ -116,7 +117,7 @@ class AgentTest {
 
     @Test
     void stopsAJointAtTheEndOfItsRange() {
-        Agent agent = new Careless(nao -> nao.setJointSpeed(Joint.NECK_PITCH, 100));
+        AgentDriver agent = new AgentDriver(new Careless(nao -> nao.setJointSpeed(Joint.NECK_PITCH, 100)));
         Posture atTheEnd = Posture.ZERO.with(Joint.NECK_PITCH, 44.9);
 
         List<EffectorCommand> answer =
@@ -131,7 +132,7 @@ class AgentTest {
 
     @Test
     void clampsASpeedThatNoMotorCanReach() {
-        Agent agent = new Careless(nao -> nao.setJointSpeed(Joint.NECK_YAW, 1000));
+        AgentDriver agent = new AgentDriver(new Careless(nao -> nao.setJointSpeed(Joint.NECK_YAW, 1000)));
 
         List<EffectorCommand> answer = agent.respond(Messages.standing().build());
 
@@ -143,7 +144,7 @@ class AgentTest {
 
     @Test
     void goesOnAfterAnExceptionAndNamesItsLine() {
-        Agent agent = new Careless(Careless::exception);
+        AgentDriver agent = new AgentDriver(new Careless(Careless::exception));
 
         List<EffectorCommand> first = agent.respond(Messages.standing().build());
         List<EffectorCommand> second = agent.respond(Messages.standing().build());
@@ -157,7 +158,7 @@ class AgentTest {
 
     @Test
     void refusesATextThatIsTooLong() {
-        Agent agent = new Careless(Careless::longSpeech);
+        AgentDriver agent = new AgentDriver(new Careless(Careless::longSpeech));
 
         List<EffectorCommand> answer = agent.respond(Messages.standing().build());
 
@@ -169,7 +170,7 @@ class AgentTest {
 
     @Test
     void beamsOnlyWithTheRefereesLeaveButTellsSo() {
-        Agent agent = new Careless(nao -> nao.beam(-1, 0.5, 90));
+        AgentDriver agent = new AgentDriver(new Careless(nao -> nao.beam(-1, 0.5, 90)));
 
         List<EffectorCommand> allowed =
                 agent.respond(Messages.standing().in(PlayMode.GOAL_LEFT).build());
@@ -183,12 +184,12 @@ class AgentTest {
 
     @Test
     void sendsTheAnswerEvenIfActIsOverriddenWrongly() {
-        Agent agent = new Agent() {
+        AgentDriver agent = new AgentDriver(new Agent() {
             @Override
             protected void act() {
                 // forgets super.act()
             }
-        };
+        });
 
         List<EffectorCommand> answer = agent.respond(Messages.standing().build());
 
@@ -197,8 +198,68 @@ class AgentTest {
     }
 
     @Test
+    void readsTheSensorsEvenIfSenseIsOverriddenWrongly() {
+        List<Double> times = new ArrayList<>();
+        AgentDriver agent = new AgentDriver(new Agent() {
+            @Override
+            protected void sense() {
+                // forgets super.sense()
+            }
+
+            @Override
+            protected void think() {
+                times.add(nao.getTime());
+            }
+        });
+
+        for (int i = 1; i <= 3; i++) {
+            agent.respond(Messages.standing().at(i).build());
+        }
+
+        assertThat(times).containsExactly(0.0, 2.0, 3.0);
+        assertThat(printedLines())
+                .containsExactly("1.00 s: sense() did not call super.sense(); the framework does it.");
+    }
+
+    @Test
+    void namesTheStepThatHasFailedAndAnswersAllTheSame() {
+        AgentDriver agent = new AgentDriver(new Agent() {
+            @Override
+            protected void act() {
+                nao.setJointSpeed(Joint.NECK_YAW, 90);
+                throw new IllegalStateException("broken");
+            }
+        });
+
+        List<EffectorCommand> answer = agent.respond(Messages.standing().build());
+
+        assertThat(answer).containsExactly(new SetHingeSpeed("he1", Math.PI / 2), new Synchronise());
+        assertThat(agent.hasFailed()).isTrue();
+        assertThat(printedLines())
+                .singleElement()
+                .asString()
+                .startsWith("1.00 s: act() failed with java.lang.IllegalStateException: broken");
+    }
+
+    @Test
+    void leavesTheGameAfterTheCycleInWhichItWantsTo() {
+        AgentDriver agent = new AgentDriver(new Agent() {
+            @Override
+            protected void think() {
+                leaveGame();
+            }
+        });
+
+        List<EffectorCommand> last = agent.respond(Messages.standing().at(1).build());
+        List<EffectorCommand> none = agent.respond(Messages.standing().at(2).build());
+
+        assertThat(last).containsExactly(new Synchronise());
+        assertThat(none).isEmpty();
+    }
+
+    @Test
     void reachesAnAngleExactlyInSpiteOfTheDelay() {
-        Agent agent = new Careless(nao -> nao.setJointAngle(Joint.NECK_YAW, 30, 100));
+        AgentDriver agent = new AgentDriver(new Careless(nao -> nao.setJointAngle(Joint.NECK_YAW, 30, 100)));
         double angle = 0;
         double underWay = 0;
 

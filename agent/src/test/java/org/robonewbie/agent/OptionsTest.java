@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.agent.running.WantedSimulator.Kind;
 
 class OptionsTest {
 
@@ -38,7 +39,7 @@ class OptionsTest {
                 .withTeam("Program")
                 .withNumber(5)
                 .withPose(-1, 0, 0)
-                .overriddenBy(List.of("--team", "Line"), file(), environment);
+                .overriddenBy(List.of("--team", "Line"), file().toString(), environment);
 
         assertThat(options.team()).isEqualTo("Line");
         assertThat(options.number()).isEqualTo(5);
@@ -102,11 +103,12 @@ class OptionsTest {
 
     @Test
     void startsAnOwnSimulatorForASeedAndJoinsANamedHost() {
-        assertThat(read("--seed", "1").needsOwnSimulator()).isTrue();
-        assertThat(read("--fast").needsOwnSimulator()).isTrue();
-        assertThat(read("--host", "there").needsServer()).isTrue();
-        assertThat(read("--seconds", "3").needsOwnSimulator()).isFalse();
-        assertThat(read().needsServer()).isFalse();
+        assertThat(read("--seed", "1").simulator(1).kind()).isEqualTo(Kind.OWN);
+        assertThat(read("--fast").simulator(1).kind()).isEqualTo(Kind.OWN);
+        assertThat(read("--host", "there").simulator(1).kind()).isEqualTo(Kind.SERVER);
+        assertThat(read("--host", "there").simulator(1).host()).isEqualTo("there");
+        assertThat(read("--seconds", "3").simulator(1).kind()).isEqualTo(Kind.ANY);
+        assertThat(read().simulator(1).port()).isEqualTo(3100);
     }
 
     @Test
@@ -115,8 +117,7 @@ class OptionsTest {
 
         Options options = read("--seed", "1");
 
-        assertThat(options.needsOwnSimulator()).isTrue();
-        assertThat(options.needsServer()).isFalse();
+        assertThat(options.simulator(1).kind()).isEqualTo(Kind.OWN);
     }
 
     @Test
@@ -138,7 +139,7 @@ class OptionsTest {
     }
 
     private Options with(Options program, String... args) {
-        return program.overriddenBy(List.of(args), file(), Map.of());
+        return program.overriddenBy(List.of(args), file().toString(), Map.of());
     }
 
     private Path file() {

@@ -2,122 +2,103 @@ package org.robonewbie.agent;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.OutputStream;
-import java.io.PrintStream;
-import java.util.ArrayList;
+import java.io.IOException;
 import java.util.List;
-import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.robonewbie.agent.cycle.Clockwork;
+import org.robonewbie.agent.cycle.LinkPort;
 import org.robonewbie.agent.log.LogLine;
-import org.robonewbie.agent.log.Mistakes;
-import org.robonewbie.protocol.perceptor.PerceptorMessage;
-import student.Dreamer;
+import org.robonewbie.agent.running.PunctualPort;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
 
 class PunctualityTest {
 
-    @Test
-    void reportsACycleForWhichAServerInRealTimeDidNotWait() throws Exception {
-        try (ScriptedServer server = ScriptedServer.inRealTime(script(100))) {
-            Nao nao = Nao.connect(options(server));
-            while (nao.getTime() < 1.5 && nao.sense()) {
-                nao.act();
-            }
-            nao.sense();
-            thinkForMilliseconds(30);
-            Dreamer.dreamUntil(server::isPlayed);
-            nao.act();
-            List<String> lines = nao.log().lines().stream().map(LogLine::text).toList();
-            nao.close();
+    private final Clockwork robot = new Clockwork("test");
+    private final Server server = new Server();
+    private final PunctualPort port = new PunctualPort(
+            new LinkPort(server, new MessageBuffer()), robot, () -> "Slow.java:7", () -> server.nanoseconds);
 
-            assertThat(nao.mistakes().reported())
-                    .singleElement()
-                    .asString()
-                    .contains("ms, but the simulator waits only 20 ms and has gone on; compute less in a cycle, and log"
-                            + " instead of printing. Late cycles so far: ");
-            assertThat(lines).anyMatch(line -> line.matches("cycle \\d+ came late: it took \\d+ ms"));
-        }
+    @Test
+    void reportsACycleForWhichAServerInRealTimeDidNotWait() throws IOException {
+        cycle(1.5, 30);
+
+        assertThat(robot.mistakes().reported())
+                .singleElement()
+                .asString()
+                .contains("Cycle 1 took 30 ms, but the simulator waits only 20 ms and has gone on; compute less in a"
+                        + " cycle, and log instead of printing. Late cycles so far: 1.")
+                .contains("Slow.java:7");
+        assertThat(robot.log().lines()).extracting(LogLine::text).contains("cycle 1 came late: it took 30 ms");
     }
 
     @Test
-    void reportsLateCyclesAgainAfterTenSeconds() throws Exception {
-        try (ScriptedServer server = ScriptedServer.inRealTime(script(100, 0.2))) {
-            Nao nao = Nao.connect(options(server));
-            for (double seconds : new double[] {3, 5, 13}) {
-                while (nao.getTime() < seconds && nao.sense()) {
-                    nao.act();
-                }
-                nao.sense();
-                thinkForMilliseconds(30);
-                Dreamer.dreamUntil(server::isPlayed);
-                nao.act();
-            }
-            nao.close();
+    void keepsQuietWhileJavaWarmsUp() throws IOException {
+        cycle(0.5, 30);
 
-            assertThat(nao.mistakes().reported()).hasSize(2).allMatch(line -> line.contains("Late cycles so far: "));
-        }
+        assertThat(robot.mistakes().reported()).isEmpty();
+        assertThat(robot.log().lines()).extracting(LogLine::text).contains("cycle 1 came late: it took 30 ms");
     }
 
     @Test
-    void saysInWhichLineALateCycleSpentItsTime() throws Exception {
-        Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
-        try (Watchdog watchdog = new Watchdog(mistakes, Optional.empty())) {
-            watchdog.thinkBegins();
-            Dreamer.dreamUntil(() -> !watchdog.slowPlace().isEmpty());
-            String slowPlace = watchdog.slowPlace();
-            boolean forgotten = isForgottenWithTheNextThought(watchdog);
-
-            assertThat(slowPlace).matches("Dreamer\\.java:\\d+");
-            assertThat(forgotten).isTrue();
+    void reportsLateCyclesAgainAfterTenSeconds() throws IOException {
+        for (double seconds : new double[] {3, 5, 13}) {
+            cycle(seconds, 30);
         }
+
+        assertThat(robot.mistakes().reported()).hasSize(2).allMatch(line -> line.contains("Late cycles so far: "));
     }
 
     @Test
-    void neverCallsAnAgentLateForWhichTheServerWaits() throws Exception {
-        try (ScriptedServer server = new ScriptedServer(script(100))) {
-            Nao nao = Nao.connect(options(server));
-            while (nao.getTime() < 1.5 && nao.sense()) {
-                nao.act();
-            }
-            nao.sense();
-            thinkForMilliseconds(30);
-            nao.act();
-            nao.close();
+    void neverCallsAnAgentLateForWhichTheServerWaits() throws IOException {
+        server.hasGoneOn = false;
 
-            assertThat(nao.mistakes().reported()).isEmpty();
+        cycle(1.5, 30);
+
+        assertThat(robot.mistakes().reported()).isEmpty();
+    }
+
+    @Test
+    void neverCallsAnAgentLateThatAnswersInTime() throws IOException {
+        cycle(1.5, 19);
+
+        assertThat(robot.mistakes().reported()).isEmpty();
+    }
+
+    private void cycle(double seconds, int milliseconds) throws IOException {
+        server.seconds = seconds;
+        port.receive();
+        robot.perceive(port.message());
+        server.nanoseconds += TimeUnit.MILLISECONDS.toNanos(milliseconds);
+        port.send(List.of());
+    }
+
+    /** A server whose clock the test turns. */
+    private static final class Server implements AgentLink {
+
+        private double seconds;
+        private long nanoseconds;
+        private boolean hasGoneOn = true;
+
+        @Override
+        public boolean receive(MessageBuffer message) {
+            message.clear();
+            new PerceptorMessageWriter(message)
+                    .write(Messages.standing().at(seconds).build());
+            return true;
         }
-    }
 
-    /** On a busy computer the next thought may itself be slow before anybody has looked; so there are some of them. */
-    private static boolean isForgottenWithTheNextThought(Watchdog watchdog) {
-        for (int i = 0; i < 100; i++) {
-            watchdog.thinkBegins();
-            if (watchdog.slowPlace().isEmpty()) {
-                return true;
-            }
+        @Override
+        public boolean isMessageWaiting() {
+            return hasGoneOn;
         }
-        return false;
-    }
 
-    private static Options options(ScriptedServer server) {
-        return Options.none().with("host", "127.0.0.1").with("port", Integer.toString(server.port()));
-    }
+        @Override
+        public void send(MessageBuffer message) {}
 
-    private static void thinkForMilliseconds(int milliseconds) {
-        long end = System.nanoTime() + milliseconds * 1_000_000L;
-        while (System.nanoTime() < end) {
-            Thread.onSpinWait();
-        }
-    }
-
-    private static List<PerceptorMessage> script(int length) {
-        return script(length, 0.02);
-    }
-
-    private static List<PerceptorMessage> script(int length, double secondsPerMessage) {
-        List<PerceptorMessage> script = new ArrayList<>();
-        for (int i = 0; i < length; i++) {
-            script.add(Messages.standing().at(secondsPerMessage * i).build());
-        }
-        return script;
+        @Override
+        public void close() {}
     }
 }

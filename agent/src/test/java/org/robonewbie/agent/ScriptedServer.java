@@ -7,36 +7,22 @@ import java.net.Socket;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import org.robonewbie.protocol.frame.FrameInput;
-import org.robonewbie.protocol.frame.FrameOutput;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
+import org.robonewbie.protocol.tcp.FrameInput;
+import org.robonewbie.protocol.tcp.FrameOutput;
 
-/**
- * A server for one client on a real port. It answers each message with the next of its script, or in real time sends its
- * script whether the client answers or not; then it closes.
- */
+/** A server for one client on a real port. It answers each message with the next of its script; then it closes. */
 final class ScriptedServer implements AutoCloseable {
 
     private final ServerSocket socket = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
     private final List<PerceptorMessage> script;
-    private final boolean waiting;
     private final List<String> received = Collections.synchronizedList(new ArrayList<>());
-    private volatile boolean played;
     private final Thread thread = new Thread(this::serve, "scripted server");
 
     ScriptedServer(List<PerceptorMessage> script) throws IOException {
-        this(script, true);
-    }
-
-    static ScriptedServer inRealTime(List<PerceptorMessage> script) throws IOException {
-        return new ScriptedServer(script, false);
-    }
-
-    private ScriptedServer(List<PerceptorMessage> script, boolean waiting) throws IOException {
         this.script = script;
-        this.waiting = waiting;
         thread.setDaemon(true);
         thread.start();
     }
@@ -48,11 +34,6 @@ final class ScriptedServer implements AutoCloseable {
     /** All messages of the client, in their order. */
     List<String> received() {
         return List.copyOf(received);
-    }
-
-    /** Whether the whole script has been sent. */
-    boolean isPlayed() {
-        return played;
     }
 
     /** Waits until the script has been played or the client has left. */
@@ -78,21 +59,16 @@ final class ScriptedServer implements AutoCloseable {
         FrameOutput output = new FrameOutput(client.getOutputStream());
         MessageBuffer buffer = new MessageBuffer();
         for (PerceptorMessage message : script) {
-            if (waiting || received.isEmpty()) {
-                if (!input.read(buffer)) {
-                    return;
-                }
-                received.add(buffer.toString());
+            if (!input.read(buffer)) {
+                return;
             }
+            received.add(buffer.toString());
             buffer.clear();
             new PerceptorMessageWriter(buffer).write(message);
             output.write(buffer);
         }
-        played = true;
-        boolean open = input.read(buffer);
-        while (open) {
+        if (input.read(buffer)) {
             received.add(buffer.toString());
-            open = !waiting && input.read(buffer);
         }
     }
 }

@@ -23,12 +23,12 @@ class SelfLocalisationTest {
     private static final SoccerField FIELD = SoccerField.BEGINNER;
 
     private final SelfLocalisation self = new SelfLocalisation(FIELD);
-    private final Agent agent = new Agent() {
+    private final AgentDriver agent = new AgentDriver(new Agent() {
         @Override
         protected void think() {
             self.update(nao, fieldView);
         }
-    };
+    });
 
     @Test
     void findsItsPlaceByTwoLandmarks() {
@@ -112,13 +112,13 @@ class SelfLocalisationTest {
     void knowsWhereTheBallIsAfterItHasTurnedAway() {
         Vision ball = Vision.of(List.of(), Optional.of(new PolarPosition(2, 0, 0)), List.of(), List.of());
         Vector3[] now = {Vector3.ZERO};
-        Agent turning = new Agent() {
+        AgentDriver turning = new AgentDriver(new Agent() {
             @Override
             protected void think() {
                 self.update(nao, fieldView);
                 now[0] = self.odometry().positionNow(fieldView.ball());
             }
-        };
+        });
 
         turning.respond(Messages.standing().at(1).seeing(ball).build());
         for (int i = 1; i <= 50; i++) {
@@ -146,12 +146,12 @@ class SelfLocalisationTest {
     }
 
     private static void rehearse(SelfLocalisation localisation, List<Vision.SeenLandmark> seen) {
-        Agent looking = new Agent() {
+        AgentDriver looking = new AgentDriver(new Agent() {
             @Override
             protected void think() {
                 localisation.update(nao, fieldView);
             }
-        };
+        });
         looking.respond(Messages.standing()
                 .at(1)
                 .seeing(Vision.of(seen, Optional.empty(), List.of(), List.of()))

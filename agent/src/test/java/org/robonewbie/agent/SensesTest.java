@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.agent.log.Logger;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.cycle.Clockwork;
 import org.robonewbie.agent.perception.BodyPosition;
+import org.robonewbie.agent.perception.HeardMessage;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
@@ -18,11 +18,12 @@ import org.robonewbie.protocol.perceptor.Heard;
 
 class SensesTest {
 
-    private final NaoBody nao = new NaoBody(new Logger("test"), new Mistakes(System.err));
+    private final Clockwork clockwork = new Clockwork("test");
+    private final Robot nao = new Robot(clockwork);
 
     @Test
     void turnsVectorsIntoTheBodysFrame() {
-        nao.accept(Messages.standing()
+        clockwork.sense(Messages.standing()
                 .gyro(10, 20, 30)
                 .accelerometer(1, 2, 9)
                 .leftFoot(new Vector3(0.01, 0.02, -0.01), new Vector3(1, 2, 22))
@@ -38,7 +39,7 @@ class SensesTest {
 
     @Test
     void readsTheGame() {
-        nao.accept(Messages.standing()
+        clockwork.sense(Messages.standing()
                 .at(3.5)
                 .in(PlayMode.KICK_OFF_LEFT)
                 .on(TeamSide.RIGHT)
@@ -55,8 +56,8 @@ class SensesTest {
 
     @Test
     void keepsNumberAndSideThatAreSentOnlyOnce() {
-        nao.accept(Messages.standing().on(TeamSide.RIGHT).build());
-        nao.accept(Messages.standing().withoutNumber().build());
+        clockwork.sense(Messages.standing().on(TeamSide.RIGHT).build());
+        clockwork.sense(Messages.standing().withoutNumber().build());
 
         assertThat(nao.getNumber()).isEqualTo(4);
         assertThat(nao.getTeamSide()).isEqualTo(TeamSide.RIGHT);
@@ -64,8 +65,8 @@ class SensesTest {
 
     @Test
     void keepsTheLastReadingWhenTheNextIsNoNumber() {
-        nao.accept(Messages.standing().gyro(1, 2, 3).accelerometer(0, 0, 9).build());
-        nao.accept(Messages.standing()
+        clockwork.sense(Messages.standing().gyro(1, 2, 3).accelerometer(0, 0, 9).build());
+        clockwork.sense(Messages.standing()
                 .gyro(Double.NaN, 0, 0)
                 .accelerometer(0, Double.POSITIVE_INFINITY, 0)
                 .build());
@@ -76,7 +77,7 @@ class SensesTest {
 
     @Test
     void readsJointAnglesInDegrees() {
-        nao.accept(Messages.standing()
+        clockwork.sense(Messages.standing()
                 .posture(Posture.ZERO.with(Joint.RIGHT_ARM_YAW, 42.5))
                 .build());
 
@@ -88,15 +89,16 @@ class SensesTest {
         Heard own = new Heard(Optional.of("Blue"), 1, OptionalDouble.empty(), "me");
         Heard other = new Heard(Optional.of("Blue"), 1, OptionalDouble.of(-30), "100%");
 
-        nao.accept(Messages.standing().heard(own, other).build());
+        clockwork.sense(Messages.standing().heard(own, other).build());
 
-        assertThat(nao.getHeard()).isEqualTo(List.of(other));
+        assertThat(nao.getHeard())
+                .isEqualTo(List.of(new HeardMessage("100%", Optional.of("Blue"), OptionalDouble.of(-30))));
     }
 
     @Test
     void feelsThatItLiesOnItsBack() {
         for (int i = 0; i < 30; i++) {
-            nao.accept(Messages.standing().accelerometer(0, 9.81, 0).build());
+            clockwork.sense(Messages.standing().accelerometer(0, 9.81, 0).build());
         }
 
         assertThat(nao.isFallen()).isTrue();

@@ -130,11 +130,11 @@ class StartDialogueTest {
                 Nao nao = Nao.connect(options(server))) {
             nao.sense();
             nao.act();
-            assertThat(nao.mistakes().reported()).isEmpty();
+            assertThat(nao.clockwork().mistakes().reported()).isEmpty();
 
             nao.act();
 
-            assertThat(nao.mistakes().reported())
+            assertThat(nao.clockwork().mistakes().reported())
                     .singleElement()
                     .asString()
                     .contains(
@@ -152,7 +152,7 @@ class StartDialogueTest {
             boolean running = nao.sense();
 
             assertThat(running).isFalse();
-            assertThat(nao.mistakes().reported())
+            assertThat(nao.clockwork().mistakes().reported())
                     .singleElement()
                     .asString()
                     .contains("The robot has left the game: sense() was called after close().");
@@ -163,17 +163,17 @@ class StartDialogueTest {
     void refusesAnAgentThatShallPlayTwice() {
         Agent agent = new Agent() {};
 
-        assertThatThrownBy(() -> Game.play(List.of(), List.of(agent, agent)))
+        assertThatThrownBy(() -> AgentRunner.run(List.of(), List.of(agent, agent)))
                 .isInstanceOf(StartUpException.class)
                 .hasMessage(
-                        "The same agent shall play twice, but a robot has only one body: make each of them with new.");
+                        "The same agent cannot play twice, since a robot has only one body: make each of them with new.");
     }
 
     @Test
     void refusesAGameWithoutAgents() {
-        assertThatThrownBy(() -> Game.play(List.of(), List.of()))
+        assertThatThrownBy(() -> AgentRunner.run(List.of(), List.of()))
                 .isInstanceOf(StartUpException.class)
-                .hasMessage("No agent shall play: give runTogether at least one, such as new MyAgent().");
+                .hasMessage("There is no agent to play: give runTogether at least one, such as new MyAgent().");
     }
 
     private static Options options(ScriptedServer server) {

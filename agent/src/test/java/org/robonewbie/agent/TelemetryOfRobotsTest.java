@@ -9,10 +9,12 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PolarPosition;
 import org.robonewbie.protocol.perceptor.Vision;
+import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.protocol.telemetry.BelievedThing;
 import org.robonewbie.protocol.telemetry.Drawing;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
@@ -22,7 +24,6 @@ import org.robonewbie.protocol.telemetry.TelemetryItem.MotionProgress;
 import org.robonewbie.protocol.telemetry.TelemetryItem.Picture;
 import org.robonewbie.protocol.telemetry.TelemetryItem.PlotValue;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
-import org.robonewbie.protocol.telemetry.TelemetryServer;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import student.Careless;
 
@@ -32,7 +33,7 @@ class TelemetryOfRobotsTest {
 
     @Test
     void tellsLogLinesAtOnce() {
-        Careless agent = watched(nao -> nao.log().info("ball at %.1f m", 1.2));
+        AgentDriver agent = watched(nao -> nao.log().info("ball at %.1f m", 1.2));
 
         agent.respond(Messages.standing().build());
 
@@ -41,7 +42,7 @@ class TelemetryOfRobotsTest {
 
     @Test
     void tellsMistakesWithTheirLine() {
-        Careless agent = watched(Careless::beyondRange);
+        AgentDriver agent = watched(Careless::beyondRange);
 
         agent.respond(Messages.standing().build());
 
@@ -55,8 +56,7 @@ class TelemetryOfRobotsTest {
 
     @Test
     void tellsWhatItBelievesWithEachPicture() {
-        Stander agent = new Stander();
-        agent.watch();
+        AgentDriver agent = watched(new Stander());
         Vision vision = seen(new PolarPosition(2, 90, 0));
 
         agent.respond(Messages.standing().at(1.00).seeing(vision).build());
@@ -73,7 +73,7 @@ class TelemetryOfRobotsTest {
 
     @Test
     void tellsDrawingsOfACycleAsOnePicture() {
-        Careless agent = watched(nao -> {
+        AgentDriver agent = watched(nao -> {
             nao.drawPoint(new Vector3(1, 0, 0), "red");
             nao.drawCircle(Vector3.ZERO, 0.5, "#00ff00");
             nao.drawLine(Vector3.ZERO, new Vector3(1, 0, 0), "blue");
@@ -92,7 +92,7 @@ class TelemetryOfRobotsTest {
 
     @Test
     void tellsCurvesButNothingThatIsNoNumber() {
-        Careless agent = watched(nao -> {
+        AgentDriver agent = watched(nao -> {
             nao.plot("speed", 0.3);
             nao.plot("nonsense", Double.NaN);
         });
@@ -104,8 +104,7 @@ class TelemetryOfRobotsTest {
 
     @Test
     void tellsTheMotionWheneverItsKeyframeChanges() {
-        Stander stander = new Stander();
-        stander.watch();
+        AgentDriver stander = watched(new Stander());
 
         stander.respond(Messages.standing().at(1.00).build());
         stander.respond(Messages.standing().at(1.02).build());
@@ -116,42 +115,47 @@ class TelemetryOfRobotsTest {
     @Test
     void keepsQuietWhileNobodyWatches() {
         Artist artist = new Artist();
+        AgentDriver driver = new AgentDriver(artist);
 
-        artist.respond(Messages.standing().build());
-        artist.watch();
-        artist.respond(Messages.standing().build());
+        driver.respond(Messages.standing().build());
+        artist.clockwork().telemetry().publishTo(this::take);
+        driver.respond(Messages.standing().build());
 
         assertThat(told).hasSize(1);
         assertThat(TelemetrySink.NONE.isWanted()).isFalse();
     }
 
     @Test
+    @Timeout(60)
     void reachesAStudioOfAnotherProcessBesideAnyServer() throws Exception {
         BlockingQueue<TelemetryMessage> heard = new LinkedBlockingQueue<>();
         try (ScriptedServer server = new ScriptedServer(script(200));
                 TelemetryServer studio = TelemetryServer.open(TelemetryServer.portFor(server.port()), heard::add)) {
             Nao nao =
                     Nao.connect(Options.none().with("host", "127.0.0.1").with("port", Integer.toString(server.port())));
-            long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(10);
-            while (!nao.thoughts().isWatched() && System.nanoTime() < end) {
-                Thread.onSpinWait();
-            }
-            nao.log().info("hello studio");
+            Optional<TelemetryMessage> first;
+            do {
+                nao.log().info("hello studio");
+                first = Optional.ofNullable(heard.poll(20, TimeUnit.MILLISECONDS));
+            } while (first.isEmpty());
             nao.close();
 
             assertThat(studio.port()).isPositive();
-            assertThat(heard.poll(10, TimeUnit.SECONDS))
+            assertThat(first)
+                    .get()
                     .matches(message -> message.number() == 4 && message.team().equals("RoboNewbie"))
                     .extracting(TelemetryMessage::item)
                     .isEqualTo(new LogEntry("INFO", "hello studio"));
         }
     }
 
-    private Careless watched(Careless.Mistake doing) {
-        return new Careless(nao -> {
-            nao.thoughts().tellTo(this::take);
-            doing.make(nao);
-        });
+    private AgentDriver watched(Careless.Mistake doing) {
+        return watched(new Careless(doing));
+    }
+
+    private AgentDriver watched(Agent agent) {
+        agent.clockwork().telemetry().publishTo(this::take);
+        return new AgentDriver(agent);
     }
 
     private void take(TelemetryMessage message) {
@@ -170,15 +174,8 @@ class TelemetryOfRobotsTest {
         return script;
     }
 
-    /** An agent that somebody may watch. */
-    private abstract class Watchable extends Agent {
-        void watch() {
-            nao.thoughts().tellTo(TelemetryOfRobotsTest.this::take);
-        }
-    }
-
     /** Plays a motion that comes with the framework. */
-    private final class Stander extends Watchable {
+    private static final class Stander extends Agent {
         @Override
         protected void think() {
             motions.start("stand");
@@ -186,7 +183,7 @@ class TelemetryOfRobotsTest {
     }
 
     /** Draws in each cycle. */
-    private final class Artist extends Watchable {
+    private static final class Artist extends Agent {
         @Override
         protected void think() {
             nao.drawPoint(Vector3.ZERO, "red");

@@ -27,7 +27,7 @@ class TunableNumbersTest {
         Strider strider = new Strider();
 
         assertThat(strider.stride).isEqualTo(0.05);
-        assertThat(strider.numbers())
+        assertThat(new AgentDriver(strider).numbers())
                 .containsExactly(
                         new TunableNumber("stride", 0.05, 0.02, 0.08, 0.05), new TunableNumber("patience", 2, 0, 5, 2));
     }

@@ -19,7 +19,7 @@ public final class QuietLogging {
         root.addHandler(new ConsoleHandler());
     }
 
-    /** Makes this the configuration of all loggers, unless the user has named another one. */
+    /** Installs this as the configuration of all loggers, unless the user has configured another one. */
     static void install() {
         setIfAbsent("java.util.logging.config.class", QuietLogging.class.getName());
         setIfAbsent("java.util.logging.SimpleFormatter.format", LINE);

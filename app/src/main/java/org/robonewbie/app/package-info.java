@@ -1,6 +1,6 @@
 /**
- * The command line: one program that shows, runs and checks everything. Start in {@link org.robonewbie.app.Main}; each
- * command is one class {@code …Command}.
+ * The command line: one program that shows, runs and checks everything. Start in {@link org.robonewbie.app.Main}; its commands are in
+ * {@code command}, what finds and starts the programs of students in {@code program}.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.app;

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -19,6 +20,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.robonewbie.app.command.RoboNewbieCommand;
+import org.robonewbie.app.program.ExampleCatalogue;
+import org.robonewbie.nao.Joint;
 
 /** What the pages say is true: code compiles, commands exist, links lead somewhere, libraries are named. */
 class DocumentationTest {
@@ -73,6 +77,23 @@ class DocumentationTest {
     }
 
     @Test
+    void everyJointIsInTheTable() {
+        String page = Project.read(Project.ROOT.resolve("docs/reference.md"));
+
+        assertThat(Joint.values())
+                .allSatisfy(joint -> assertThat(page)
+                        .contains(String.format(
+                                Locale.ROOT,
+                                "| `%s` | %s | `%s` | `%s` | %.0f to %.0f |",
+                                joint,
+                                joint.standardName(),
+                                joint.perceptorName(),
+                                joint.effectorName(),
+                                joint.minDegrees(),
+                                joint.maxDegrees())));
+    }
+
+    @Test
     void everyDecisionIsListed() throws IOException {
         Path decisions = Project.ROOT.resolve("docs/decisions");
         String list = Project.read(decisions.resolve("README.md"));
@@ -109,7 +130,9 @@ class DocumentationTest {
         String[] words = line.replaceFirst("\\s+#.*", "").split("\\s+", -1);
         String[] arguments = Arrays.copyOfRange(words, 1, words.length);
 
-        assertThatCode(() -> Main.commandLine().parseArgs(arguments)).as(line).doesNotThrowAnyException();
+        assertThatCode(() -> RoboNewbieCommand.commandLine().parseArgs(arguments))
+                .as(line)
+                .doesNotThrowAnyException();
         if (arguments.length > 1 && arguments[0].equals("run") && !arguments[1].endsWith(".java")) {
             assertThat(ExampleCatalogue.load().find(arguments[1])).as(line).isPresent();
         }

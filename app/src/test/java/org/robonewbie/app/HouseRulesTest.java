@@ -14,7 +14,17 @@ class HouseRulesTest {
 
     private static final int MOST_LINES_OF_JAVA = 400;
     private static final int MOST_LINES_OF_JAVASCRIPT = 300;
+    private static final int MOST_LINES_OF_STYLE = 320;
     private static final Pattern EMPTY_NAME = Pattern.compile(".*(Util|Utils|Manager|Helper|Impl)\\.(java|js)");
+
+    /** Sleeping, spinning, and loops that look at the clock and do nothing else. */
+    private static final Pattern SLEEP_OR_SPIN = Pattern.compile("\\b(Thread\\.sleep|parkNanos|onSpinWait)\\("
+            + "|TimeUnit\\.\\w+\\.sleep\\(|while \\([^;{}]*nanoTime\\(\\)[^;{}]*\\) *\\{\\s*\\}");
+
+    /** Phrases that are not idiomatic English, in comments and messages. */
+    private static final Pattern QUAINT =
+            Pattern.compile("\\b(Tells (whether|how|what|which|where|who|when|why)|[Ww]ho overrides|[Ww]ho wants"
+                    + "|the own (team|goal|half|side|head|program|folder|port)|[Ff]inds somebody|anew|shall)\\b");
 
     private static final Pattern RAW_TRACE = Pattern.compile("\\.printStackTrace\\(\\s*\\)");
     private static final Pattern OPEN_END = Pattern.compile("\\b(TODO|FIXME|XXX)\\b");
@@ -28,6 +38,12 @@ class HouseRulesTest {
     @Test
     void scriptsCanBeReadInOneGo() {
         assertThat(those(Project.sources(".js"), file -> lines(file) > MOST_LINES_OF_JAVASCRIPT))
+                .isEmpty();
+    }
+
+    @Test
+    void styleSheetsCanBeReadInOneGo() {
+        assertThat(those(Project.sources(".css"), file -> lines(file) > MOST_LINES_OF_STYLE))
                 .isEmpty();
     }
 
@@ -52,11 +68,24 @@ class HouseRulesTest {
     }
 
     @Test
-    void testsDoNotSleep() {
-        String forbidden = "Thread." + "sleep";
+    void testsWaitForEventsAndNeitherSleepNorSpin() {
+        List<Path> product = Project.productSources(".java");
+        List<Path> testSources = Project.sources(".java").stream()
+                .filter(file -> !product.contains(file))
+                .toList();
 
         assertThat(those(
-                        Project.sources("Test.java"), file -> Project.read(file).contains(forbidden)))
+                        testSources,
+                        file -> !isThisTest(file)
+                                && SLEEP_OR_SPIN.matcher(Project.read(file)).find()))
+                .isEmpty();
+    }
+
+    @Test
+    void commentsAndMessagesAreIdiomatic() {
+        assertThat(those(
+                        Project.productSources(".java"),
+                        file -> QUAINT.matcher(Project.read(file)).find()))
                 .isEmpty();
     }
 

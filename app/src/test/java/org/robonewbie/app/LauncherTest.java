@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -21,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Starts the real launcher with a Java and a Maven that only say what they were asked. */
 @DisabledOnOs(OS.WINDOWS)
 @Timeout(60)
+@Tag("slow")
 class LauncherTest {
 
     private static final List<String> TOOLS = List.of(

@@ -11,6 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.app.command.RoboNewbieCommand;
 
 class MainTest {
 
@@ -19,17 +21,18 @@ class MainTest {
         Printed help = Printed.by("--help");
 
         assertThat(help.exitCode()).isZero();
-        assertThat(help.out()).contains("demo", "run", "simulator", "studio", "fidelity", "doctor");
+        assertThat(help.out()).contains("demo", "run", "simulator", "studio", "bench", "doctor");
     }
 
     static Set<String> commands() {
-        return Main.commandLine().getSubcommands().keySet();
+        return RoboNewbieCommand.commandLine().getSubcommands().keySet();
     }
 
     @ParameterizedTest
     @MethodSource("commands")
     void listOfCommandsTellsEachInAWholeSentence(String command) {
-        assertThat(Objects.requireNonNull(Main.commandLine().getSubcommands().get(command))
+        assertThat(Objects.requireNonNull(
+                                RoboNewbieCommand.commandLine().getSubcommands().get(command))
                         .getCommandSpec()
                         .usageMessage()
                         .description()[0])
@@ -43,6 +46,32 @@ class MainTest {
 
         assertThat(help.exitCode()).isZero();
         assertThat(help.out()).contains("Examples:", "  robonewbie " + command);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"motions", "agents", "server", "speed", "fidelity", "record"})
+    void everythingThatIsMeasuredHasItsHelp(String subject) {
+        Printed help = Printed.by("bench", subject, "--help");
+
+        assertThat(help.exitCode()).isZero();
+        assertThat(help.out()).startsWith("Usage: robonewbie bench " + subject);
+        assertThat(Printed.by("bench", "--help").out()).contains("  " + subject + " ");
+    }
+
+    @Test
+    void subjectsOfBenchAreWhatMeasureTakesAsAWord() {
+        Printed shortened = Printed.by("bench", "agents", "--seeds", "0");
+
+        assertThat(shortened).isEqualTo(Printed.by("measure", "agents", "--seeds", "0"));
+        assertThat(shortened.err()).contains("--seeds 0: give a number of trials of at least 1.");
+    }
+
+    @Test
+    void benchWithoutASubjectSaysWhatThereIs() {
+        Printed answer = Printed.by("bench");
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err()).contains("robonewbie bench --help");
     }
 
     @Test

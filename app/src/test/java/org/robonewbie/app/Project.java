@@ -9,14 +9,14 @@ import java.util.Objects;
 import java.util.stream.Stream;
 
 /** The files of the whole project, for tests of its rules. */
-final class Project {
+public final class Project {
 
-    static final Path ROOT = findRoot();
+    public static final Path ROOT = findRoot();
 
     private Project() {}
 
     /** Lists the files with an ending that belong to the sources of any module. */
-    static List<Path> sources(String ending) {
+    public static List<Path> sources(String ending) {
         try (Stream<Path> modules = Files.list(ROOT)) {
             return modules.map(module -> module.resolve("src"))
                     .filter(Files::isDirectory)
@@ -30,7 +30,7 @@ final class Project {
     }
 
     /** Lists the files with an ending that belong to the product, without those of its tests. */
-    static List<Path> productSources(String ending) {
+    public static List<Path> productSources(String ending) {
         return sources(ending).stream()
                 .filter(file ->
                         ROOT.relativize(file).toString().replace('\\', '/').contains("/src/main/"))
@@ -38,7 +38,7 @@ final class Project {
     }
 
     /** Lists the pages that people read: those at the root and in docs. */
-    static List<Path> pages() {
+    public static List<Path> pages() {
         try (Stream<Path> atRoot = Files.list(ROOT)) {
             return Stream.concat(atRoot.filter(Files::isRegularFile), filesBelow(ROOT.resolve("docs")))
                     .filter(file -> file.toString().endsWith(".md"))
@@ -49,7 +49,7 @@ final class Project {
         }
     }
 
-    static String read(Path file) {
+    public static String read(Path file) {
         try {
             return Files.readString(file);
         } catch (IOException unreadable) {

@@ -9,6 +9,7 @@ import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.net.http.WebSocket;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
@@ -25,10 +26,11 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.simulator.recording.RecordingShelf;
-import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.studio.AccessToken;
@@ -121,8 +123,8 @@ class PuppetTest {
         }
     }
 
-    private static float x(WorldSnapshot snapshot) {
-        return snapshot.robots().get(0).linkPoses()[0];
+    private static double x(WorldSnapshot snapshot) {
+        return snapshot.robots().get(0).body().position().x();
     }
 
     private WorldSnapshot addPuppet() throws InterruptedException {
@@ -135,7 +137,7 @@ class PuppetTest {
 
     @Test
     void puppetWalksAndStops() throws InterruptedException {
-        float start = x(addPuppet());
+        double start = x(addPuppet());
 
         order("{'do':'walk','side':'left','number':1,'forward':1,'left':0,'turn':0}");
         WorldSnapshot walked = await(now -> x(now) > start + 0.4);
@@ -150,6 +152,23 @@ class PuppetTest {
         assertThat(walked.teamLeft()).isEqualTo("Puppets");
     }
 
+    @Test
+    void sceneOfAnOlderVersionComesBackNearly() throws Exception {
+        addPuppet();
+        assertThat(ask("PUT", "/api/scenes/Old").statusCode()).isEqualTo(200);
+        Path state = folder.resolve("scenes").resolve("Old.rec.state");
+        byte[] bytes = Files.readAllBytes(state);
+        bytes["RNSTATE".length()] = 0;
+        Files.write(state, bytes);
+
+        String olderVersion = ask("POST", "/api/scenes/Old").body();
+        Files.delete(state);
+        String withoutState = ask("POST", "/api/scenes/Old").body();
+
+        assertThat(olderVersion).isEqualTo("{\"exact\":false}");
+        assertThat(withoutState).isEqualTo("{\"exact\":false}");
+    }
+
     private WorldSnapshot afterCycles(int cycles, WorldSnapshot start) throws InterruptedException {
         return await(now -> now.cycle() > start.cycle() + cycles);
     }
@@ -160,12 +179,13 @@ class PuppetTest {
 
         order("{'do':'hold','side':'left','number':1,'joint':'LEFT_SHOULDER_PITCH','degrees':60}");
 
-        WorldSnapshot moved = await(now -> now.robots().get(0).jointDegrees()[ARM] > 59);
+        WorldSnapshot moved = await(now -> now.robots().get(0).body().hingeDegrees()[ARM] > 59);
         assertThat(await(now -> now.cycle() > moved.cycle() + 50)
                         .robots()
                         .get(0)
-                        .jointDegrees()[ARM])
-                .isCloseTo(60, within(1f));
+                        .body()
+                        .hingeDegrees()[ARM])
+                .isCloseTo(60, within(1.0));
     }
 
     @Test
@@ -183,21 +203,22 @@ class PuppetTest {
     @Test
     void savedSceneComesBack() throws Exception {
         addPuppet();
-        simulator.control().placeBall(new Vector3(1, 2, 0.042), Vector3.ZERO);
+        simulator.control().order(new Order.MoveBall(new Vector3(1, 2, 0.042), Vector3.ZERO));
         WorldSnapshot saved = await(now -> now.ballPosition().x() > 0.9);
         awaitSightOfTheStudio();
         assertThat(ask("PUT", "/api/scenes/Corner%202").statusCode()).isEqualTo(200);
-        simulator.control().reset();
+        simulator.control().order(new Order.Reset());
         await(now -> now.ballPosition().length() < 0.1);
 
         HttpResponse<String> taken = ask("PUT", "/api/scenes/Corner%202");
         HttpResponse<String> outside = ask("PUT", "/api/scenes/..%2Fout");
-        assertThat(ask("POST", "/api/scenes/Corner%202").statusCode()).isEqualTo(200);
+        assertThat(ask("POST", "/api/scenes/Corner%202").body()).isEqualTo("{\"exact\":true}");
 
         WorldSnapshot restored = await(now -> now.paused() && now.ballPosition().x() > 0.9);
-        assertThat(x(restored)).isCloseTo(x(saved), within(0.1f));
+        assertThat(x(restored)).isCloseTo(x(saved), within(0.1));
         assertThat(ask("GET", "/api/scenes").body()).contains("\"Corner 2\"");
         assertThat(folder.resolve("scenes").resolve("Corner 2.rec")).exists();
+        assertThat(folder.resolve("scenes").resolve("Corner 2.rec.state")).exists();
         assertThat(taken.statusCode()).isEqualTo(409);
         assertThat(taken.body()).isEqualTo("There is a scene \"Corner 2\" already. Choose another name.");
         assertThat(outside.statusCode()).isNotEqualTo(200);
@@ -205,7 +226,7 @@ class PuppetTest {
 
     @Test
     void recordedMomentIsGoneOnFromWithPuppets() throws Exception {
-        float start = x(addPuppet());
+        double start = x(addPuppet());
         order("{'do':'walk','side':'left','number':1,'forward':1,'left':0,'turn':0}");
         WorldSnapshot moment = await(now -> x(now) > start + 0.5);
         await(now -> now.cycle() > moment.cycle() + 120);
@@ -215,7 +236,7 @@ class PuppetTest {
 
         HttpResponse<String> answer = ask("POST", "/api/start/run?moment=" + (moment.cycle() - 1));
 
-        assertThat(answer.body()).isEqualTo("{}");
+        assertThat(answer.body()).isEqualTo("{\"exact\":false}");
         WorldSnapshot restored =
                 await(now -> now.paused() && now.robots().size() == 1 && Math.abs(x(now) - x(moment)) < 0.02);
         assertThat(restored.teamLeft()).isEqualTo("Puppets");

@@ -12,13 +12,13 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Assumptions;
 
 /** Runs Python where it is installed. */
-record Python(Path folder) {
+public record Python(Path folder) {
 
     /** What a program has printed, and how it ended. */
-    record Result(int code, String printed) {}
+    public record Result(int code, String printed) {}
 
     /** Skips the test, aloud, where Python or one of the packages is missing, unless all tools are required. */
-    void skipWithout(String packages) throws Exception {
+    public void skipWithout(String packages) throws Exception {
         boolean usable = false;
         try {
             usable = run(Map.of(), "-c", "import " + packages).code() == 0;
@@ -36,7 +36,7 @@ record Python(Path folder) {
     }
 
     /** Runs Python in the folder. */
-    Result run(Map<String, String> environment, String... arguments) throws Exception {
+    public Result run(Map<String, String> environment, String... arguments) throws Exception {
         Path output = Files.createTempFile("python", ".txt");
         try {
             ProcessBuilder builder = new ProcessBuilder("python3")

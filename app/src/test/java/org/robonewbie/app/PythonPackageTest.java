@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Runs the tests of the Python package, where Python with Gymnasium is installed. */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the launcher of this test is a shell script")
+@Tag("slow")
 class PythonPackageTest {
 
     private static final Path PACKAGE = Path.of("..", "python").toAbsolutePath().normalize();

@@ -15,19 +15,21 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.robonewbie.competition.contest.ChallengeContest;
 import org.robonewbie.competition.contest.Contest;
+import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Entrant;
+import org.robonewbie.competition.contest.JudgedContest;
 import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.contest.TeamResult;
-import org.robonewbie.competition.contest.Trial;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.result.ResultFolder;
 import org.robonewbie.competition.result.TableFiles;
 import org.robonewbie.competition.team.ProgramFinder;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.competition.trial.ChallengePlayer;
 import org.robonewbie.competition.trial.TrialPlayer;
 import org.robonewbie.competition.trial.TrialRunner;
 
@@ -45,7 +47,6 @@ public final class Competition {
     private final List<TeamEntry> teams;
     private final CompetitionSettings settings;
     private final PrintStream out;
-    private final Function<Map<String, TeamProgram>, TrialPlayer> players;
     private int finished;
     private int planned;
 
@@ -55,41 +56,23 @@ public final class Competition {
      * @param contest its kind
      * @param teams who takes part
      * @param settings how it is held
-     * @param out where progress is told
+     * @param out where progress is reported
      */
     public Competition(Contest contest, List<TeamEntry> teams, CompetitionSettings settings, PrintStream out) {
-        this(
-                contest,
-                teams,
-                settings,
-                out,
-                programs -> new TrialRunner(contest, programs, settings.limits(), settings.spectators()));
-    }
-
-    /**
-     * Prepares a contest whose trials are not matches on the pitch.
-     *
-     * @param contest its kind
-     * @param teams who takes part
-     * @param settings how it is held
-     * @param out where progress is told
-     * @param players makes who plays the trials, from the program of each team
-     */
-    public Competition(
-            Contest contest,
-            List<TeamEntry> teams,
-            CompetitionSettings settings,
-            PrintStream out,
-            Function<Map<String, TeamProgram>, TrialPlayer> players) {
         this.contest = contest;
         this.teams = List.copyOf(teams);
         this.settings = settings;
         this.out = out;
-        this.players = players;
+    }
+
+    private TrialPlayer player(Map<String, TeamProgram> programs) {
+        return contest instanceof ChallengeContest challenges
+                ? new ChallengePlayer(challenges.challenge(), programs, settings.limits(), settings.spectators())
+                : new TrialRunner((JudgedContest) contest, programs, settings.limits(), settings.spectators());
     }
 
     /**
-     * Holds the contest, as far as it has not been held before.
+     * Holds the contest, continuing where it was interrupted.
      *
      * @return the table, which has been written into the folder, too
      * @throws IOException if something cannot be read, written or started
@@ -98,10 +81,10 @@ public final class Competition {
     public Table hold() throws IOException, InterruptedException {
         try (ResultFolder folder = ResultFolder.open(settings.results())) {
             Map<String, TeamProgram> programs = programs(folder.file("work").resolve("classes"));
-            TrialPlayer runner = players.apply(programs);
+            TrialPlayer runner = player(programs);
             ExecutorService trials = Executors.newFixedThreadPool(settings.parallelTrials());
             try {
-                List<Trial> missing = missing(folder, programs);
+                List<ContestTrial> missing = missing(folder, programs);
                 while (!missing.isEmpty()) {
                     runAll(missing, folder, programs, runner, trials);
                     missing = missing(folder, programs);
@@ -133,15 +116,15 @@ public final class Competition {
         return programs;
     }
 
-    private List<Trial> missing(ResultFolder folder, Map<String, TeamProgram> programs) throws IOException {
-        List<Trial> missing = new ArrayList<>();
-        List<Trial> before;
-        List<Trial> all = List.of();
+    private List<ContestTrial> missing(ResultFolder folder, Map<String, TeamProgram> programs) throws IOException {
+        List<ContestTrial> missing = new ArrayList<>();
+        List<ContestTrial> before;
+        List<ContestTrial> all = List.of();
         do {
             before = all;
             all = contest.trials(names(), folder);
             missing.clear();
-            for (Trial trial : all) {
+            for (ContestTrial trial : all) {
                 if (!folder.load(trial.id(), circumstances(trial, programs))) {
                     missing.add(trial);
                 }
@@ -153,7 +136,7 @@ public final class Competition {
     }
 
     private void runAll(
-            List<Trial> missing,
+            List<ContestTrial> missing,
             ResultFolder folder,
             Map<String, TeamProgram> programs,
             TrialPlayer runner,
@@ -163,7 +146,7 @@ public final class Competition {
             out.println(finished + " of " + planned + " trials are over already; their results are kept.");
         }
         List<Future<TrialResult>> running = new ArrayList<>();
-        for (Trial trial : missing) {
+        for (ContestTrial trial : missing) {
             running.add(trials.submit(() -> {
                 TrialResult result = runner.run(trial, folder.filesOf(trial));
                 folder.save(result, circumstances(trial, programs));
@@ -197,7 +180,7 @@ public final class Competition {
     }
 
     /** All that a result depends on: the trial itself, the programs, the limits. */
-    private String circumstances(Trial trial, Map<String, TeamProgram> programs) {
+    private String circumstances(ContestTrial trial, Map<String, TeamProgram> programs) {
         StringBuilder text = new StringBuilder(trial.id())
                 .append(trial.seed())
                 .append(trial.seconds())

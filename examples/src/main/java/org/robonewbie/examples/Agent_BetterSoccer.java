@@ -94,8 +94,8 @@ public class Agent_BetterSoccer extends Agent {
     /**
      * Gets behind the ball, seen from the goal, and then walks through it towards the goal.
      *
-     * @param ball where the ball is, in metres from the robot
-     * @param goal where the ball shall go, in metres from the robot
+     * @param ball position of the ball, in metres from the robot
+     * @param goal where the ball has to go, in metres from the robot
      */
     protected void bring(Vector3 ball, Vector3 goal) {
         Vector3 way = new Vector3(goal.x() - ball.x(), goal.y() - ball.y(), 0);

@@ -11,7 +11,7 @@ import org.robonewbie.nao.motion.Posture;
 
 /**
  * Dances, without any soccer. The motion is made by the program instead of a file: postures that are changed step by step, each
- * with the time to get there.
+ * with the time to reach it.
  *
  * <p>Make your own dance: which joints can the robot move without falling, and how fast?
  */

@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
-import org.robonewbie.agent.motion.MotionLibrary;
-import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /**
  * Plays the motion that you are writing, again and again: change {@code motions/my-motion.txt} with the motion editor or any
@@ -78,8 +78,7 @@ public final class Agent_KeyframeDeveloper extends Agent {
 
     private static void begin(Path file) throws IOException {
         Files.createDirectories(file.toAbsolutePath().getParent());
-        MotionFile wave = new MotionLibrary().find("wave").orElseThrow();
-        wave.save(file);
+        MotionFiles.save(ShippedMotions.file("wave"), file);
         System.out.println("Edit the new file " + file + " and save it: the robot plays it at once.");
     }
 }

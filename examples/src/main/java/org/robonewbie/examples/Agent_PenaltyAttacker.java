@@ -2,11 +2,11 @@ package org.robonewbie.examples;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.robonewbie.agent.Options;
-import org.robonewbie.agent.motion.MotionLibrary;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.BallPlace;
+import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
 
 /**
  * Takes penalties: gets behind the ball as {@link Agent_BetterSoccer} does, but then kicks it hard.
@@ -19,7 +19,6 @@ import org.robonewbie.nao.Vector3;
  */
 public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
 
-    private static final Pattern BALL = Pattern.compile("([0-9.]+) m ahead, ([0-9.]+) m to the left");
     private static final double NEAR_METRES = 0.45;
     private static final double GOOD_METRES = 0.012;
     private static final double FAIR_METRES = 0.02;
@@ -28,7 +27,7 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
     private static final double PATIENCE_SECONDS = 8;
     private static final double HEAD_ABOVE_TORSO_METRES = 0.155;
 
-    private final Vector3 kickPlace = kickPlace();
+    private final BallPlace kickPlace = kickPlace();
     private double leanDegrees;
     private double stoppedSeconds;
     private double nearSeconds;
@@ -68,8 +67,8 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
     /** Steps to where the kick begins, and kicks. */
     private void prepareKick(Vector3 ball, double turn) {
         boolean left = ball.y() > 0;
-        double forward = ball.x() - kickPlace.x();
-        double aside = ball.y() - (left ? kickPlace.y() : -kickPlace.y());
+        double forward = ball.x() - kickPlace.ahead();
+        double aside = ball.y() - (left ? kickPlace.left() : -kickPlace.left());
         boolean patient = nao.getTime() - nearSeconds < PATIENCE_SECONDS;
         double tolerance = patient ? GOOD_METRES : FAIR_METRES;
         boolean good = Math.abs(forward) < tolerance && Math.abs(aside) < tolerance && Math.abs(turn) < GOOD_DEGREES;
@@ -94,17 +93,13 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
         return new Vector3(ball.x() * Math.cos(lean) + up * Math.sin(lean), ball.y(), 0);
     }
 
-    /** Where the ball must lie for a kick with the left foot: metres ahead of the torso and to its left. */
-    private static Vector3 kickPlace() {
+    /** Where the ball must lie for a kick with the left foot. */
+    private static BallPlace kickPlace() {
         try {
-            String words = new MotionLibrary()
+            return MotionFiles.library()
                     .find("kick-left")
-                    .flatMap(file -> file.property("ball"))
-                    .orElse("");
-            Matcher place = BALL.matcher(words);
-            return place.find()
-                    ? new Vector3(Double.parseDouble(place.group(1)), Double.parseDouble(place.group(2)), 0)
-                    : new Vector3(0.19, 0.055, 0);
+                    .flatMap(MotionFile::ball)
+                    .orElse(new BallPlace(0.19, 0.055));
         } catch (IOException unreadable) {
             throw new UncheckedIOException(unreadable);
         }

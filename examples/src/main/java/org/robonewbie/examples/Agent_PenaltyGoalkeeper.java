@@ -104,7 +104,7 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
         return ball.y() + ballVelocity.y() * ball.x() / Math.max(0.01, -ballVelocity.x());
     }
 
-    /** A step before the middle of the own goal; where that is, depends on the pitch. */
+    /** A step in front of the middle of the team's own goal; where that is depends on the pitch. */
     private GroundPose place() {
         return new GroundPose(BEFORE_LINE_METRES - self.field().length() / 2, 0, 0);
     }

@@ -4,13 +4,13 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Interpolation;
-import org.robonewbie.nao.motion.MotionSection;
+import org.robonewbie.nao.motion.KeyframeInterval;
 
 /**
  * Plays the dance with smooth curves instead of straight lines between the keyframes: an interpolation of your own in a dozen
- * lines. Watch how the arms swing through a keyframe instead of changing their speed all at once.
+ * lines. Watch how the arms swing through a keyframe instead of changing their speed abruptly.
  *
- * <p>Started with the word {@code linear} it dances as usual, to compare.
+ * <p>Started with the word {@code linear} it dances as usual, for comparison.
  */
 public final class Agent_SmoothDance extends Agent {
 
@@ -44,7 +44,7 @@ public final class Agent_SmoothDance extends Agent {
     static final class Spline implements Interpolation {
 
         @Override
-        public double degrees(MotionSection section, Joint joint, double fraction) {
+        public double degrees(KeyframeInterval section, Joint joint, double fraction) {
             double from = section.from().degrees(joint);
             double to = section.to().degrees(joint);
             double seconds = section.durationMillis();

@@ -4,7 +4,7 @@ import java.util.stream.IntStream;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
 import org.robonewbie.agent.perception.FieldItem;
-import org.robonewbie.protocol.perceptor.Heard;
+import org.robonewbie.agent.perception.HeardMessage;
 
 /**
  * A team of which each player has a role: number 1 keeps the goal, of the others the one who is nearest to the ball attacks as
@@ -97,7 +97,7 @@ public final class Agent_SoccerTeam extends Agent_SimpleSoccer {
     }
 
     private void listen() {
-        for (Heard heard : nao.getHeard()) {
+        for (HeardMessage heard : nao.getHeard()) {
             boolean fromMate = heard.team().filter(nao.getTeam()::equals).isPresent();
             if (fromMate && heard.text().matches("ball-\\d{1,5}")) {
                 mateDistance = Integer.parseInt(heard.text().substring(5)) / 100.0;

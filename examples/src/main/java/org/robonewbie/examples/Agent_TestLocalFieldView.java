@@ -2,6 +2,7 @@ package org.robonewbie.examples;
 
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
+import org.robonewbie.agent.perception.CameraPicture;
 import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.agent.perception.Direction;
 import org.robonewbie.agent.perception.FieldItem;
@@ -11,18 +12,17 @@ import org.robonewbie.nao.BodyPart;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.protocol.perceptor.Vision;
 
 /**
- * Shows what the robot remembers of the field while its head looks around, twice per second for five seconds, and compares it
+ * Prints what the robot remembers of the field while its head looks around, twice per second for five seconds, and compares it
  * with the truth.
  *
- * <p>Watch how things stay known when the head turns away, and how their age grows. Start {@link Agent_Dummy} in the same
+ * <p>Watch how objects stay known when the head turns away, and how their age grows. Start {@link Agent_Dummy} in the same
  * simulator to see another robot.
  *
- * <p>No robot knows the truth; the simulator tells it for this experiment (option {@code --truth}). The field view adds the
- * angles of neck and camera, which is simple but not exact. How large is the error, and where is the head when it is largest?
- * Started with the word {@code exact} the robot calculates with the real joints of its neck.
+ * <p>No real robot knows the truth; the simulator sends it for this experiment (option {@code --truth}). The field view adds
+ * the angles of neck and camera, which is simple but not exact. How large is the error, and where is the head when it is
+ * largest? Started with the word {@code exact} the robot calculates with the real joints of its neck.
  */
 public final class Agent_TestLocalFieldView extends Agent {
 
@@ -58,20 +58,18 @@ public final class Agent_TestLocalFieldView extends Agent {
             fieldView.setTransformation(CameraTransformation.KINEMATICS);
         }
         lookAround.look();
-        nao.getVision().ifPresent(this::compare);
+        nao.getVision().flatMap(CameraPicture::truth).ifPresent(this::compare);
         if (cycle++ % 25 == 0) {
             logView();
         }
     }
 
     /** Compares the belief about the ball with the truth, whenever the camera sees it. */
-    private void compare(Vision picture) {
+    private void compare(CameraPicture.Truth places) {
         FieldItem ball = fieldView.ball();
-        if (ball.isVisible() && picture.ownPosition().isPresent()) {
+        if (ball.isVisible()) {
             Vector3 truth = seenFromHead(
-                    picture.ballPosition().orElseThrow(),
-                    picture.ownPosition().get(),
-                    picture.ownOrientationDegrees().orElseThrow() - nao.getJointAngle(Joint.NECK_YAW));
+                    places.ball(), places.head(), places.headDegrees() - nao.getJointAngle(Joint.NECK_YAW));
             double error = ball.position().distanceTo(truth);
             comparisons++;
             sumOfErrors += error;

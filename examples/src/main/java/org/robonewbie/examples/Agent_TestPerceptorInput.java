@@ -3,13 +3,14 @@ package org.robonewbie.examples;
 import java.util.Locale;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
+import org.robonewbie.agent.perception.CameraPicture;
+import org.robonewbie.agent.perception.HeardMessage;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.protocol.perceptor.Heard;
 
 /**
- * Shows what the robot's sensors say, in each of 50 cycles, by the logger. The log is printed when the run is over, since
- * printing within a cycle would take too long.
+ * Logs the robot's sensors in each of 50 cycles. The log is printed when the run is over, since printing within a cycle would
+ * take too long.
  *
  * <p>Start {@link Agent_Dummy} in the same simulator to have something to hear and to see.
  */
@@ -46,10 +47,16 @@ public final class Agent_TestPerceptorInput extends Agent {
         logVector("force on the left foot (newton)", nao.getLeftFootPressure().force());
         logVector("force on the right foot (newton)", nao.getRightFootPressure().force());
         log.info("body: %s", nao.getBodyPosition());
-        for (Heard heard : nao.getHeard()) {
+        for (HeardMessage heard : nao.getHeard()) {
             log.info("heard: %s", heard);
         }
-        nao.getVision().ifPresent(vision -> log.info("camera: %s", vision));
+        nao.getVision().ifPresent(this::logPicture);
+    }
+
+    private void logPicture(CameraPicture picture) {
+        for (CameraPicture.Sighting sighting : picture.sightings()) {
+            log.info("camera: %s at %s", sighting.name(), sighting.direction());
+        }
     }
 
     private void logVector(String name, Vector3 vector) {

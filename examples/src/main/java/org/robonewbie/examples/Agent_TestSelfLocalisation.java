@@ -4,14 +4,14 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
 import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
+import org.robonewbie.agent.perception.CameraPicture;
 import org.robonewbie.agent.perception.CameraTransformation;
-import org.robonewbie.protocol.perceptor.Vision;
 
 /**
- * Finds out where on the pitch it is while it walks about, and compares that with the truth.
+ * Determines its place on the pitch while walking about, and compares it with the truth.
  *
- * <p>This is more than a beginner needs: goal posts and flags tell the place and which pitch it is, gyroscope and legs tell the
- * movement in between; see {@link SelfLocalisation}. In the studio the belief is drawn beside the robot.
+ * <p>This is more than a beginner needs: goal posts and flags reveal the place and the pitch, gyroscope and legs the movement
+ * in between; see {@link SelfLocalisation}. In the studio the belief is drawn next to the robot.
  */
 public final class Agent_TestSelfLocalisation extends Agent {
 
@@ -53,8 +53,8 @@ public final class Agent_TestSelfLocalisation extends Agent {
             log.info("I am at %s", pose);
             log.info("mean error %.3f m, largest %.3f m", sumOfErrors / Math.max(1, comparisons), largestError);
         }
-        nao.getVision().flatMap(Vision::ownPosition).ifPresent(truth -> {
-            double error = Math.hypot(truth.x() - pose.x(), truth.y() - pose.y());
+        nao.getVision().flatMap(CameraPicture::truth).ifPresent(truth -> {
+            double error = Math.hypot(truth.head().x() - pose.x(), truth.head().y() - pose.y());
             comparisons += self.isKnown() ? 1 : 0;
             sumOfErrors += self.isKnown() ? error : 0;
             largestError = Math.max(largestError, self.isKnown() ? error : 0);

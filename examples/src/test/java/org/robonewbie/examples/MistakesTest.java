@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.agent.motion.MotionLibrary;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 import student.DivideByZero;
 import student.EndlessLoop;
 import student.Patient;
@@ -128,6 +130,7 @@ class MistakesTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void keyframeDeveloperPlaysWhatIsSavedWhileItRunsAlsoAfterAMistake() throws Exception {
         try (ChildProgram program = run(
@@ -143,7 +146,7 @@ class MistakesTest {
             program.awaitLine("and save it");
             Files.writeString(folder.resolve("motions/my-motion.txt"), "oops\n");
             program.awaitLine("cannot be played: my-motion.txt line 1");
-            new MotionLibrary().find("fall-back").orElseThrow().save(folder.resolve("motions/my-motion.txt"));
+            MotionFiles.save(ShippedMotions.file("fall-back"), folder.resolve("motions/my-motion.txt"));
             int exitCode = program.exitCode();
 
             assertThat(exitCode).isZero();
@@ -154,8 +157,8 @@ class MistakesTest {
     @Test
     void keyframeDeveloperGetsUpByItselfAndTriesAgain() throws Exception {
         Files.createDirectories(folder.resolve("motions"));
-        MotionFile fall = new MotionLibrary().find("fall-back").orElseThrow();
-        fall.save(folder.resolve("motions/my-motion.txt"));
+        MotionFile fall = ShippedMotions.file("fall-back");
+        MotionFiles.save(fall, folder.resolve("motions/my-motion.txt"));
 
         try (ChildProgram program = run(
                 Agent_KeyframeDeveloper.class,

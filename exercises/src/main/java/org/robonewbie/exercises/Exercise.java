@@ -15,14 +15,14 @@ import java.util.function.Supplier;
  * Grade grade = new Grader().grade(kick, MyKick::new, 3);
  * }</pre>
  *
- * @param number its place in the course, from 1
+ * @param number its position in the course, from 1
  * @param name such as {@code arm-by-side}
  * @param className name of the class in the start code, such as {@code ArmBySide}
  * @param title heading of the worksheet
  * @param minutes how long it takes a student, about
- * @param goal what the robot shall do, as a sentence
+ * @param goal what the robot has to do, as a sentence
  * @param seconds simulated time of a trial
- * @param task makes the task of one trial
+ * @param task creates the task of one trial
  */
 public record Exercise(
         int number,
@@ -38,11 +38,7 @@ public record Exercise(
     private static final int BASICS = 60;
     private static final int ADVANCED = 90;
 
-    /**
-     * Tells how hard it is.
-     *
-     * @return {@code first steps}, {@code basics}, {@code advanced} or {@code challenge}
-     */
+    /** {@return the difficulty: {@code first steps}, {@code basics}, {@code advanced} or {@code challenge}} */
     public String level() {
         if (minutes <= FIRST_STEPS) {
             return "first steps";
@@ -53,11 +49,7 @@ public record Exercise(
         return minutes <= ADVANCED ? "advanced" : "challenge";
     }
 
-    /**
-     * Tells the name with the number, as the worksheets are called.
-     *
-     * @return such as {@code 03-arm-by-side}
-     */
+    /** {@return the name with the number, as the worksheets are called, such as {@code 03-arm-by-side}} */
     public String fullName() {
         return String.format("%02d-%s", number, name);
     }

@@ -181,17 +181,13 @@ public final class Exercises {
 
     private Exercises() {}
 
-    /**
-     * Lists the exercises.
-     *
-     * @return all, in the order of the course
-     */
+    /** {@return all exercises, in the order of the course} */
     public static List<Exercise> all() {
         return ALL;
     }
 
     /**
-     * Finds an exercise.
+     * Looks up an exercise.
      *
      * @param name its name, its number, or both, such as {@code kick}, {@code 12} or {@code 12-kick}
      * @return the exercise; empty if there is none

@@ -29,21 +29,13 @@ public record Grade(String exercise, List<SeededScore> trials) {
         trials = List.copyOf(trials);
     }
 
-    /**
-     * Tells whether the exercise is solved.
-     *
-     * @return whether all trials passed
-     */
+    /** {@return whether all trials passed} */
     public boolean passed() {
         return !trials.isEmpty()
                 && trials.stream().allMatch(trial -> trial.score().passed());
     }
 
-    /**
-     * Tells how many points it earned.
-     *
-     * @return the mean of the trials, 0 to 10
-     */
+    /** {@return the mean of the trials' points, 0 to 10} */
     public double points() {
         return trials.stream()
                 .mapToInt(trial -> trial.score().points())
@@ -71,7 +63,7 @@ public record Grade(String exercise, List<SeededScore> trials) {
         return new Grade(printed.exercise, printed.trials);
     }
 
-    /** Tells people how it went. */
+    /** Returns the grade in words. */
     @Override
     public String toString() {
         String lines = trials.stream().map(Grade::line).collect(Collectors.joining());

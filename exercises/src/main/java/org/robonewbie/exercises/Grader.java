@@ -68,10 +68,11 @@ public final class Grader {
     public Grade grade(
             Exercise exercise, Supplier<? extends Agent> student, List<Long> seeds, Optional<Path> recording) {
         ExecutorService threads = Executors.newFixedThreadPool(tasksAtOnce, Grader::daemon);
-        List<Trial> trials = new ArrayList<>();
+        List<GradedTrial> trials = new ArrayList<>();
         List<Future<Score>> scores = new ArrayList<>();
         for (long seed : seeds) {
-            Trial trial = new Trial(exercise, student, seed, scores.isEmpty() ? recording : Optional.empty());
+            GradedTrial trial =
+                    new GradedTrial(exercise, student, seed, scores.isEmpty() ? recording : Optional.empty());
             trials.add(trial);
             scores.add(threads.submit(trial));
         }
@@ -84,7 +85,7 @@ public final class Grader {
     }
 
     /** Waits for a score as long as the trial makes progress. */
-    private static Score await(Trial trial, Future<Score> score) {
+    private static Score await(GradedTrial trial, Future<Score> score) {
         long progress = 0;
         double workedBefore = 0;
         int ticksAsleep = 0;
@@ -110,7 +111,7 @@ public final class Grader {
         return stuck(trial);
     }
 
-    private static Score stuck(Trial trial) {
+    private static Score stuck(GradedTrial trial) {
         if (trial.progress() == 0) {
             return Score.failed(0, "Not tried, since the trials before did not end.", "");
         }

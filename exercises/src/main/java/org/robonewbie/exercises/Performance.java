@@ -4,6 +4,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.robonewbie.simulator.file.RecordingFile;
+import org.robonewbie.trial.Audience;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.guest.AbsentProgramException;
 
 /**
  * One trial of an exercise from the empty pitch to the score. All who judge play it: the command line, tests, the studio and
@@ -28,7 +32,7 @@ public final class Performance {
     public static Score of(
             Exercise exercise,
             long seed,
-            Supplier<? extends Program> student,
+            Supplier<? extends Performer> student,
             Optional<Path> recording,
             Audience audience) {
         try {
@@ -42,39 +46,22 @@ public final class Performance {
         }
     }
 
-    /**
-     * Plays one trial to its end in this thread, for those who want to know why a program has none of the points.
-     *
-     * @param exercise the exercise
-     * @param seed start of all that is left to chance
-     * @param student makes a robot with the student's program; asked once for each robot
-     * @param recording file for a recording for the studio; empty for none
-     * @param audience who looks on
-     * @return the score
-     * @throws AbsentProgramException if a program of another process does not come, goes, or gives no answer
-     * @throws IOException if the recording cannot be written
-     */
-    public static Score play(
+    private static Score play(
             Exercise exercise,
             long seed,
-            Supplier<? extends Program> student,
+            Supplier<? extends Performer> student,
             Optional<Path> recording,
             Audience audience)
             throws IOException {
-        try (Stage stage = new Stage(seed, recording, audience)) {
-            Task task = exercise.task().get();
-            task.begin(stage, student);
-            while (stage.seconds() < exercise.seconds() && !task.isDecided()) {
-                stage.cycle();
-                task.watch(stage);
-            }
-            return task.score();
-        }
+        Task task = exercise.task().get();
+        task.play(exercise.seconds(), seed, student, audience, RecordingFile.openIfWanted(recording, sentence -> {}));
+        return task.score();
     }
 
     private static Score broken(Throwable mistake) {
-        String place =
-                Trial.place(mistake.getStackTrace()).map(line -> " in " + line).orElse("");
+        String place = GradedTrial.place(mistake.getStackTrace())
+                .map(line -> " in " + line)
+                .orElse("");
         return Score.failed(0, "The program ended with " + mistake + place + ".", MEND);
     }
 }

@@ -14,7 +14,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
     public static final int MOST_POINTS = 10;
 
     /**
-     * Says that the task is solved.
+     * Returns the score of a solved task.
      *
      * @param finding what was measured
      * @return a score with all points
@@ -24,7 +24,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
     }
 
     /**
-     * Says that the task is solved, and how well.
+     * Returns the score of a solved task that could be solved better.
      *
      * @param points 1 to 10
      * @param finding what was measured
@@ -36,7 +36,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
     }
 
     /**
-     * Says that the task is not solved.
+     * Returns the score of an unsolved task.
      *
      * @param points what is reached all the same, 0 to 9
      * @param finding what was measured

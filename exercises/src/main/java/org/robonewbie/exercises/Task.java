@@ -1,42 +1,36 @@
 package org.robonewbie.exercises;
 
-import java.util.function.Supplier;
+import java.util.Map;
+import org.robonewbie.trial.Challenge;
 
 /**
- * One trial of an exercise: it sets the scene, watches what truly happens, and judges.
- *
- * <p>A task is made anew for each trial, so it may keep what it has seen.
+ * What an exercise asks for in one trial, and how it is judged. As a measure its value is the points, so that an exercise can be
+ * a contest or an objective too.
  */
-public interface Task {
+public interface Task extends Challenge {
 
-    /**
-     * Puts robots and ball in their places. When it returns, the trial begins.
-     *
-     * @param stage the stage, still without robots
-     * @param student makes a robot with the student's program
-     */
-    void begin(Stage stage, Supplier<? extends Program> student);
+    /** Name of the figure of {@link #figures} with the points of the trial. */
+    String POINTS = "points";
 
-    /**
-     * Looks at the world after a cycle; it may also move what the student's robot does not move.
-     *
-     * @param stage the stage
-     */
-    void watch(Stage stage);
+    /** Name of the figure of {@link #figures} that is 1 if the exercise was solved, else 0. */
+    String PASSED = "passed";
 
-    /**
-     * Tells whether the trial may end before its time.
-     *
-     * @return whether nothing can change the score any more
-     */
-    default boolean isDecided() {
-        return false;
+    /** {@return how the trial ended} */
+    Score score();
+
+    @Override
+    default double value() {
+        return score().points();
     }
 
-    /**
-     * Judges, when the trial is over.
-     *
-     * @return the score
-     */
-    Score score();
+    @Override
+    default String unit() {
+        return POINTS;
+    }
+
+    @Override
+    default Map<String, Double> figures() {
+        Score score = score();
+        return Map.of(POINTS, (double) score.points(), PASSED, score.passed() ? 1.0 : 0.0);
+    }
 }

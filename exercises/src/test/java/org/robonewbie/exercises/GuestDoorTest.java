@@ -11,9 +11,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.Agent;
-import org.robonewbie.protocol.frame.FrameInput;
-import org.robonewbie.protocol.frame.FrameOutput;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.tcp.FrameInput;
+import org.robonewbie.protocol.tcp.FrameOutput;
+import org.robonewbie.trial.Audience;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.guest.GuestDoor;
 
 class GuestDoorTest {
 
@@ -75,7 +78,7 @@ class GuestDoorTest {
         return Exercises.find("raise-arms").orElseThrow();
     }
 
-    private static Program guest(GuestDoor door, Supplier<? extends Agent> agents) {
+    private static Performer guest(GuestDoor door, Supplier<? extends Agent> agents) {
         String port = Integer.toString(door.port());
         daemon(() -> agents.get().run("--port", port, "--team", "Students"));
         return door.await(() -> true);

@@ -19,11 +19,7 @@ public enum BodyPart {
         this.simSparkName = simSparkName;
     }
 
-    /**
-     * Names the part in SimSpark's vision messages.
-     *
-     * @return the name, such as {@code rlowerarm}
-     */
+    /** {@return the part's name in SimSpark's vision messages, such as {@code rlowerarm}} ## Jbb0 */
     public String simSparkName() {
         return simSparkName;
     }

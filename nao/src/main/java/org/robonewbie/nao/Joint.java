@@ -12,115 +12,117 @@ package org.robonewbie.nao;
  * }</pre>
  */
 public enum Joint {
-    /** Head turns; positive looks to the left. */
-    NECK_YAW("hj1", "he1", -120, 120),
-    /** Head nods; positive looks up. */
-    NECK_PITCH("hj2", "he2", -45, 45),
-    /** Left arm swings; 0 is stretched forward, positive lifts it. */
-    LEFT_SHOULDER_PITCH("laj1", "lae1", -120, 120),
-    /** Left arm opens; positive is outward. */
-    LEFT_SHOULDER_YAW("laj2", "lae2", -1, 95),
-    /** Left forearm turns about its own axis; right-hand rule about the forearm. */
-    LEFT_ARM_ROLL("laj3", "lae3", -120, 120),
-    /** Left elbow; negative bends inward. */
-    LEFT_ARM_YAW("laj4", "lae4", -90, 1),
-    /** Left leg turns about an axis tilted by 45°; negative turns the toes outward and lifts the thigh. */
-    LEFT_HIP_YAW_PITCH("llj1", "lle1", -90, 1),
-    /** Left leg to the side; positive is outward. */
-    LEFT_HIP_ROLL("llj2", "lle2", -25, 45),
-    /** Left thigh; positive swings it forward. */
-    LEFT_HIP_PITCH("llj3", "lle3", -25, 100),
-    /** Left knee; negative bends it. */
-    LEFT_KNEE_PITCH("llj4", "lle4", -130, 1),
-    /** Left ankle; positive lifts the toes. */
-    LEFT_FOOT_PITCH("llj5", "lle5", -45, 75),
-    /** Left ankle to the side; right-hand rule about the forward axis. */
-    LEFT_FOOT_ROLL("llj6", "lle6", -45, 25),
-    /** Right leg turns about an axis tilted by 45°; negative turns the toes outward and lifts the thigh. */
-    RIGHT_HIP_YAW_PITCH("rlj1", "rle1", -90, 1),
-    /** Right leg to the side; negative is outward. */
-    RIGHT_HIP_ROLL("rlj2", "rle2", -45, 25),
-    /** Right thigh; positive swings it forward. */
-    RIGHT_HIP_PITCH("rlj3", "rle3", -25, 100),
-    /** Right knee; negative bends it. */
-    RIGHT_KNEE_PITCH("rlj4", "rle4", -130, 1),
-    /** Right ankle; positive lifts the toes. */
-    RIGHT_FOOT_PITCH("rlj5", "rle5", -45, 75),
-    /** Right ankle to the side; right-hand rule about the forward axis. */
-    RIGHT_FOOT_ROLL("rlj6", "rle6", -25, 45),
-    /** Right arm swings; 0 is stretched forward, positive lifts it. */
-    RIGHT_SHOULDER_PITCH("raj1", "rae1", -120, 120),
-    /** Right arm opens; negative is outward. */
-    RIGHT_SHOULDER_YAW("raj2", "rae2", -95, 1),
-    /** Right forearm turns about its own axis; right-hand rule about the forearm. */
-    RIGHT_ARM_ROLL("raj3", "rae3", -120, 120),
-    /** Right elbow; positive bends inward. */
-    RIGHT_ARM_YAW("raj4", "rae4", -1, 90);
+    /** Head turns; positive looks to the left. NAO: HeadYaw; SimSpark: hinge hj1, motor he1. */
+    NECK_YAW("HeadYaw", "hj1", "he1", -120, 120),
+    /** Head nods; positive looks up. NAO: HeadPitch; SimSpark: hinge hj2, motor he2. */
+    NECK_PITCH("HeadPitch", "hj2", "he2", -45, 45),
+    /** Left arm swings; 0 is stretched forward, positive lifts it. NAO: LShoulderPitch; SimSpark: hinge laj1, motor lae1. */
+    LEFT_SHOULDER_PITCH("LShoulderPitch", "laj1", "lae1", -120, 120),
+    /** Left arm opens; positive is outward. NAO: LShoulderRoll; SimSpark: hinge laj2, motor lae2. */
+    LEFT_SHOULDER_YAW("LShoulderRoll", "laj2", "lae2", -1, 95),
+    /**
+     * Left forearm turns about its own axis; right-hand rule about the forearm. NAO: LElbowYaw; SimSpark: hinge laj3, motor
+     * lae3.
+     */
+    LEFT_ARM_ROLL("LElbowYaw", "laj3", "lae3", -120, 120),
+    /** Left elbow; negative bends inward. NAO: LElbowRoll; SimSpark: hinge laj4, motor lae4. */
+    LEFT_ARM_YAW("LElbowRoll", "laj4", "lae4", -90, 1),
+    /**
+     * Left leg turns about an axis tilted by 45°; negative turns the toes outward and lifts the thigh. NAO: LHipYawPitch;
+     * SimSpark: hinge llj1, motor lle1.
+     */
+    LEFT_HIP_YAW_PITCH("LHipYawPitch", "llj1", "lle1", -90, 1),
+    /** Left leg to the side; positive is outward. NAO: LHipRoll; SimSpark: hinge llj2, motor lle2. */
+    LEFT_HIP_ROLL("LHipRoll", "llj2", "lle2", -25, 45),
+    /** Left thigh; positive swings it forward. NAO: LHipPitch; SimSpark: hinge llj3, motor lle3. */
+    LEFT_HIP_PITCH("LHipPitch", "llj3", "lle3", -25, 100),
+    /** Left knee; negative bends it. NAO: LKneePitch; SimSpark: hinge llj4, motor lle4. */
+    LEFT_KNEE_PITCH("LKneePitch", "llj4", "lle4", -130, 1),
+    /** Left ankle; positive lifts the toes. NAO: LAnklePitch; SimSpark: hinge llj5, motor lle5. */
+    LEFT_FOOT_PITCH("LAnklePitch", "llj5", "lle5", -45, 75),
+    /** Left ankle to the side; right-hand rule about the forward axis. NAO: LAnkleRoll; SimSpark: hinge llj6, motor lle6. */
+    LEFT_FOOT_ROLL("LAnkleRoll", "llj6", "lle6", -45, 25),
+    /**
+     * Right leg turns about an axis tilted by 45°; negative turns the toes outward and lifts the thigh. NAO: RHipYawPitch;
+     * SimSpark: hinge rlj1, motor rle1.
+     */
+    RIGHT_HIP_YAW_PITCH("RHipYawPitch", "rlj1", "rle1", -90, 1),
+    /** Right leg to the side; negative is outward. NAO: RHipRoll; SimSpark: hinge rlj2, motor rle2. */
+    RIGHT_HIP_ROLL("RHipRoll", "rlj2", "rle2", -45, 25),
+    /** Right thigh; positive swings it forward. NAO: RHipPitch; SimSpark: hinge rlj3, motor rle3. */
+    RIGHT_HIP_PITCH("RHipPitch", "rlj3", "rle3", -25, 100),
+    /** Right knee; negative bends it. NAO: RKneePitch; SimSpark: hinge rlj4, motor rle4. */
+    RIGHT_KNEE_PITCH("RKneePitch", "rlj4", "rle4", -130, 1),
+    /** Right ankle; positive lifts the toes. NAO: RAnklePitch; SimSpark: hinge rlj5, motor rle5. */
+    RIGHT_FOOT_PITCH("RAnklePitch", "rlj5", "rle5", -45, 75),
+    /** Right ankle to the side; right-hand rule about the forward axis. NAO: RAnkleRoll; SimSpark: hinge rlj6, motor rle6. */
+    RIGHT_FOOT_ROLL("RAnkleRoll", "rlj6", "rle6", -25, 45),
+    /** Right arm swings; 0 is stretched forward, positive lifts it. NAO: RShoulderPitch; SimSpark: hinge raj1, motor rae1. */
+    RIGHT_SHOULDER_PITCH("RShoulderPitch", "raj1", "rae1", -120, 120),
+    /** Right arm opens; negative is outward. NAO: RShoulderRoll; SimSpark: hinge raj2, motor rae2. */
+    RIGHT_SHOULDER_YAW("RShoulderRoll", "raj2", "rae2", -95, 1),
+    /**
+     * Right forearm turns about its own axis; right-hand rule about the forearm. NAO: RElbowYaw; SimSpark: hinge raj3, motor
+     * rae3.
+     */
+    RIGHT_ARM_ROLL("RElbowYaw", "raj3", "rae3", -120, 120),
+    /** Right elbow; positive bends inward. NAO: RElbowRoll; SimSpark: hinge raj4, motor rae4. */
+    RIGHT_ARM_YAW("RElbowRoll", "raj4", "rae4", -1, 90);
 
-    /** How many joints the robot has: 22. */
+    /** The number of joints: 22. */
     public static final int COUNT = 22;
 
     private static final double MAX_DEGREES_PER_SECOND = 351.77;
 
+    private final String standardName;
     private final String perceptorName;
     private final String effectorName;
     private final double minDegrees;
     private final double maxDegrees;
 
-    Joint(String perceptorName, String effectorName, double minDegrees, double maxDegrees) {
+    Joint(String standardName, String perceptorName, String effectorName, double minDegrees, double maxDegrees) {
+        this.standardName = standardName;
         this.perceptorName = perceptorName;
         this.effectorName = effectorName;
         this.minDegrees = minDegrees;
         this.maxDegrees = maxDegrees;
     }
 
-    /**
-     * Names the joint's sensor in SimSpark's messages.
-     *
-     * @return the perceptor name, such as {@code llj4}
-     */
+    /** {@return the name that the NAO's manufacturer and the literature use, such as {@code LElbowRoll}} */
+    public String standardName() {
+        return standardName;
+    }
+
+    /** {@return the name of the joint's sensor in SimSpark's messages, such as {@code llj4}} */
     public String perceptorName() {
         return perceptorName;
     }
 
-    /**
-     * Names the joint's motor in SimSpark's messages.
-     *
-     * @return the effector name, such as {@code lle4}
-     */
+    /** {@return the name of the joint's motor in SimSpark's messages, such as {@code lle4}} */
     public String effectorName() {
         return effectorName;
     }
 
-    /**
-     * Tells the lower end of the range.
-     *
-     * @return the smallest angle in degrees
-     */
+    /** {@return the smallest angle of the joint's range in degrees} */
     public double minDegrees() {
         return minDegrees;
     }
 
-    /**
-     * Tells the upper end of the range.
-     *
-     * @return the largest angle in degrees
-     */
+    /** {@return the largest angle of the joint's range in degrees} */
     public double maxDegrees() {
         return maxDegrees;
     }
 
     /**
-     * Tells how fast the motor can turn in either direction.
-     *
-     * @return the largest speed in degrees per second, the same for every joint of robot type 0
+     * {@return the highest speed of the motor in either direction, in degrees per second; the same for every joint of robot
+     * type 0}
      */
     public double maxDegreesPerSecond() {
         return MAX_DEGREES_PER_SECOND;
     }
 
     /**
-     * Forces an angle into this joint's range.
+     * Clamps an angle to this joint's range.
      *
      * @param degrees any angle in degrees; not NaN
      * @return the nearest angle within the range, in degrees

@@ -5,31 +5,31 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** What the referee has decided: the state of the game, in the order and with the names of SimSpark 0.7.3. */
+/** The state of the game as decided by the referee, in the order and with the names of SimSpark 0.7.3. */
 public enum PlayMode {
-    /** Nobody may play yet; robots may be beamed. */
+    /** Play has not begun; robots may be beamed. */
     BEFORE_KICK_OFF("BeforeKickOff"),
-    /** The left team begins. */
+    /** The left team kicks off. */
     KICK_OFF_LEFT("KickOff_Left"),
-    /** The right team begins. */
+    /** The right team kicks off. */
     KICK_OFF_RIGHT("KickOff_Right"),
-    /** The game runs. */
+    /** The game is running. */
     PLAY_ON("PlayOn"),
-    /** The ball left the field at the side; the left team brings it back. */
+    /** The ball left the field over the side line; the left team takes the kick-in. */
     KICK_IN_LEFT("KickIn_Left"),
-    /** The ball left the field at the side; the right team brings it back. */
+    /** The ball left the field over the side line; the right team takes the kick-in. */
     KICK_IN_RIGHT("KickIn_Right"),
-    /** The left team plays from the corner. */
+    /** Corner kick for the left team. */
     CORNER_KICK_LEFT("corner_kick_left"),
-    /** The right team plays from the corner. */
+    /** Corner kick for the right team. */
     CORNER_KICK_RIGHT("corner_kick_right"),
-    /** The left team plays from its goal area. */
+    /** The left team kicks from its goal area. */
     GOAL_KICK_LEFT("goal_kick_left"),
-    /** The right team plays from its goal area. */
+    /** The right team kicks from its goal area. */
     GOAL_KICK_RIGHT("goal_kick_right"),
-    /** Offside of the left team; the rule is switched off in the original. */
+    /** The left team was offside; SimSpark has this rule switched off. */
     OFFSIDE_LEFT("offside_left"),
-    /** Offside of the right team; the rule is switched off in the original. */
+    /** The right team was offside; SimSpark has this rule switched off. */
     OFFSIDE_RIGHT("offside_right"),
     /** The game is over. */
     GAME_OVER("GameOver"),
@@ -37,20 +37,20 @@ public enum PlayMode {
     GOAL_LEFT("Goal_Left"),
     /** The right team has scored; robots may be beamed. */
     GOAL_RIGHT("Goal_Right"),
-    /** An indirect free kick of the left team. */
+    /** Indirect free kick for the left team. */
     FREE_KICK_LEFT("free_kick_left"),
-    /** An indirect free kick of the right team. */
+    /** Indirect free kick for the right team. */
     FREE_KICK_RIGHT("free_kick_right"),
-    /** A direct free kick of the left team. */
+    /** Direct free kick for the left team. */
     DIRECT_FREE_KICK_LEFT("direct_free_kick_left"),
-    /** A direct free kick of the right team. */
+    /** Direct free kick for the right team. */
     DIRECT_FREE_KICK_RIGHT("direct_free_kick_right"),
-    /** The left team passes undisturbed. */
+    /** The left team passes; opponents must keep away from the ball. */
     PASS_LEFT("pass_left"),
-    /** The right team passes undisturbed. */
+    /** The right team passes; opponents must keep away from the ball. */
     PASS_RIGHT("pass_right");
 
-    /** The answers of {@link #ofSimSparkName}, which is asked in each cycle and shall make no garbage. */
+    /** The results of {@link #ofSimSparkName}, which is called in every cycle. */
     private static final Map<String, Optional<PlayMode>> BY_NAME =
             Arrays.stream(values()).collect(Collectors.toUnmodifiableMap(PlayMode::simSparkName, Optional::of));
 
@@ -60,20 +60,14 @@ public enum PlayMode {
         this.simSparkName = simSparkName;
     }
 
-    /**
-     * Names the play mode in SimSpark's messages.
-     *
-     * @return the name with SimSpark's mixed spelling, such as {@code KickOff_Left}
-     */
+    /** {@return the name in SimSpark's messages, in SimSpark's mixed spelling, such as {@code KickOff_Left}} */
     public String simSparkName() {
         return simSparkName;
     }
 
     /**
-     * Names the team that brings the ball into play while the other one keeps away: at a kick-off, kick-in, corner, goal kick,
-     * free kick or pass.
-     *
-     * @return the team; empty if both may play the ball or nobody may
+     * {@return the team that brings the ball into play while the other keeps away (kick-off, kick-in, corner, goal kick, free
+     * kick, pass); empty if both teams or neither may play the ball}
      */
     public Optional<TeamSide> kicker() {
         return switch (this) {
@@ -99,7 +93,7 @@ public enum PlayMode {
      * Finds a play mode by its name in SimSpark's messages.
      *
      * @param simSparkName the exact name
-     * @return the play mode, or empty for a name of a newer server
+     * @return the play mode; empty if a newer server sent a name that is unknown here
      */
     public static Optional<PlayMode> ofSimSparkName(String simSparkName) {
         return BY_NAME.getOrDefault(simSparkName, Optional.empty());

@@ -1,10 +1,10 @@
 package org.robonewbie.nao;
 
 /**
- * The pitch: sizes in metres and the places of its landmarks in the world frame.
+ * The pitch: its dimensions in metres and the positions of its landmarks in the world frame.
  *
- * <p>World frame: origin in the centre spot, x from the left goal to the right goal, y to the left of that direction,
- * z up. Source: SimSpark's {@code soccer.rsg} and {@code goal.rsg}.
+ * <p>World frame: origin at the centre spot, x from the left goal to the right goal, y to the left of that direction, z up.
+ * Source: SimSpark's {@code soccer.rsg} and {@code goal.rsg}.
  *
  * @param length from goal line to goal line
  * @param width from side line to side line
@@ -12,7 +12,7 @@ package org.robonewbie.nao;
  * @param goalDepth from the goal line to the back wall
  * @param goalHeight of the posts
  * @param penaltyLength depth of the penalty area
- * @param penaltyWidth width of the penalty area without the goal's width
+ * @param penaltyWidth width of the penalty area beyond the goal's width
  * @param centreCircleRadius of the centre circle, also the distance opponents keep from a free kick
  */
 public record SoccerField(
@@ -25,14 +25,14 @@ public record SoccerField(
         double penaltyWidth,
         double centreCircleRadius) {
 
-    /** The pitch of the league, 30 m × 20 m. */
+    /** The league's pitch, 30 m × 20 m. */
     public static final SoccerField LEAGUE = new SoccerField(30, 20, 2.1, 0.6, 0.8, 1.8, 3.9, 2.0);
 
-    /** The small pitch of the beginners, 12 m × 8 m. */
+    /** The small pitch for beginners, 12 m × 8 m. */
     public static final SoccerField BEGINNER = new SoccerField(12, 8, 1.4, 0.4, 0.8, 1.2, 2.6, 1.3);
 
     /**
-     * Tells where a landmark is.
+     * Returns the position of a landmark.
      *
      * @param landmark a goal post or corner flag
      * @return its position in the world frame, in metres

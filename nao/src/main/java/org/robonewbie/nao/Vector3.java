@@ -1,10 +1,10 @@
 package org.robonewbie.nao;
 
 /**
- * A point or direction in space, with three components in metres unless a method says otherwise.
+ * A point or direction in space; components are in metres unless a method says otherwise.
  *
- * <p>In the frames of this framework x points forward, y to the left and z up; code that works in SimSpark's own
- * frame (x right, y forward, z up) says so.
+ * <p>In the frames of this framework x points forward, y to the left and z up. Code that works in SimSpark's own frame (x
+ * right, y forward, z up) says so.
  *
  * @param x first component
  * @param y second component
@@ -16,7 +16,7 @@ public record Vector3(double x, double y, double z) {
     public static final Vector3 ZERO = new Vector3(0, 0, 0);
 
     /**
-     * Adds a vector component by component.
+     * Adds a vector.
      *
      * @param other the vector to add
      * @return this + other
@@ -26,7 +26,7 @@ public record Vector3(double x, double y, double z) {
     }
 
     /**
-     * Subtracts a vector component by component.
+     * Subtracts a vector.
      *
      * @param other the vector to subtract
      * @return this - other
@@ -36,9 +36,9 @@ public record Vector3(double x, double y, double z) {
     }
 
     /**
-     * Stretches this vector.
+     * Scales this vector.
      *
-     * @param factor what each component is multiplied by
+     * @param factor the factor for each component
      * @return factor * this
      */
     public Vector3 times(double factor) {
@@ -46,7 +46,7 @@ public record Vector3(double x, double y, double z) {
     }
 
     /**
-     * Multiplies with a vector to a number, which is 0 when both are perpendicular.
+     * Calculates the dot product, which is 0 for perpendicular vectors.
      *
      * @param other the second factor
      * @return the dot product
@@ -56,26 +56,22 @@ public record Vector3(double x, double y, double z) {
     }
 
     /**
-     * Multiplies with a vector to a third vector that is perpendicular to both.
+     * Calculates the cross product, which is perpendicular to both vectors.
      *
      * @param other the second factor
-     * @return the cross product this × other
+     * @return this × other
      */
     public Vector3 cross(Vector3 other) {
         return new Vector3(y * other.z - z * other.y, z * other.x - x * other.z, x * other.y - y * other.x);
     }
 
-    /**
-     * Measures this vector.
-     *
-     * @return the length, at least 0
-     */
+    /** {@return the length of this vector, at least 0} */
     public double length() {
         return Math.sqrt(dot(this));
     }
 
     /**
-     * Measures how far another point is away.
+     * Calculates the distance to another point.
      *
      * @param other the other point
      * @return the distance in the unit of the components

@@ -1,3 +1,5 @@
-/** The wire of SimSpark: what agents and simulator say to each other. Start in {@code perceptor} and {@code effector}. */
+/**
+ * The wire protocol of SimSpark: the messages between agents and simulator. Start in {@code perceptor} and {@code effector}.
+ */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.protocol;

@@ -17,7 +17,7 @@ import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
 import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
-/** How much garbage a cycle makes, measured by the JVM. */
+/** How much a cycle allocates, measured by the JVM. */
 class AllocationTest {
 
     private static final int ROUNDS = 60;

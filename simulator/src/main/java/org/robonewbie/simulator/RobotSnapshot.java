@@ -2,6 +2,7 @@ package org.robonewbie.simulator;
 
 import java.util.Optional;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.model.RobotType;
 
 /**
@@ -11,17 +12,12 @@ import org.robonewbie.nao.model.RobotType;
  * @param team name of its team, empty before it joined one
  * @param side its half of the pitch, empty before it joined a team
  * @param number its number 1 to 11, 0 before it joined a team
- * @param type its build
- * @param linkPoses position x, y, z in metres and rotation as quaternion w, x, y, z of each link of {@code
- *     NaoModel.of(type).links()} in the world frame, seven numbers per link; not to be changed
- * @param jointDegrees angle of each hinge of {@code NaoModel.of(type).hinges()}; not to be changed
+ * @param body where its torso is and how its joints are bent
  */
-@SuppressWarnings("ArrayRecordComponent")
-public record RobotSnapshot(
-        int id,
-        String team,
-        Optional<TeamSide> side,
-        int number,
-        RobotType type,
-        float[] linkPoses,
-        float[] jointDegrees) {}
+public record RobotSnapshot(int id, String team, Optional<TeamSide> side, int number, BodyState body) {
+
+    /** {@return the robot's build} */
+    public RobotType type() {
+        return body.type();
+    }
+}

@@ -15,6 +15,16 @@ public interface SimulationObserver {
     void cycleEnded(WorldSnapshot snapshot);
 
     /**
+     * Returns whether the state of the world is wanted; called after each cycle on the simulation's thread, before a snapshot of
+     * the world is made.
+     *
+     * @return whether to call {@link #cycleEnded}; yes unless overridden
+     */
+    default boolean wantsSnapshot() {
+        return true;
+    }
+
+    /**
      * Receives what happened in the game within a cycle, before that cycle is reported.
      *
      * @param event a goal, a foul or another play mode
@@ -22,10 +32,10 @@ public interface SimulationObserver {
     default void happened(MatchEvent event) {}
 
     /**
-     * Tells whether the messages of a robot's agent are of interest; asked in each cycle on the simulation's thread.
+     * Returns whether the messages of a robot's agent are wanted; called in each cycle on the simulation's thread.
      *
      * @param robot number of the robot's connection, as in {@link RobotSnapshot#id}
-     * @return whether to call {@link #messagesExchanged} for it; no unless overridden
+     * @return whether to call {@link #messagesExchanged} for it; false unless overridden
      */
     default boolean wantsMessagesOf(int robot) {
         return false;

@@ -1,8 +1,10 @@
 package org.robonewbie.simulator;
 
 import java.util.List;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.Rotation;
 
 /**
  * The true state of the world at the end of one cycle.
@@ -16,13 +18,12 @@ import org.robonewbie.nao.Vector3;
  * @param scoreRight goals of the right team
  * @param half 1 or 2
  * @param ballPosition centre of the ball in the world frame, metres
- * @param ballOrientation the ball's rotation as quaternion w, x, y, z; not to be changed
+ * @param ballRotation how the ball is turned
  * @param robots all robots in the order in which they connected
  * @param paused whether the clock stands still
- * @param speed what was asked for with {@link SimulationControl#setSpeed}
+ * @param speed what was asked for with {@link org.robonewbie.protocol.order.Order.SetSpeed}
  * @param realTimeFactor simulated seconds per second, measured over the last second
  */
-@SuppressWarnings("ArrayRecordComponent")
 public record WorldSnapshot(
         long cycle,
         double gameTime,
@@ -33,21 +34,40 @@ public record WorldSnapshot(
         int scoreRight,
         int half,
         Vector3 ballPosition,
-        float[] ballOrientation,
+        Rotation ballRotation,
         List<RobotSnapshot> robots,
         boolean paused,
         double speed,
         double realTimeFactor) {
 
-    /** Length of a cycle in seconds: 0.02. */
-    public static final double CYCLE_SECONDS = 0.02;
-
     /**
-     * Tells the time since the start of the simulation.
+     * Says how fast the world goes on.
      *
-     * @return simulated seconds
+     * @param isPaused whether the clock stands still
+     * @param newSpeed simulated seconds per second that were asked for
+     * @param newFactor simulated seconds per second, as measured
+     * @return the same state of the world at this pace
      */
+    public WorldSnapshot withPace(boolean isPaused, double newSpeed, double newFactor) {
+        return new WorldSnapshot(
+                cycle,
+                gameTime,
+                playMode,
+                teamLeft,
+                teamRight,
+                scoreLeft,
+                scoreRight,
+                half,
+                ballPosition,
+                ballRotation,
+                robots,
+                isPaused,
+                newSpeed,
+                newFactor);
+    }
+
+    /** {@return the simulated time since the start of the simulation in seconds} */
     public double seconds() {
-        return cycle * CYCLE_SECONDS;
+        return cycle * Cycle.SECONDS;
     }
 }

@@ -5,8 +5,8 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * Says where on the site a file of the project is found: the folder {@code docs} is the root of the site, a {@code README.md} is
- * the first page of its folder, and all addresses are small letters, digits and hyphens.
+ * Maps files of the project to addresses of the site: the folder {@code docs} is the root of the site, a {@code README.md} is
+ * the first page of its folder, and all addresses are lower-case letters, digits and hyphens.
  */
 final class Addresses {
 

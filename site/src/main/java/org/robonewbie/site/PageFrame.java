@@ -35,7 +35,7 @@ final class PageFrame {
         return fill(address, title, html, "", "");
     }
 
-    /** Makes a text harmless inside a page. */
+    /** Escapes a text for a page. */
     static String escape(String text) {
         return text.replace("&", "&amp;")
                 .replace("<", "&lt;")

@@ -11,7 +11,10 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Shows files of the project to which a page points, such as an example's source, so that the site is complete without it. */
+/**
+ * Makes pages of the files of the project to which a page points, such as an example's source, so that the site is complete
+ * without it.
+ */
 final class SourcePages {
 
     private final Addresses addresses;

@@ -5,11 +5,10 @@ import java.util.Set;
 import org.robonewbie.studio.search.SearchBoard;
 
 /**
- * Decides who may talk to the studio: only pages that this very server has delivered, opened under this computer's own
- * name.
+ * Decides who may talk to the studio: only pages that this very server has delivered, opened under this computer's own name.
  *
- * <p>The host name is checked because a foreign site can point its own name at 127.0.0.1, the origin because any site may
- * open a WebSocket to this computer, and the token because other users of this computer can do so too.
+ * <p>The host name is checked because a foreign site can point its own name at 127.0.0.1, the origin because any site may open
+ * a WebSocket to this computer, and the token because other users of this computer can do so too.
  */
 final class AccessRule {
 

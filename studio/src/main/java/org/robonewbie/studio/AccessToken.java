@@ -39,7 +39,7 @@ public record AccessToken(String text) {
     /**
      * Draws a new token.
      *
-     * @return a token that nobody can guess
+     * @return a random token that cannot be guessed
      */
     public static AccessToken random() {
         byte[] bytes = new byte[BYTES];

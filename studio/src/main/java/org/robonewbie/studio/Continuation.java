@@ -1,17 +1,26 @@
 package org.robonewbie.studio;
 
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 import org.robonewbie.nao.SoccerField;
+import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.scene.KeptMoment;
 import org.robonewbie.studio.scene.LivingWorld;
 
-/** Lets the running simulation go on from a kept moment; puppets take the places of robots that have gone. */
+/** Continues the running simulation from a kept moment; puppets take the places of robots that have left. */
 final class Continuation implements LivingWorld {
 
     private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+
+    /** Longer than a running simulation waits for its agents; only one that has ended does not answer. */
+    private static final long ANSWER_SECONDS = 5;
 
     private final Stage stage;
 
@@ -30,13 +39,40 @@ final class Continuation implements LivingWorld {
     }
 
     @Override
-    public void goOnFrom(KeptMoment moment) {
+    public Optional<WorldState> save() {
+        return answer(stage.simulation()::save);
+    }
+
+    @Override
+    public boolean goOnFrom(KeptMoment moment) {
         if (!stage.simulation().hasClock()) {
             throw new IllegalStateException("A server of another process cannot be put into a kept state.");
         }
         awaitRobots(moment.state());
-        stage.simulation().pause();
-        stage.simulation().restore(moment.before(), moment.state());
+        stage.simulation().order(new Order.Pause());
+        boolean exactly = moment.exact()
+                .filter(state -> players(moment.state()).equals(players(stage.now())))
+                .flatMap(state -> answer(receiver -> stage.simulation().restore(state, receiver)))
+                .isPresent();
+        if (!exactly) {
+            stage.simulation().restore(moment.before(), moment.state());
+        }
+        return exactly;
+    }
+
+    /** Lists who plays and in which body; a saved state gives each of them its own body again. */
+    private static List<String> players(WorldSnapshot state) {
+        return state.robots().stream()
+                .map(robot -> robot.team() + " " + robot.number() + " " + robot.side() + " " + robot.type())
+                .sorted()
+                .toList();
+    }
+
+    private static Optional<WorldState> answer(Consumer<Consumer<Optional<WorldState>>> request) {
+        CompletableFuture<Optional<WorldState>> answer = new CompletableFuture<>();
+        request.accept(answer::complete);
+        return answer.completeOnTimeout(Optional.empty(), ANSWER_SECONDS, TimeUnit.SECONDS)
+                .join();
     }
 
     /** Newcomers need a running clock; whoever does not come is left out. */
@@ -45,7 +81,7 @@ final class Continuation implements LivingWorld {
         if (stage.puppets().fillUp(state, stage.now()) == 0 || !stage.puppets().isOpen()) {
             return;
         }
-        stage.simulation().resume();
+        stage.simulation().order(new Order.Resume());
         while (stage.puppets().fillUp(state, stage.now()) > 0 && System.nanoTime() < end) {
             LockSupport.parkNanos(LOOK_NANOS);
         }

@@ -13,7 +13,7 @@ final class FirstVisit {
 
     private FirstVisit() {}
 
-    /** Begins the visit; nobody needs to wait for it. */
+    /** Starts the visit in the background. */
     static void start(WebFiles files, int port) {
         Thread visitor = new Thread(() -> visit(files, port), "studio-first-visit");
         visitor.setDaemon(true);
@@ -27,7 +27,7 @@ final class FirstVisit {
             socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
             socket.getInputStream().readAllBytes();
         } catch (IOException closedMeanwhile) {
-            // The person's own visit will then be the first one.
+            // The user's own visit will then be the first one.
         }
     }
 }

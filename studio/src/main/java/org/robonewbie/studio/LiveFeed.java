@@ -24,11 +24,11 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /**
- * Brings the newest state of the simulation to all pages, about 25 times per second.
+ * Sends the latest state of the simulation to all pages, about 25 times per second.
  *
- * <p>The simulation's thread only leaves a reference here. A thread of the feed turns it into bytes once and gives them to
- * each spectator that has dealt with its last frame; the others miss it. So no page can slow down the simulation or
- * another page.
+ * <p>The simulation's thread only leaves a reference here. A thread of the feed turns it into bytes once and passes them to
+ * each spectator that has finished with its last frame; the others miss it. So no page can slow down the simulation or another
+ * page.
  */
 final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCloseable {
 
@@ -45,7 +45,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private final List<Spectator> spectators = new CopyOnWriteArrayList<>();
     private final BlockingQueue<TelemetryMessage> thoughts = new ArrayBlockingQueue<>(MOST_THOUGHTS);
     private final BlockingQueue<AgentMessages> messages = new ArrayBlockingQueue<>(MOST_MESSAGES);
-    private final Memory memory = new Memory();
+    private final TelemetryHistory memory = new TelemetryHistory();
     private final Consumer<TelemetryMessage> notes;
     private final Thread sender = new Thread(this::send, "studio-live-feed");
     private volatile @Nullable WorldSnapshot latest;
@@ -64,7 +64,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         this(simulation, message -> {});
     }
 
-    /** Feeds pages, and hands on what robots tell to somebody who notes it. */
+    /** Feeds pages, and passes the robots' telemetry on to a listener that records it. */
     LiveFeed(SimulationControl simulation, Consumer<TelemetryMessage> notes) {
         this.simulation = simulation;
         this.notes = notes;
@@ -107,6 +107,12 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
 
     void remove(Spectator spectator) {
         spectators.remove(spectator);
+    }
+
+    /** Without a page, one snapshot per frame is enough to answer where the world is. */
+    @Override
+    public boolean wantsSnapshot() {
+        return isWanted() || latest == null || System.nanoTime() - lastWakeNanos >= SEND_INTERVAL_NANOS;
     }
 
     @Override
@@ -181,7 +187,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private void lookWhoIsWatched(WorldSnapshot snapshot) {
         Map<Integer, String> watched = new HashMap<>();
         for (RobotSnapshot robot : snapshot.robots()) {
-            String key = Memory.key(robot.team(), robot.number());
+            String key = TelemetryHistory.key(robot.team(), robot.number());
             if (spectators.stream().anyMatch(spectator -> spectator.watches(key))) {
                 watched.put(robot.id(), key);
             }

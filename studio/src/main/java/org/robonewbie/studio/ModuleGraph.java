@@ -10,8 +10,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Tells a browser in the page itself which scripts it will need. Otherwise it learns of a script's imports only when it has
- * read the script, and asks for one layer after the other.
+ * Lists in the page itself which scripts it will need. Otherwise a browser discovers a script's imports only after reading the
+ * script, and requests one layer after another.
  */
 final class ModuleGraph {
 

@@ -9,7 +9,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.embedded.Puppet;
 import org.robonewbie.protocol.embedded.PuppetProvider;
 import org.robonewbie.protocol.frame.AgentLink;
-import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
@@ -34,7 +34,7 @@ final class PuppetDesk {
         this.simulation = simulation;
     }
 
-    /** Tells whether puppets can join this simulation. */
+    /** Whether puppets can join this simulation. */
     boolean isOpen() {
         return provider.isPresent() && simulation.hasClock();
     }
@@ -63,7 +63,7 @@ final class PuppetDesk {
                 "This team has eleven robots already. Take one away, or choose the other team.");
     }
 
-    /** Lets puppets stand in for all robots of a state that do not play now; tells how many are on their way. */
+    /** Adds puppets for all robots of a state that are not in the game now; returns how many are on their way. */
     synchronized int fillUp(WorldSnapshot state, WorldSnapshot now) {
         int missing = 0;
         for (RobotSnapshot robot : state.robots()) {

@@ -2,7 +2,7 @@ package org.robonewbie.studio;
 
 import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.embedded.Puppet;
-import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.protocol.order.PlayerNumber;
 
 /** What a page wants from a robot that people steer by hand. */
 sealed interface PuppetOrder {
@@ -69,10 +69,10 @@ sealed interface PuppetOrder {
     /**
      * An order for a certain robot.
      *
-     * @param player which one
-     * @param order what it shall do
+     * @param player the robot
+     * @param order what it is to do
      */
-    record To(PlayerNumber player, PuppetOrder order) implements StudioCommand {
+    record To(PlayerNumber player, PuppetOrder order) implements StudioRequest {
         @Override
         public void applyTo(Stage stage) {
             order.applyTo(stage.puppets().puppet(player));

@@ -12,7 +12,6 @@ import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.nao.model.Shape;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /** Writes a {@link Scene} as JSON for the pages, with the bodies of all robot types that play. */
@@ -127,20 +126,8 @@ final class SceneWriter {
         JsonObject json = new JsonObject();
         json.addProperty("name", link.name());
         json.add("position", vector(link.position()));
-        json.add("size", vector(size(link.shape())));
+        json.add("size", vector(link.shape().size()));
         return json;
-    }
-
-    private static Vector3 size(Shape shape) {
-        if (shape instanceof Shape.Box box) {
-            return box.size();
-        }
-        if (shape instanceof Shape.Capsule capsule) {
-            double width = 2 * capsule.radius();
-            return new Vector3(width, width, capsule.length() + width);
-        }
-        double width = 2 * ((Shape.Sphere) shape).radius();
-        return new Vector3(width, width, width);
     }
 
     private static JsonObject hinge(Hinge hinge, NaoModel model) {

@@ -3,16 +3,16 @@ package org.robonewbie.studio;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.robonewbie.nao.PlayMode;
+import java.util.function.Consumer;
 import org.robonewbie.nao.SoccerField;
-import org.robonewbie.nao.TeamSide;
-import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.state.WorldState;
 
-/** What a studio shows, if that changes: the free pitch, or the trial of an exercise. Who observes it sees what is shown. */
+/** What a studio shows, which can change: the free pitch, or the trial of an exercise. Observers see what is shown. */
 public final class ShownSimulation implements SimulationControl {
 
     private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
@@ -28,9 +28,9 @@ public final class ShownSimulation implements SimulationControl {
     }
 
     /**
-     * Shows another simulation. The one before goes on unseen.
+     * Shows another simulation. The previous one continues unseen.
      *
-     * @param other what is shown from now on
+     * @param other the simulation to show from now on
      */
     public synchronized void show(SimulationControl other) {
         if (other == shown) {
@@ -52,63 +52,23 @@ public final class ShownSimulation implements SimulationControl {
     }
 
     @Override
-    public void pause() {
-        shown.pause();
-    }
-
-    @Override
-    public void resume() {
-        shown.resume();
-    }
-
-    @Override
-    public void step(int cycles) {
-        shown.step(cycles);
-    }
-
-    @Override
-    public void setSpeed(double factor) {
-        shown.setSpeed(factor);
-    }
-
-    @Override
-    public void reset() {
-        shown.reset();
-    }
-
-    @Override
-    public void placeBall(Vector3 position, Vector3 velocity) {
-        shown.placeBall(position, velocity);
-    }
-
-    @Override
-    public void placeRobot(TeamSide side, int number, Vector3 position, double headingDegrees) {
-        shown.placeRobot(side, number, position, headingDegrees);
-    }
-
-    @Override
-    public void pushRobot(TeamSide side, int number, Vector3 newtons) {
-        shown.pushRobot(side, number, newtons);
-    }
-
-    @Override
-    public void kickOff(TeamSide side) {
-        shown.kickOff(side);
-    }
-
-    @Override
-    public void dropBall() {
-        shown.dropBall();
-    }
-
-    @Override
-    public void setPlayMode(PlayMode playMode) {
-        shown.setPlayMode(playMode);
+    public void order(Order order) {
+        shown.order(order);
     }
 
     @Override
     public void restore(WorldSnapshot before, WorldSnapshot moment) {
         shown.restore(before, moment);
+    }
+
+    @Override
+    public void save(Consumer<Optional<WorldState>> receiver) {
+        shown.save(receiver);
+    }
+
+    @Override
+    public void restore(WorldState state, Consumer<Optional<WorldState>> receiver) {
+        shown.restore(state, receiver);
     }
 
     @Override

@@ -17,11 +17,11 @@ import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.AgentMessages;
 
 /**
- * One page that looks at the simulation.
+ * A page that watches the simulation.
  *
- * <p>It gets its next frame only after it has reported that the last one was drawn, so a page that is frozen or hidden has
- * at most one frame on its way. A frame that did not change is repeated once per second, which tells the page that the
- * studio is alive although the world stands still.
+ * <p>It receives its next frame only after it has reported that the last one was drawn, so a page that is frozen or hidden has
+ * at most one frame on its way. A frame that has not changed is repeated once per second, which shows the page that the studio
+ * is alive although the world is paused.
  */
 public final class Spectator extends Session.Listener.AbstractAutoDemanding {
 
@@ -56,11 +56,11 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
     @Override
     public void onWebSocketText(String message) {
         try {
-            StudioCommand command = StudioCommandReader.read(message);
-            if (command instanceof StudioCommand.Seen) {
+            StudioRequest command = StudioRequestReader.read(message);
+            if (command instanceof StudioRequest.Seen) {
                 ready = true;
-            } else if (command instanceof StudioCommand.Watch watch) {
-                watched = Memory.key(watch.team(), watch.number());
+            } else if (command instanceof StudioRequest.Watch watch) {
+                watched = TelemetryHistory.key(watch.team(), watch.number());
                 begins = true;
             } else {
                 command.applyTo(feed);
@@ -81,8 +81,8 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         return watched.equals(robot);
     }
 
-    /** Keeps what was told before the page began to watch. Called by the feed's thread only. */
-    void remember(Memory memory) {
+    /** Takes the telemetry from before the page began to watch. Called by the feed's thread only. */
+    void remember(TelemetryHistory memory) {
         if (begins) {
             begins = false;
             heard.clear();
@@ -94,7 +94,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
 
     /** Keeps what the watched robot tells until the page is ready for it. Called by the feed's thread only. */
     void hear(TelemetryMessage message) {
-        if (watches(Memory.key(message.team(), message.number()))) {
+        if (watches(TelemetryHistory.key(message.team(), message.number()))) {
             heard.add(TelemetryLine.write(message));
             if (heard.size() > MOST_LINES) {
                 heard.remove();
@@ -168,7 +168,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         send(session, texts, frame);
     }
 
-    /** Sends texts one after the other and the frame at last. */
+    /** Sends texts in order, and the frame last. */
     private static void send(Session session, List<String> texts, ByteBuffer frame) {
         if (texts.isEmpty()) {
             session.sendBinary(frame.duplicate(), Callback.NOOP);

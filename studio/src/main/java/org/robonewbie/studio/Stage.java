@@ -6,14 +6,14 @@ import org.robonewbie.simulator.WorldSnapshot;
 /** What a page can act upon. */
 interface Stage {
 
-    /** Gives the running simulation. */
+    /** The running simulation. */
     SimulationControl simulation();
 
-    /** Gives the robots that people steer. */
+    /** The robots that are steered by hand. */
     PuppetDesk puppets();
 
     /**
-     * Gives the state of the world.
+     * The present state of the world.
      *
      * @throws IllegalStateException if there was none yet
      */

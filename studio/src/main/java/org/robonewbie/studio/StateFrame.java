@@ -3,6 +3,9 @@ package org.robonewbie.studio;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 
@@ -50,9 +53,8 @@ final class StateFrame {
         buffer.put((byte) snapshot.scoreLeft())
                 .put((byte) snapshot.scoreRight())
                 .put((byte) snapshot.half());
-        Vector3 ball = snapshot.ballPosition();
-        buffer.putFloat((float) ball.x()).putFloat((float) ball.y()).putFloat((float) ball.z());
-        putRotation(buffer, snapshot.ballOrientation(), 0);
+        putPosition(buffer, snapshot.ballPosition());
+        putRotation(buffer, snapshot.ballRotation());
         snapshot.robots().forEach(robot -> putRobot(buffer, robot));
         return buffer.flip().asReadOnlyBuffer();
     }
@@ -60,23 +62,27 @@ final class StateFrame {
     private static int size(WorldSnapshot snapshot) {
         int size = HEADER_BYTES + POSE_BYTES;
         for (RobotSnapshot robot : snapshot.robots()) {
-            size += POSE_BYTES + Short.BYTES * robot.jointDegrees().length;
+            size += POSE_BYTES + Short.BYTES * robot.body().hingeDegrees().length;
         }
         return size;
     }
 
     private static void putRobot(ByteBuffer buffer, RobotSnapshot robot) {
-        float[] torso = robot.linkPoses();
-        buffer.putFloat(torso[0]).putFloat(torso[1]).putFloat(torso[2]);
-        putRotation(buffer, torso, 3);
-        for (float degrees : robot.jointDegrees()) {
-            buffer.putShort(clamped(degrees * STEPS_PER_DEGREE));
+        Pose torso = SimSparkFrame.linkFromBody(robot.body().torso());
+        putPosition(buffer, torso.position());
+        putRotation(buffer, torso.rotation());
+        for (double degrees : robot.body().hingeDegrees()) {
+            buffer.putShort(clamped((float) degrees * STEPS_PER_DEGREE));
         }
     }
 
-    private static void putRotation(ByteBuffer buffer, float[] quaternion, int start) {
-        for (int i = start; i < start + 4; i++) {
-            buffer.putShort(clamped(quaternion[i] * UNIT_ROTATION));
+    private static void putPosition(ByteBuffer buffer, Vector3 position) {
+        buffer.putFloat((float) position.x()).putFloat((float) position.y()).putFloat((float) position.z());
+    }
+
+    private static void putRotation(ByteBuffer buffer, Rotation turn) {
+        for (double part : new double[] {turn.w(), turn.x(), turn.y(), turn.z()}) {
+            buffer.putShort(clamped((float) part * UNIT_ROTATION));
         }
     }
 

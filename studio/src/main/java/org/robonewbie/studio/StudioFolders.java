@@ -2,7 +2,7 @@ package org.robonewbie.studio;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import org.robonewbie.simulator.recording.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingShelf;
 
 /**
  * The folders that the studio's pages may use; nothing else of the disk can be reached from a page.
@@ -18,7 +18,7 @@ public record StudioFolders(
     private static final String SCENES = "scenes";
 
     /**
-     * Gives folders without an opened recording; scenes are beside the motions.
+     * Creates folders without an opened recording; scenes lie beside the motions.
      *
      * @param motions where motion files are read and written; it need not exist
      * @param recordings where recordings are read; empty if nothing is recorded
@@ -38,7 +38,7 @@ public record StudioFolders(
     }
 
     /**
-     * Gives the folders of a program that runs in its project.
+     * Returns the folders of a program that runs in its project.
      *
      * @return {@code motions} in the working directory, where agents look for motions too, and the user's recordings
      */

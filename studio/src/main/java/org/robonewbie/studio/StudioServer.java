@@ -16,7 +16,7 @@ import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.Viewer;
+import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.studio.course.Course;
 import org.robonewbie.studio.course.CourseRoom;
 import org.robonewbie.studio.motion.MotionRoom;
@@ -37,7 +37,7 @@ import org.robonewbie.studio.search.SearchSpectator;
  */
 public final class StudioServer implements Viewer.View {
 
-    /** Kept, since a logger that nobody keeps forgets its level. */
+    /** Kept in a field, since a logger without a reference loses its level. */
     private static final Logger JETTY_LOGGER = Logger.getLogger("org.eclipse.jetty");
 
     private static final Duration QUIET_LIMIT = Duration.ofMinutes(10);
@@ -194,16 +194,12 @@ public final class StudioServer implements Viewer.View {
         return feed;
     }
 
-    /** Gives what the pages are fed by. */
+    /** The source of the pages' frames. */
     LiveFeed feed() {
         return feed;
     }
 
-    /**
-     * Counts the pages that look.
-     *
-     * @return how many pages are connected now
-     */
+    /** {@return the number of pages that are connected now} */
     int spectators() {
         return feed.spectators();
     }

@@ -3,14 +3,14 @@ package org.robonewbie.studio;
 import java.io.IOException;
 import java.util.Optional;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.Viewer;
+import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.studio.course.Course;
 import org.robonewbie.studio.search.SearchBoard;
 
 /**
  * Shows simulations in the browser; found by {@link java.util.ServiceLoader}.
  *
- * <p>If any port will do it takes the same one in each run, so that a page that is still open finds back.
+ * <p>If any port will do it takes the same one in each run, so that a page that is still open reconnects.
  */
 public final class StudioViewer implements Viewer {
 
@@ -36,12 +36,12 @@ public final class StudioViewer implements Viewer {
     }
 
     /**
-     * Starts to show a search, and beside it what is in some folders.
+     * Starts to show a search, together with the contents of some folders.
      *
      * @param simulation a world for the other rooms
      * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
-     * @param folders what of the disk the pages may use
-     * @param board what the search writes to; {@link SearchBoard#page} tells where it is shown
+     * @param folders the folders that the pages may use
+     * @param board what the search writes to; see {@link SearchBoard#page} for its address
      * @return the open view
      * @throws IOException if the port cannot be opened
      */

@@ -75,7 +75,7 @@ final class WebFiles extends Handler.Abstract {
         LINK.matcher(page).results().forEach(link -> file(link.group(1)));
     }
 
-    /** A file is read once; a page is told which scripts it will need. */
+    /** A file is read once; a page lists the scripts that it will need. */
     private Optional<WebFile> file(String name) {
         WebFile kept = files.get(name);
         if (kept != null) {
@@ -96,8 +96,8 @@ final class WebFiles extends Handler.Abstract {
     }
 
     /**
-     * Says what the pages may load: this server's own files and its live feed. The start page's import map is the only
-     * inline script and is known by its hash.
+     * Returns what the pages may load: this server's own files and its live feed. The start page's import map is the only
+     * inline script and is identified by its hash.
      *
      * @param port the server's port
      * @return the text of the header Content-Security-Policy

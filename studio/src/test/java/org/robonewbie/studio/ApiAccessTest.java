@@ -11,7 +11,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.robonewbie.simulator.recording.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingShelf;
 
 /** Each address below {@code /api/} answers pages of the studio only, and no name leads out of its folder. */
 class ApiAccessTest {

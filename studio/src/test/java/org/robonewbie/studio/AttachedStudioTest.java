@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.simulator.recording.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
 
 /** The studio that looks at something that is not its own: a server with a monitor port, or a recording of somebody. */

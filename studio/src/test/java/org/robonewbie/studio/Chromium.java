@@ -27,7 +27,6 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.locks.LockSupport;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
@@ -36,8 +35,8 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
 
     private static final long PATIENCE_SECONDS = 120;
 
-    private static final Pattern PAGE_IS_LEFT =
-            Pattern.compile("context was destroyed|Cannot find (default execution )?context|navigated or closed");
+    private static final Pattern PAGE_IS_LEFT = Pattern.compile(
+            "context was destroyed|Cannot find (default execution )?context|navigated or closed|Promise was collected");
 
     private final Process process;
     private final Path profile;
@@ -148,29 +147,39 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
         return value == null ? JsonNull.INSTANCE : value;
     }
 
-    /** Waits until a JavaScript condition holds in the page. */
+    /** Waits until a JavaScript condition holds in the page, which looks by itself and answers when it does. */
     void await(String condition) {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         String guarded = "(() => { try { return Boolean(" + condition + "); } catch { return false; } })()";
-        while (!holds(guarded)) {
-            if (System.nanoTime() > end) {
-                throw new AssertionError("Not within " + PATIENCE_SECONDS + " s: " + condition + "; page says "
-                        + complaints + " and shows " + evaluate("document.body.innerText"));
+        String promise = "new Promise((answer) => { const look = () => " + guarded
+                + " ? answer(true) : setTimeout(look, 15); look(); })";
+        try {
+            boolean held = holds(promise);
+            while (!held) {
+                held = holds(promise);
             }
-            LockSupport.parkNanos(30_000_000);
+        } catch (CompletionException tooLate) {
+            throw new AssertionError(
+                    "Not within " + PATIENCE_SECONDS + " s: " + condition + "; page says " + complaints + " and shows "
+                            + evaluate("document.body.innerText"),
+                    tooLate);
         }
     }
 
-    /** A condition does not hold in a page that is just being left. */
-    private boolean holds(String condition) {
+    /** In a page that is just being left nothing holds; the next page has to be asked again. */
+    private boolean holds(String promise) {
         try {
-            return evaluate(condition).getAsBoolean();
+            return evaluate(promise).getAsBoolean();
         } catch (CompletionException e) {
             if (PAGE_IS_LEFT.matcher(String.valueOf(e.getMessage())).find()) {
                 return false;
             }
             throw e;
         }
+    }
+
+    /** Waits while the page goes on. */
+    void rest(int seconds) {
+        evaluate("new Promise((answer) => setTimeout(answer, " + 1000 * seconds + "))");
     }
 
     /** Runs a script in each page before its own scripts, and returns a name for it. */
@@ -283,6 +292,12 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
     }
 
     private JsonObject call(String method, JsonObject parameters) {
+        return send(method, parameters)
+                .orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS)
+                .join();
+    }
+
+    private synchronized CompletableFuture<JsonObject> send(String method, JsonObject parameters) {
         int id = lastCall.incrementAndGet();
         JsonObject message = new JsonObject();
         message.addProperty("id", id);
@@ -294,7 +309,7 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
         CompletableFuture<JsonObject> answer = new CompletableFuture<>();
         calls.put(id, answer);
         socket.sendText(message.toString(), true).join();
-        return answer.orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS).join();
+        return answer;
     }
 
     @Override
@@ -325,6 +340,7 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
         switch (message.get("method").getAsString()) {
             case "Runtime.exceptionThrown" ->
                 complaints.add(parameters.get("exceptionDetails").toString());
+            case "Page.javascriptDialogOpening" -> agree();
             case "Debugger.paused" -> frozen.complete(true);
             case "Runtime.consoleAPICalled" -> noteConsole(parameters);
             case "Log.entryAdded" -> noteLog(parameters.getAsJsonObject("entry"));
@@ -332,6 +348,15 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
                 noteRequest(parameters.getAsJsonObject("request").get("url").getAsString());
             default -> {}
         }
+    }
+
+    /** A page may ask whether it is left with unsaved work; a test that goes to the next page means it. */
+    private void agree() {
+        JsonObject parameters = new JsonObject();
+        parameters.addProperty("accept", true);
+        Thread answer = new Thread(() -> call("Page.handleJavaScriptDialog", parameters), "chromium-dialog");
+        answer.setDaemon(true);
+        answer.start();
     }
 
     private void noteConsole(JsonObject parameters) {

@@ -17,10 +17,10 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Keyframe;
-import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
-import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -73,9 +73,9 @@ class FirstMotionTest {
             browser.fill("#answer", "my-first");
             browser.click("#accept");
             Path file = folder.resolve("my-first.txt");
-            SmallSimulation.awaitTrue(() -> Files.exists(file));
+            simulation.awaitTrue(() -> Files.exists(file));
 
-            List<Keyframe> keyframes = MotionFile.load(file).keyframes();
+            List<Keyframe> keyframes = MotionFiles.load(file).keyframes();
             assertThat(keyframes).hasSize(3);
             assertThat(keyframes.get(1).posture())
                     .isNotEqualTo(keyframes.get(0).posture())
@@ -90,8 +90,8 @@ class FirstMotionTest {
     private double nearestToWhenPlayed(double degrees) throws Exception {
         int hinge = NaoModel.of(RobotType.TYPE_0).hingeIndex(ARM);
         DoubleAccumulator nearest = new DoubleAccumulator(Math::min, Double.MAX_VALUE);
-        SimulationObserver observer = world ->
-                world.robots().forEach(robot -> nearest.accumulate(Math.abs(robot.jointDegrees()[hinge] - degrees)));
+        SimulationObserver observer = world -> world.robots()
+                .forEach(robot -> nearest.accumulate(Math.abs(robot.body().hingeDegrees()[hinge] - degrees)));
         SimulatorSettings settings = SimulatorSettings.beginner()
                 .agentPort(0)
                 .synchronous(true)

@@ -3,8 +3,6 @@ package org.robonewbie.studio;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.util.Locale;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -28,7 +26,7 @@ class FirstPaintMeasurement {
                     SmallSimulation simulation =
                             new SmallSimulation().withRobot().start();
                     StudioServer studio = StudioServer.start(simulation, 0, AccessToken.random())) {
-                LockSupport.parkNanos(TimeUnit.SECONDS.toNanos(1));
+                browser.rest(1);
                 browser.runBeforePages(WATCH_PICTURES);
                 report(start == 0 ? "cold Java" : "warm Java", browser, studio);
                 report("seen before", browser, studio);

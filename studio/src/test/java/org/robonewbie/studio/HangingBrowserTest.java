@@ -5,12 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Three real pages, of which one hangs and one vanishes with its browser: the third and the simulation go on. */
 @InBrowser(width = 640, height = 360)
 @Timeout(600)
+@Tag("slow")
 class HangingBrowserTest {
 
     private static final String SEES = "studio.state.frame && studio.view.drawCalls > 0";
@@ -32,7 +34,7 @@ class HangingBrowserTest {
             try (Chromium vanishing = Chromium.open(640, 360)) {
                 vanishing.visit(address);
                 vanishing.await(SEES);
-                SmallSimulation.awaitTrue(() -> studio.spectators() == 3);
+                simulation.awaitTrue(() -> studio.spectators() == 3);
             }
 
             hanging.freeze();

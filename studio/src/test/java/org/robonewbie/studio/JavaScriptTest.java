@@ -10,12 +10,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -23,18 +23,21 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.recording.RecordedCycle;
 import org.robonewbie.simulator.recording.RecordingReader;
 
 /** Runs the tests of the page's scripts, which live in {@code src/test/javascript}. */
 class JavaScriptTest {
-
-    private static final Path COMPILER = Path.of("node_modules", "typescript", "bin", "tsc");
 
     @Test
     void scriptsPassTheirTests(@TempDir Path folder) throws Exception {
@@ -42,6 +45,7 @@ class JavaScriptTest {
         writeFrame(folder);
         writeRobot(folder);
         writeRecording(folder);
+        WrittenTelemetry.write(folder.resolve("telemetry.json"));
         writeMotions(Files.createDirectory(folder.resolve("motions")));
 
         run(folder, List.of(node.toString(), "--test", "src/test/javascript/"));
@@ -49,14 +53,41 @@ class JavaScriptTest {
 
     @Test
     void scriptsHaveTheTypesThatTheySay(@TempDir Path folder) throws Exception {
-        Path node = Tool.NODE.orSkip();
-        boolean installed = Files.exists(COMPILER);
-        if (!installed) {
-            System.out.println("SKIPPED: the types of the scripts are not checked; run npm install in studio first.");
-        }
-        Assumptions.assumeTrue(installed, "TypeScript is not installed");
+        run(folder, nodeTool("typescript/bin/tsc", "--project", "jsconfig.json"));
+    }
 
-        run(folder, List.of(node.toString(), COMPILER.toString(), "--project", "jsconfig.json"));
+    @Test
+    void scriptsPassTheLinter(@TempDir Path folder) throws Exception {
+        run(folder, nodeTool("eslint/bin/eslint.js", "--max-warnings", "0", "."));
+    }
+
+    @Test
+    void scriptsPagesAndStyleSheetsAreFormatted(@TempDir Path folder) throws Exception {
+        run(folder, nodeTool("prettier/bin/prettier.cjs", "--check", "."));
+    }
+
+    @Test
+    void functionsAreShort(@TempDir Path folder) throws Exception {
+        requireNodeTool("typescript/bin/tsc");
+        run(folder, List.of(Tool.NODE.orSkip().toString(), "src/test/tools/function-lengths.js"));
+    }
+
+    /** The command line of a tool that {@code npm install} brings, or skips the test where it is not installed. */
+    private static List<String> nodeTool(String script, String... arguments) {
+        Path node = Tool.NODE.orSkip();
+        Path path = requireNodeTool(script);
+        return Stream.concat(Stream.of(node.toString(), path.toString()), Stream.of(arguments))
+                .toList();
+    }
+
+    private static Path requireNodeTool(String script) {
+        Path path = Path.of("node_modules").resolve(script);
+        boolean isRequired = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;
+        if (!Files.exists(path) && !isRequired) {
+            System.out.println("SKIPPED: " + script + " is not installed; run npm install in studio first.");
+        }
+        Assumptions.assumeTrue(isRequired || Files.exists(path), script + " is not installed");
+        return path;
     }
 
     private static void run(Path folder, List<String> command) throws IOException, InterruptedException {
@@ -96,7 +127,7 @@ class JavaScriptTest {
                     2,
                     2,
                     world.ballPosition(),
-                    world.ballOrientation(),
+                    world.ballRotation(),
                     world.robots(),
                     true,
                     SimulationControl.AS_FAST_AS_POSSIBLE,
@@ -115,10 +146,19 @@ class JavaScriptTest {
                     "scoreRight", snapshot.scoreRight(),
                     "linkPoses",
                             snapshot.robots().stream()
-                                    .map(robot -> robot.linkPoses())
+                                    .map(robot -> robot.body().limbs().links().stream()
+                                            .flatMap(JavaScriptTest::numbers)
+                                            .toList())
                                     .toList());
             Files.writeString(folder.resolve("truth.json"), new Gson().toJson(truth));
         }
+    }
+
+    /** A link's position and quaternion with SimSpark's axes, as the page has them. */
+    private static Stream<Double> numbers(Pose link) {
+        Vector3 place = link.position();
+        Rotation turn = SimSparkFrame.linkFromBody(link).rotation();
+        return Stream.of(place.x(), place.y(), place.z(), turn.w(), turn.x(), turn.y(), turn.z());
     }
 
     /** Writes the robot's description as the server gives it to pages. */
@@ -141,7 +181,7 @@ class JavaScriptTest {
         Path file = folder.resolve("run.rec");
         RecordedRun.write(file);
         List<Map<String, Object>> truth = new ArrayList<>();
-        try (RecordingReader reader = RecordingReader.open(file)) {
+        try (RecordingReader reader = RecordingFile.read(file)) {
             for (Optional<RecordedCycle> cycle = reader.next(); cycle.isPresent(); cycle = reader.next()) {
                 WorldSnapshot snapshot = cycle.get().snapshot();
                 Vector3 ball = snapshot.ballPosition();
@@ -151,11 +191,12 @@ class JavaScriptTest {
                         "ball", List.of(ball.x(), ball.y(), ball.z()),
                         "degrees",
                                 snapshot.robots().stream()
-                                        .map(robot -> robot.jointDegrees())
+                                        .map(robot -> robot.body().hingeDegrees())
                                         .toList(),
                         "torsos",
                                 snapshot.robots().stream()
-                                        .map(robot -> Arrays.copyOf(robot.linkPoses(), 7))
+                                        .map(robot ->
+                                                numbers(robot.body().torso()).toList())
                                         .toList()));
             }
         }
@@ -169,7 +210,7 @@ class JavaScriptTest {
             byte[] content = randomMotion(random);
             Path path = folder.resolve(i + ".txt");
             Files.write(path, content);
-            MotionFile file = MotionFile.load(path);
+            MotionFile file = MotionFiles.load(path);
             double angle = Math.round(random.nextDouble() * 1000) / 100.0;
             List<String> changed = new ArrayList<>();
             List<double[]> keyframes = new ArrayList<>();

@@ -11,9 +11,11 @@ import java.util.Optional;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.simulator.recording.RecordingShelf;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.studio.search.SearchBoard;
 import org.robonewbie.studio.search.SearchTask;
 
@@ -22,6 +24,7 @@ import org.robonewbie.studio.search.SearchTask;
  * lies on the page also on a small projector.
  */
 @InBrowser(width = 1024)
+@Tag("slow")
 class KeyboardPageTest {
 
     /** Notes which controls there are, what has had the focus, and what of it did not show a ring. */
@@ -70,7 +73,7 @@ class KeyboardPageTest {
         StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingShelf(folder, 1_000_000)));
         studio = StudioServer.start(
                 shown, 0, AccessToken.random(), folders, new SmallCourse(simulation, pitchOfTrial, shown));
-        simulation.pause();
+        simulation.order(new Order.Pause());
         simulation.start();
         pitchOfTrial.start();
     }

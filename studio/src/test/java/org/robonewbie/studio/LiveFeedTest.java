@@ -20,6 +20,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 
@@ -79,7 +80,7 @@ class LiveFeedTest {
 
     @Test
     void notMoreThanAboutTwentyFiveFramesComePerSecond() throws InterruptedException {
-        simulation.setSpeed(SimulationControl.AS_FAST_AS_POSSIBLE);
+        simulation.order(new Order.SetSpeed(SimulationControl.AS_FAST_AS_POSSIBLE));
         try (TestPage page = new TestPage(studio.address())) {
             page.nextFrame();
             long start = System.nanoTime();
@@ -119,7 +120,7 @@ class LiveFeedTest {
         try (TestPage frozen = new TestPage(studio.address());
                 TestPage lively = new TestPage(studio.address())) {
             frozen.nextFrame();
-            simulation.setSpeed(SimulationControl.AS_FAST_AS_POSSIBLE);
+            simulation.order(new Order.SetSpeed(SimulationControl.AS_FAST_AS_POSSIBLE));
             long start = simulation.latest().cycle();
             long reached = 0;
             while (reached < start + 200) {
@@ -152,7 +153,7 @@ class LiveFeedTest {
 
     @Test
     void unchangedWorldIsRepeatedOncePerSecond() throws InterruptedException {
-        simulation.pause();
+        simulation.order(new Order.Pause());
         try (TestPage page = new TestPage(studio.address())) {
             long paused = page.nextPausedCycle();
             page.nextFrame();
@@ -214,7 +215,7 @@ class LiveFeedTest {
 
     @Test
     void stepRunsSomeCycles() {
-        simulation.pause();
+        simulation.order(new Order.Pause());
         await(() -> simulation.latest().paused());
         long before = simulation.latest().cycle();
         try (TestPage page = new TestPage(studio.address())) {
@@ -250,7 +251,7 @@ class LiveFeedTest {
             page.send("{\"do\":\"placeRobot\",\"side\":\"left\",\"number\":1,\"x\":3,\"y\":2,\"z\":0.4,"
                     + "\"headingDegrees\":90}");
 
-            await(() -> simulation.latest().robots().get(0).linkPoses()[0] > 2.9);
+            await(() -> simulation.latest().robots().get(0).body().position().x() > 2.9);
         }
     }
 
@@ -325,7 +326,7 @@ class LiveFeedTest {
         await(() -> simulation.latest().cycle() >= cycle);
     }
 
-    private static void await(BooleanSupplier condition) {
-        SmallSimulation.awaitTrue(condition);
+    private void await(BooleanSupplier condition) {
+        simulation.awaitTrue(condition);
     }
 }

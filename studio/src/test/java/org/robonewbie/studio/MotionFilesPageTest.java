@@ -11,7 +11,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.simulator.recording.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingShelf;
 
 /** How motions come into the editor and out of it: files of Webots, a recorded run, and a browser that was killed. */
 @InBrowser
@@ -90,7 +90,7 @@ class MotionFilesPageTest {
             visitMotion(killed);
             killed.fill("[data-joint='NECK_PITCH']", "7.5");
             Path draft = folder.resolve(".studio").resolve("drafts").resolve("mine.txt");
-            SmallSimulation.awaitTrue(() -> Files.exists(draft));
+            simulation.awaitTrue(() -> Files.exists(draft));
         }
 
         visitMotion(browser);

@@ -15,7 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Motion;
-import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.protocol.order.Order;
 
 /** The motion editor as people have it: in a real browser, with files in a real folder. */
 @InBrowser
@@ -164,7 +165,7 @@ class MotionPageTest {
 
         browser.await("document.querySelector('#motion-room').textContent.includes('look-left')");
         Path postures = folder.resolve(".studio").resolve("poses.txt");
-        SmallSimulation.awaitTrue(() -> Files.exists(postures));
+        simulation.awaitTrue(() -> Files.exists(postures));
         assertThat(postures).content().contains("look-left");
     }
 
@@ -222,7 +223,7 @@ class MotionPageTest {
         browser.click("#accept");
         browser.await(STATE + ".name === 'my-first'");
 
-        Motion motion = MotionFile.load(folder.resolve("my-first.txt")).motion();
+        Motion motion = MotionFiles.load(folder.resolve("my-first.txt")).motion();
         assertThat(motion.keyframes()).hasSize(3);
         assertThat(motion.durationMillis()).isEqualTo(1240);
         assertThat(motion.keyframes().get(1).posture().degrees(Joint.NECK_YAW)).isEqualTo(30);
@@ -281,7 +282,7 @@ class MotionPageTest {
         browser.fill("[data-joint='NECK_PITCH']", "12.5");
         browser.await("document.querySelector('#file-name').textContent === 'mine •'");
         Path draft = folder.resolve(".studio").resolve("drafts").resolve("mine.txt");
-        SmallSimulation.awaitTrue(() -> Files.exists(draft));
+        simulation.awaitTrue(() -> Files.exists(draft));
 
         browser.visit("about:blank");
         open("mine");
@@ -342,15 +343,15 @@ class MotionPageTest {
     @Test
     void postureOfARunBecomesAKeyframe() throws IOException {
         openFile("500 " + STANDING + "\n");
-        simulation.step(150);
-        SmallSimulation.awaitTrue(() -> simulation.latest().paused());
-        SmallSimulation.awaitTrue(simulation::standsStill);
+        simulation.order(new Order.Step(150));
+        simulation.awaitTrue(() -> simulation.latest().paused());
+        simulation.awaitTrue(simulation::standsStill);
         browser.await("studio.state.frame?.cycle === " + simulation.latest().cycle());
 
         browser.click("#take-posture");
 
         browser.await(FRAMES + ".length === 2");
-        double knee = simulation.latest().robots().get(0).jointDegrees()[Joint.COUNT - 3];
+        double knee = simulation.latest().robots().get(0).body().hingeDegrees()[Joint.COUNT - 3];
         assertThat(number(FRAMES + "[1].degrees[9]")).isCloseTo(knee, within(0.1));
     }
 

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -14,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Walks the way of {@code docs/first-motion.md} and takes its pictures: to {@code target/pictures}, or where {@code
  * -Dstudio.pictures=../docs/images} says.
  */
+@Tag("slow")
 class MotionPictureTest {
 
     private static final String STATE = "studio.motion.editor.state";

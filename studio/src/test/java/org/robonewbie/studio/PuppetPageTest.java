@@ -12,8 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.monitor.FoulType;
-import org.robonewbie.simulator.recording.RecordingShelf;
-import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.MatchEvent;
@@ -123,6 +123,7 @@ class PuppetPageTest {
         browser.click("#scene-restore");
 
         browser.await("studio.state.frame.paused && " + angle + " > 78");
+        browser.await("document.body.innerText.includes('The world is exactly as it was.')");
         assertThat(browser.complaints()).isEmpty();
     }
 
@@ -135,6 +136,7 @@ class PuppetPageTest {
 
         browser.await("location.hash === '#field' && !studio.cursor.recorded && studio.state.frame?.paused"
                 + " && studio.state.frame.robots[0]?.torso[2] < 0.25");
+        browser.await("document.body.innerText.includes('The world is nearly as it was')");
         browser.await("document.querySelector('.team.left').textContent === 'Ada'");
         browser.await("document.querySelector('.score').textContent.replace(/\\s/g, '') === '1:0'");
     }

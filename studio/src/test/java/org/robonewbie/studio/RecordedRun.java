@@ -6,8 +6,9 @@ import java.util.Optional;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -47,9 +48,9 @@ final class RecordedRun implements AutoCloseable {
     static void write(Path file) throws IOException {
         try (RecordedRun run = new RecordedRun(file)) {
             run.cycles(60, "");
-            run.simulator.control().dropBall();
+            run.simulator.control().order(new Order.DropBall());
             run.cycles(5, "");
-            run.simulator.control().placeBall(new Vector3(6.1, 0, 0.1), Vector3.ZERO);
+            run.simulator.control().order(new Order.MoveBall(new Vector3(6.1, 0, 0.1), Vector3.ZERO));
             run.cycles(20, "").cycles(60, "(lle3 4)(rle3 4)(he1 1)").cycles(60, "");
         }
     }

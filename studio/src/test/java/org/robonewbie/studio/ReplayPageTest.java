@@ -3,17 +3,23 @@ package org.robonewbie.studio;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonElement;
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.simulator.recording.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingShelf;
 
 /** The replay as people have it: in a real browser, with a recording of the real simulator. */
 @InBrowser
@@ -203,7 +209,29 @@ class ReplayPageTest {
         browser.visit(file.toUri().toString());
         browser.await("player.replay.index > 5 && player.view.drawCalls > 0");
         browser.await("document.querySelector('.team.left').textContent === 'Ada'");
+        assertThat(number("player.view.renderer.domElement.clientWidth")).isEqualTo(1366);
+        assertThat(number("player.view.renderer.domElement.clientHeight")).isEqualTo(768);
+        assertThat(number("document.querySelector('#replay').getBoundingClientRect().top"))
+                .isBetween(500.0, 740.0);
+        assertThat(number("document.querySelector('#replay').getBoundingClientRect().bottom"))
+                .isLessThanOrEqualTo(768);
+        assertThat(grassIn(browser.screenshot())).isGreaterThan(0.15);
         assertThat(browser.complaints()).allMatch(text -> text.contains("file:"));
+    }
+
+    /** The share of a picture that is green. */
+    private static double grassIn(byte[] png) throws IOException {
+        BufferedImage picture = ImageIO.read(new ByteArrayInputStream(png));
+        int[] pixels = picture.getRGB(0, 0, picture.getWidth(), picture.getHeight(), null, 0, picture.getWidth());
+        return Arrays.stream(pixels)
+                .mapToObj(Color::new)
+                .mapToInt(colour -> isGreen(colour) ? 1 : 0)
+                .average()
+                .orElseThrow();
+    }
+
+    private static boolean isGreen(Color colour) {
+        return colour.getGreen() > Math.max(colour.getRed(), colour.getBlue()) + 25;
     }
 
     @Test
@@ -216,6 +244,7 @@ class ReplayPageTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void replayIsWorthAPicture() throws IOException {
         browser.visit(studio.address() + "&quality=high&theme=light#replay");

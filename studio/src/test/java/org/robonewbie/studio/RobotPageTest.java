@@ -9,10 +9,12 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.telemetry.BelievedPose;
 import org.robonewbie.protocol.telemetry.BelievedThing;
 import org.robonewbie.protocol.telemetry.Drawing;
@@ -56,7 +58,7 @@ class RobotPageTest {
     /** Says something again and again until the page shows it: what is no log is not kept for pages that come later. */
     private void tellUntil(String condition, TelemetryItem item) {
         double now = now();
-        SmallSimulation.awaitTrue(() -> {
+        simulation.awaitTrue(() -> {
             tell(1, now, item);
             return browser.evaluate("Boolean(" + condition + ")").getAsBoolean();
         });
@@ -64,7 +66,7 @@ class RobotPageTest {
 
     /** Stops the world, and returns when the page shows that it stands. */
     private void pause() {
-        simulation.pause();
+        simulation.order(new Order.Pause());
         browser.await("studio.state.frame.paused");
     }
 
@@ -111,7 +113,7 @@ class RobotPageTest {
         browser.await("studio.robot.watch.watched.endsWith('2')");
         browser.await("document.querySelectorAll('.joint-row').length === 24");
 
-        SmallSimulation.awaitTrue(() -> {
+        simulation.awaitTrue(() -> {
             tell(1, 1, new TelemetryItem.LogEntry("INFO", "one"));
             tell(2, 1, new TelemetryItem.LogEntry("INFO", "two"));
             return browser.evaluate("document.querySelector('.log').textContent.includes('two')")
@@ -130,7 +132,7 @@ class RobotPageTest {
                 "document.querySelectorAll('.map .drawing').length === 1",
                 new TelemetryItem.Picture(List.of(new Drawing.Circle(Vector3.ZERO, 1, "red"))));
 
-        simulation.resume();
+        simulation.order(new Order.Resume());
 
         browser.await("document.querySelectorAll('.map .drawing').length === 0");
     }
@@ -192,6 +194,7 @@ class RobotPageTest {
         browser.await("parseFloat(document.querySelector('#transport .seconds').textContent) > " + (then + 1));
     }
 
+    @Tag("slow")
     @Test
     void roomIsWorthAPicture() throws IOException {
         try (PlayingRobot robot = PlayingRobot.start();
@@ -208,7 +211,7 @@ class RobotPageTest {
                 browser.click("[data-value=\"" + value + "\"]");
             }
             browser.await("studio.robot.plots.moment.seconds > 4");
-            robot.simulator().control().pause();
+            robot.simulator().control().order(new Order.Pause());
             browser.await("studio.state.frame.paused && studio.robot.plots.moment.frame === studio.state.frame");
             List<BelievedThing> things = List.of(new BelievedThing("ball", new Vector3(1.9, -0.2, -0.4), 0.1, true));
             double now = browser.evaluate("studio.robot.plots.moment.seconds").getAsDouble();

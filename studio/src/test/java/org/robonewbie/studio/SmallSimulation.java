@@ -4,24 +4,25 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.simulator.physics.Pose;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -35,7 +36,8 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
     private final SoccerWorld world = new SoccerWorld(SoccerField.BEGINNER);
     private final List<Member> members = new CopyOnWriteArrayList<>();
     private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
-    private final ConcurrentLinkedQueue<Runnable> orders = new ConcurrentLinkedQueue<>();
+    private final LinkedBlockingQueue<Runnable> orders = new LinkedBlockingQueue<>();
+    private final Semaphore turns = new Semaphore(0);
     private final Thread clock = new Thread(this::run, "small-simulation");
     private final AtomicInteger cyclesToStep = new AtomicInteger();
     private volatile boolean open = true;
@@ -45,17 +47,6 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
     private volatile WorldSnapshot latest;
     private long cycle;
     private double gameTime;
-
-    /** Waits until something has happened, or until it is clear that it never will. */
-    static void awaitTrue(BooleanSupplier condition) {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-        while (!condition.getAsBoolean()) {
-            if (System.nanoTime() > end) {
-                throw new AssertionError("It did not happen within " + PATIENCE_SECONDS + " s.");
-            }
-            LockSupport.parkNanos(5_000_000);
-        }
-    }
 
     private record Member(
             Robot robot,
@@ -97,9 +88,7 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
 
     /** Runs some cycles at once, without the clock's thread. */
     WorldSnapshot afterCycles(int cycles) {
-        for (Runnable order = orders.poll(); order != null; order = orders.poll()) {
-            order.run();
-        }
+        obey();
         for (int i = 0; i < cycles; i++) {
             advance();
         }
@@ -116,12 +105,30 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
         return latest;
     }
 
+    /** Waits until something has happened, and looks for it after each turn of the simulation. */
+    void awaitTrue(BooleanSupplier condition) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        turns.drainPermits();
+        while (!condition.getAsBoolean()) {
+            if (!hasTurned() || System.nanoTime() > end) {
+                throw new AssertionError("It did not happen within " + PATIENCE_SECONDS + " s.");
+            }
+            turns.drainPermits();
+        }
+    }
+
+    private boolean hasTurned() {
+        try {
+            return turns.tryAcquire(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException isOver) {
+            throw new AssertionError(isOver);
+        }
+    }
+
     private void run() {
         long next = System.nanoTime();
         while (open) {
-            for (Runnable order = orders.poll(); order != null; order = orders.poll()) {
-                order.run();
-            }
+            obey();
             boolean stepping = cyclesToStep.getAndUpdate(n -> Math.max(0, n - 1)) > 0;
             if (!paused || stepping) {
                 advance();
@@ -129,11 +136,28 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
             WorldSnapshot ended = snapshot();
             observers.forEach(observer -> observer.cycleEnded(ended));
             latest = ended;
-            double wait = paused ? 5 * WorldSnapshot.CYCLE_SECONDS : WorldSnapshot.CYCLE_SECONDS / speed;
+            turns.release();
+            double wait = paused ? 5 * Cycle.SECONDS : Cycle.SECONDS / speed;
             next = Math.max(System.nanoTime(), next + (long) (1e9 * wait));
-            while (cyclesToStep.get() == 0 && orders.isEmpty() && System.nanoTime() < next) {
-                LockSupport.parkNanos(1_000_000);
+            awaitOrderUntil(next);
+        }
+    }
+
+    private void obey() {
+        for (Runnable order = orders.poll(); order != null; order = orders.poll()) {
+            order.run();
+        }
+    }
+
+    private void awaitOrderUntil(long nanoseconds) {
+        try {
+            Runnable order =
+                    cyclesToStep.get() > 0 ? null : orders.poll(nanoseconds - System.nanoTime(), TimeUnit.NANOSECONDS);
+            if (order != null) {
+                order.run();
             }
+        } catch (InterruptedException isOver) {
+            open = false;
         }
     }
 
@@ -141,7 +165,7 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
         members.forEach(SmallSimulation::holdPosture);
         world.step();
         cycle++;
-        gameTime += WorldSnapshot.CYCLE_SECONDS;
+        gameTime += Cycle.SECONDS;
     }
 
     private static void holdPosture(Member member) {
@@ -168,7 +192,7 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
                 0,
                 1,
                 world.ball().position(),
-                floats(world.ball().rotation().toQuaternion()),
+                world.ball().rotation().toTurn(),
                 robots(),
                 paused,
                 speed,
@@ -186,40 +210,14 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
     private List<RobotSnapshot> robots() {
         List<RobotSnapshot> robots = new ArrayList<>();
         for (Member member : members) {
-            NaoModel model = NaoModel.of(member.type());
-            float[] poses = new float[7 * model.links().size()];
-            for (int i = 0; i < model.links().size(); i++) {
-                putPose(member.robot().linkPose(i), poses, 7 * i);
-            }
-            float[] degrees = new float[model.hinges().size()];
-            for (int i = 0; i < degrees.length; i++) {
-                degrees[i] = (float) member.robot().jointDegrees(i);
-            }
             robots.add(new RobotSnapshot(
                     robots.size(),
                     member.team(),
                     Optional.of(member.side()),
                     member.number(),
-                    member.type(),
-                    poses,
-                    degrees));
+                    member.robot().body()));
         }
         return robots;
-    }
-
-    private static void putPose(Pose pose, float[] poses, int at) {
-        poses[at] = (float) pose.position().x();
-        poses[at + 1] = (float) pose.position().y();
-        poses[at + 2] = (float) pose.position().z();
-        System.arraycopy(floats(pose.rotation().toQuaternion()), 0, poses, at + 3, 4);
-    }
-
-    private static float[] floats(double[] values) {
-        float[] floats = new float[values.length];
-        for (int i = 0; i < values.length; i++) {
-            floats[i] = (float) values[i];
-        }
-        return floats;
     }
 
     /** Whether all steps that were asked for are done. */
@@ -233,64 +231,44 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
     }
 
     @Override
-    public void pause() {
-        paused = true;
+    public void order(Order order) {
+        if (order instanceof Order.Pause) {
+            paused = true;
+        } else if (order instanceof Order.Resume) {
+            paused = false;
+        } else if (order instanceof Order.Step step) {
+            paused = true;
+            cyclesToStep.addAndGet(step.cycles());
+            orders.add(() -> {}); // wakes the clock
+        } else if (order instanceof Order.SetSpeed set) {
+            speed = set.factor();
+        } else if (order instanceof Order.KickOff kickOff) {
+            playMode = kickOff.side().equals(Optional.of(TeamSide.LEFT))
+                    ? PlayMode.KICK_OFF_LEFT
+                    : PlayMode.KICK_OFF_RIGHT;
+        } else if (order instanceof Order.DropBall) {
+            playMode = PlayMode.PLAY_ON;
+        } else if (order instanceof Order.ChangePlayMode change) {
+            playMode = change.playMode();
+        } else {
+            orders.add(() -> move(order));
+        }
     }
 
-    @Override
-    public void resume() {
-        paused = false;
-    }
-
-    @Override
-    public void step(int cycles) {
-        paused = true;
-        cyclesToStep.addAndGet(cycles);
-    }
-
-    @Override
-    public void setSpeed(double factor) {
-        speed = factor;
-    }
-
-    @Override
-    public void reset() {
-        orders.add(() -> {
+    private void move(Order order) {
+        if (order instanceof Order.Reset) {
             gameTime = 0;
             playMode = PlayMode.BEFORE_KICK_OFF;
             world.ball().place(new Vector3(0, 0, world.ball().properties().radius()));
             members.forEach(SmallSimulation::putHome);
-        });
-    }
-
-    @Override
-    public void placeBall(Vector3 position, Vector3 velocity) {
-        orders.add(() -> {
-            world.ball().moveTo(position);
-            world.ball().setVelocity(velocity);
-        });
-    }
-
-    @Override
-    public void placeRobot(TeamSide side, int number, Vector3 position, double headingDegrees) {
-        orders.add(() -> members.stream()
-                .filter(member -> member.side() == side && member.number() == number)
-                .forEach(member -> member.robot().moveUpright(position, headingDegrees - 90)));
-    }
-
-    @Override
-    public void kickOff(TeamSide side) {
-        playMode = side == TeamSide.LEFT ? PlayMode.KICK_OFF_LEFT : PlayMode.KICK_OFF_RIGHT;
-    }
-
-    @Override
-    public void dropBall() {
-        playMode = PlayMode.PLAY_ON;
-    }
-
-    @Override
-    public void setPlayMode(PlayMode playMode) {
-        this.playMode = playMode;
+        } else if (order instanceof Order.MoveBall move) {
+            move.position().ifPresent(world.ball()::moveTo);
+            move.velocity().ifPresent(world.ball()::setVelocity);
+        } else if (order instanceof Order.PlaceRobot place) {
+            members.stream()
+                    .filter(member -> new PlayerNumber(member.side(), member.number()).equals(place.player()))
+                    .forEach(member -> member.robot().moveUpright(place.position(), place.headingDegrees() - 90));
+        }
     }
 
     @Override

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
-import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 

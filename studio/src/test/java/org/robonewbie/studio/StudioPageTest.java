@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -15,6 +16,7 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationControl;
 
 /** The studio as people have it: in a real browser, drawn by software. */
@@ -163,7 +165,7 @@ class StudioPageTest {
     @Test
     void resetBringsTheBallBack() {
         openStudioWithRobot();
-        simulation.placeBall(new Vector3(2, 1, 0.042), Vector3.ZERO);
+        simulation.order(new Order.MoveBall(new Vector3(2, 1, 0.042), Vector3.ZERO));
         await(() -> simulation.latest().ballPosition().x() > 1.9);
 
         browser.click("#reset");
@@ -203,8 +205,8 @@ class StudioPageTest {
 
         drag(onScreen("new studio.view.camera.position.constructor(...studio.view.crowd.poses[0])"), 60, 0);
 
-        await(() -> simulation.latest().robots().get(0).linkPoses()[0] > 0.3);
-        assertThat(simulation.latest().robots().get(0).linkPoses()[2]).isBetween(0.3f, 0.45f);
+        await(() -> simulation.latest().robots().get(0).body().position().x() > 0.3);
+        assertThat(simulation.latest().robots().get(0).body().position().z()).isBetween(0.3, 0.45);
     }
 
     private double[] onScreen(String vector) {
@@ -297,6 +299,7 @@ class StudioPageTest {
         });
     }
 
+    @Tag("slow")
     @Test
     void twentyTwoRobotsOfAllTypesNeedAtMostAHundredDrawCalls() {
         for (int i = 0; i < 22; i++) {
@@ -360,7 +363,7 @@ class StudioPageTest {
             Math.min(...[...document.querySelectorAll('body *')]
               .filter((one) => one.textContent.trim()).map((one) => parseFloat(getComputedStyle(one).fontSize)))""";
 
-    private static void await(BooleanSupplier condition) {
-        SmallSimulation.awaitTrue(condition);
+    private void await(BooleanSupplier condition) {
+        simulation.awaitTrue(condition);
     }
 }

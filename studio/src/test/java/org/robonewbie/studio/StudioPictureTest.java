@@ -9,15 +9,18 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.IntPredicate;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.order.Order;
 
 /**
  * Takes the picture of the README and looks whether everything is on it. The picture is written to {@code target/pictures};
  * {@code -Dstudio.pictures=../docs/images} writes it to the documentation.
  */
+@Tag("slow")
 class StudioPictureTest {
 
     private static final int WIDTH = 1280;
@@ -47,10 +50,10 @@ class StudioPictureTest {
                         .withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, -3.42, 0.1, -4, Posture.GREETING)
                         .withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 7, -4.7, 1.45, -60, Posture.STANDING);
                 Chromium browser = Chromium.open(WIDTH, HEIGHT)) {
-            simulation.placeBall(new Vector3(-3.0, -0.16, 0.042), Vector3.ZERO);
+            simulation.order(new Order.MoveBall(new Vector3(-3.0, -0.16, 0.042), Vector3.ZERO));
             simulation.afterCycles(150);
-            simulation.dropBall();
-            simulation.pause();
+            simulation.order(new Order.DropBall());
+            simulation.order(new Order.Pause());
             try (StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random())) {
                 browser.visit(studio.address() + "&quality=high&shadows=on&theme=light");
                 browser.await("studio.state.scene.robots.length === 2 && studio.state.frame");

@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.util.Locale;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.TeamSide;
@@ -35,12 +33,12 @@ class StudioSpeedMeasurement {
             browser.await("studio.state.scene?.robots.length === " + robots
                     + " && studio.state.frame && studio.view.drawCalls > 0");
             browser.evaluate("studio.desk.setMode('free')");
-            rest(SETTLING_SECONDS);
+            browser.rest(SETTLING_SECONDS);
             browser.evaluate(COUNT_PICTURES);
             long cycle = simulation.latest().cycle();
             double work = browser.processorSeconds();
             long start = System.nanoTime();
-            rest(MEASURED_SECONDS);
+            browser.rest(MEASURED_SECONDS);
             double seconds = (System.nanoTime() - start) / 1e9;
             int pictures = browser.evaluate("window.pictures").getAsInt();
             double factor = (simulation.latest().cycle() - cycle) * 0.02 / seconds;
@@ -74,12 +72,5 @@ class StudioSpeedMeasurement {
             simulation.withRobot(RobotType.TYPE_0, side, i % 11 + 1, x, y, heading, Posture.STANDING);
         }
         return simulation;
-    }
-
-    private static void rest(int seconds) {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds);
-        while (System.nanoTime() < end) {
-            LockSupport.parkNanos(50_000_000);
-        }
     }
 }

@@ -15,8 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
-import org.robonewbie.simulator.Viewer;
-import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 

@@ -29,7 +29,7 @@ class ThreeViewersTest {
                 TestPage lively = new TestPage(studio.address());
                 ClosedLid closed = new ClosedLid(studio.address())) {
             frozen.nextFrame();
-            SmallSimulation.awaitTrue(() -> studio.spectators() == 3);
+            simulation.awaitTrue(() -> studio.spectators() == 3);
             long start = TestPage.cycleOf(lively.nextFrame());
             lively.seen();
             List<Long> behind = new ArrayList<>();

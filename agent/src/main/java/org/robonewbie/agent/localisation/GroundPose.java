@@ -2,6 +2,7 @@ package org.robonewbie.agent.localisation;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
  * A place on the ground and a direction, in a frame with x forward and y to the left.
@@ -25,32 +26,32 @@ public record GroundPose(double x, double y, double headingDegrees) {
      */
     public GroundPose moved(double forward, double left, double turnDegrees) {
         Vector3 place = toFrame(new Vector3(forward, left, 0));
-        return new GroundPose(place.x(), place.y(), Math.IEEEremainder(headingDegrees + turnDegrees, 360));
+        return new GroundPose(place.x(), place.y(), PortableMath.IEEEremainder(headingDegrees + turnDegrees, 360));
     }
 
     /**
-     * Says where something is that was seen from here.
+     * Converts a point that was seen from here.
      *
-     * @param seen x forward, y left of who stands here, in metres; the height stays
+     * @param seen x forward, y left of this pose, in metres; the height stays
      * @return the same point in the frame of this pose
      */
     public Vector3 toFrame(Vector3 seen) {
-        double heading = Math.toRadians(headingDegrees);
-        double cos = Math.cos(heading);
-        double sin = Math.sin(heading);
+        double heading = PortableMath.toRadians(headingDegrees);
+        double cos = PortableMath.cos(heading);
+        double sin = PortableMath.sin(heading);
         return new Vector3(x + cos * seen.x() - sin * seen.y(), y + sin * seen.x() + cos * seen.y(), seen.z());
     }
 
     /**
-     * Says where something is for who stands here.
+     * Converts a point to the view from here.
      *
      * @param point a point in the frame of this pose, in metres; the height stays
-     * @return x forward, y left of who stands here
+     * @return x forward, y left of this pose
      */
     public Vector3 fromFrame(Vector3 point) {
-        double heading = Math.toRadians(headingDegrees);
-        double cos = Math.cos(heading);
-        double sin = Math.sin(heading);
+        double heading = PortableMath.toRadians(headingDegrees);
+        double cos = PortableMath.cos(heading);
+        double sin = PortableMath.sin(heading);
         double dx = point.x() - x;
         double dy = point.y() - y;
         return new Vector3(cos * dx + sin * dy, cos * dy - sin * dx, point.z());
@@ -64,11 +65,11 @@ public record GroundPose(double x, double y, double headingDegrees) {
      * @return the pose between
      */
     public GroundPose towards(GroundPose other, double share) {
-        double turn = Math.IEEEremainder(other.headingDegrees - headingDegrees, 360);
+        double turn = PortableMath.IEEEremainder(other.headingDegrees - headingDegrees, 360);
         return new GroundPose(
                 x + share * (other.x - x),
                 y + share * (other.y - y),
-                Math.IEEEremainder(headingDegrees + share * turn, 360));
+                PortableMath.IEEEremainder(headingDegrees + share * turn, 360));
     }
 
     @Override

@@ -1,29 +1,31 @@
 package org.robonewbie.agent.localisation;
 
 import java.util.Arrays;
-import org.robonewbie.agent.NaoBody;
+import org.robonewbie.agent.Robot;
 import org.robonewbie.agent.perception.FieldItem;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyPoses;
+import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Adds up how far the robot has walked and turned: the foot that carries it stands still, so the torso moves as the joints of
- * that leg say; the gyroscope tells the turns. Feet slip, so the sum drifts by and by, but over a few seconds it is good.
+ * Estimates how far the robot has walked and turned: the support foot does not move, so the torso moves as the joints of that
+ * leg show; the gyroscope measures the turns. Feet slip, so the estimate drifts, but over a few seconds it is good.
  *
  * <pre>{@code
  * odometry.update(nao);                                      // in each cycle
- * Vector3 ball = odometry.positionNow(fieldView.ball());     // after the own movement since it was seen
+ * Vector3 ball = odometry.positionNow(fieldView.ball());     // after the movement since it was seen
  * }</pre>
  */
 public final class Odometry {
 
-    private static final double CYCLE_SECONDS = 0.02;
     private static final int MEMORY_CYCLES = 3000;
     private static final Joint[] JOINTS = Joint.values();
 
@@ -44,13 +46,13 @@ public final class Odometry {
      *
      * @param nao the robot
      */
-    public void update(NaoBody nao) {
+    public void update(Robot nao) {
         BodyPoses body = kinematics.poses(posture(nao));
         GroundPose now = torsoOn(body, support);
         boolean standing = begun && !nao.isFallen();
         Vector3 step = standing ? torsoOnSupport.fromFrame(new Vector3(now.x(), now.y(), 0)) : Vector3.ZERO;
         begun = true;
-        pose = pose.moved(step.x(), step.y(), nao.getGyro().z() * CYCLE_SECONDS);
+        pose = pose.moved(step.x(), step.y(), nao.getGyro().z() * Cycle.SECONDS);
         history[index(nao.getTime())] = pose;
         support = nao.getLeftFootPressure().force().z()
                         >= nao.getRightFootPressure().force().z()
@@ -59,17 +61,13 @@ public final class Odometry {
         torsoOnSupport = torsoOn(body, support);
     }
 
-    /**
-     * Tells how far the robot has moved.
-     *
-     * @return its pose in the frame of the place where this odometry began
-     */
+    /** {@return how far the robot has moved: its pose in the frame of the place where this odometry began} */
     public GroundPose pose() {
         return pose;
     }
 
     /**
-     * Says where something is now that was seen some time ago and has not moved, for up to a minute.
+     * Returns where something is now that was seen some time ago and has not moved, for up to a minute.
      *
      * @param item something that is known
      * @return metres from the head: x forward, y left, z up
@@ -80,10 +78,10 @@ public final class Odometry {
     }
 
     private static int index(double seconds) {
-        return Math.floorMod(Math.round(seconds / CYCLE_SECONDS), MEMORY_CYCLES);
+        return Math.floorMod(PortableMath.round(seconds / Cycle.SECONDS), MEMORY_CYCLES);
     }
 
-    private static Posture posture(NaoBody nao) {
+    private static Posture posture(Robot nao) {
         return Posture.of(Arrays.stream(JOINTS).mapToDouble(nao::getJointAngle).toArray());
     }
 
@@ -91,7 +89,6 @@ public final class Odometry {
     private static GroundPose torsoOn(BodyPoses body, Leg leg) {
         Pose torso = body.foot(leg).inverse();
         Vector3 forward = torso.rotation().apply(new Vector3(1, 0, 0));
-        return new GroundPose(
-                torso.position().x(), torso.position().y(), Math.toDegrees(Math.atan2(forward.y(), forward.x())));
+        return new GroundPose(torso.position().x(), torso.position().y(), BodyState.headingDegrees(forward));
     }
 }

@@ -2,22 +2,23 @@ package org.robonewbie.agent.localisation;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robonewbie.agent.NaoBody;
+import org.robonewbie.agent.Robot;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.agent.perception.LocalFieldView;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Finds out where on the pitch the robot is: {@link Odometry} carries the last pose on, and each picture with landmarks pulls it
- * to where they say the robot must be. Two landmarks tell all, by the best rigid fit of what is seen to the map; a single one
- * tells the place if the direction is known.
+ * Estimates where on the pitch the robot is: {@link Odometry} advances the last pose, and each picture with landmarks pulls it
+ * to where they show the robot to be. Two landmarks determine the pose, by the best rigid fit of what is seen to the map; a
+ * single one determines the position if the heading is known.
  *
- * <p>Which pitch it is, it finds out too: no two of the known pitches have their goal posts and flags at the same distances.
+ * <p>It also finds out which pitch it is: no two of the known pitches have their goal posts and flags at the same distances.
  *
- * <p>Coordinates are those of the own team: x towards the opponents' goal, y to the left, the origin in the centre spot.
+ * <p>Coordinates are those of the robot's team: x towards the opponents' goal, y to the left, the origin in the centre spot.
  *
  * <pre>{@code
  * private final SelfLocalisation self = new SelfLocalisation();
@@ -71,7 +72,7 @@ public final class SelfLocalisation {
      * @param nao the robot
      * @param view what it sees
      */
-    public void update(NaoBody nao, LocalFieldView view) {
+    public void update(Robot nao, LocalFieldView view) {
         nowSeconds = nao.getTime();
         odometry.update(nao);
         GroundPose now = odometry.pose();
@@ -85,56 +86,36 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Says where the robot believes to be from now on, after a beam for example.
+     * Sets where the robot believes to be, after a beam for example.
      *
-     * @param newPose in the own team's coordinates
+     * @param newPose in the coordinates of the robot's team
      */
     public void setPose(GroundPose newPose) {
         pose = newPose;
         known = true;
     }
 
-    /**
-     * Tells where the robot is.
-     *
-     * @return its pose in the own team's coordinates; the centre spot until it has seen two landmarks at once
-     */
+    /** {@return the robot's pose in the coordinates of its team; the centre spot until it has seen two landmarks at once} */
     public GroundPose pose() {
         return pose;
     }
 
-    /**
-     * Tells on which pitch the robot is.
-     *
-     * @return the pitch; that of the beginners until two landmarks were seen at once
-     */
+    /** {@return the pitch; that of the beginners until two landmarks were seen at once} */
     public SoccerField field() {
         return field;
     }
 
-    /**
-     * Tells whether the pose is more than a guess.
-     *
-     * @return whether two landmarks were seen at once, or somebody has set the pose
-     */
+    /** {@return whether the pose is more than a guess: two landmarks were seen at once, or it was set} */
     public boolean isKnown() {
         return known;
     }
 
-    /**
-     * Tells how long the robot has been walking blindly.
-     *
-     * @return seconds since a landmark has confirmed the pose; infinite if none has
-     */
+    /** {@return seconds since a landmark has confirmed the pose; infinite if none has} */
     public double ageSeconds() {
         return nowSeconds - seenSeconds;
     }
 
-    /**
-     * Gives access to the movement alone.
-     *
-     * @return the odometry, kept up to date by this class
-     */
+    /** {@return the movement alone, kept up to date by this class} */
     public Odometry odometry() {
         return odometry;
     }
@@ -210,7 +191,7 @@ public final class SelfLocalisation {
             along += weight(sighting) * (seen.x() * map.x() + seen.y() * map.y());
             across += weight(sighting) * (seen.x() * map.y() - seen.y() * map.x());
         }
-        GroundPose turned = new GroundPose(0, 0, Math.toDegrees(Math.atan2(across, along)));
+        GroundPose turned = new GroundPose(0, 0, PortableMath.toDegrees(PortableMath.atan2(across, along)));
         Vector3 offset = mapMiddle.minus(turned.toFrame(seenMiddle));
         return new GroundPose(offset.x(), offset.y(), turned.headingDegrees());
     }

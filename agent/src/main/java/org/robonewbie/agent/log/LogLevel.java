@@ -2,12 +2,12 @@ package org.robonewbie.agent.log;
 
 /** How important a line of the log is, from the least to the most important. */
 public enum LogLevel {
-    /** Details for the search of an error. */
+    /** Details for debugging. */
     DEBUG,
     /** What happens. */
     INFO,
-    /** Something is odd, the robot goes on. */
+    /** Something is odd; the robot continues. */
     WARNING,
-    /** Something is wrong, the robot goes on as well as it can. */
+    /** Something is wrong; the robot continues as well as it can. */
     ERROR
 }

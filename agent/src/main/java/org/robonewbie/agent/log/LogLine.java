@@ -12,7 +12,7 @@ import java.util.Locale;
 public record LogLine(double seconds, LogLevel level, String text) {
 
     /**
-     * Shows the entry as it is printed; further lines of the text are indented.
+     * Returns the entry as it is printed; further lines of the text are indented.
      *
      * @return such as {@code   12.34  INFO     ball at 1.20 m}
      */

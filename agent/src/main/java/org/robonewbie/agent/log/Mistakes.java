@@ -31,7 +31,7 @@ public final class Mistakes {
     }
 
     /**
-     * Sets the clock; the framework does this in each cycle.
+     * Sets the clock.
      *
      * @param seconds simulated time in seconds
      */
@@ -40,9 +40,9 @@ public final class Mistakes {
     }
 
     /**
-     * Lets somebody read along.
+     * Sets the listener for mistakes.
      *
-     * @param listener takes each mistake that is reported from now on
+     * @param listener called for each mistake that is reported from now on
      */
     public synchronized void setListener(Consumer<LogLine> listener) {
         this.listener = listener;
@@ -76,11 +76,7 @@ public final class Mistakes {
         }
     }
 
-    /**
-     * Lists the mistakes so far.
-     *
-     * @return the reported lines, oldest first
-     */
+    /** {@return the reported lines, oldest first} */
     public synchronized List<String> reported() {
         return List.copyOf(reported);
     }

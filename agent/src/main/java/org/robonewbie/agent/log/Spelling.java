@@ -3,11 +3,16 @@ package org.robonewbie.agent.log;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.Locale;
 import java.util.Optional;
 
-/** Finds out what was probably meant by a misspelt word. */
+/**
+ * Finds what was probably meant by a misspelt word: one that contains what was written, else the one with the smallest edit
+ * distance (Levenshtein, 1965).
+ */
 public final class Spelling {
 
+    private static final int SHORTEST_PART = 3;
     private static final int MOST_WRONG_LETTERS = 2;
 
     private Spelling() {}
@@ -20,9 +25,20 @@ public final class Spelling {
      * @return the most similar word; empty if none is near
      */
     public static Optional<String> nearest(String misspelt, Collection<String> words) {
+        return containing(misspelt.toLowerCase(Locale.ROOT), words).or(() -> similar(misspelt, words));
+    }
+
+    private static Optional<String> containing(String part, Collection<String> words) {
         return words.stream()
-                .filter(word -> distance(word, misspelt) <= MOST_WRONG_LETTERS)
-                .min(Comparator.comparingInt(word -> distance(word, misspelt)));
+                .filter(word -> part.length() >= SHORTEST_PART
+                        && word.toLowerCase(Locale.ROOT).contains(part))
+                .min(Comparator.comparingInt(String::length));
+    }
+
+    private static Optional<String> similar(String misspelt, Collection<String> words) {
+        return words.stream()
+                .min(Comparator.comparingInt(word -> distance(word, misspelt)))
+                .filter(word -> distance(word, misspelt) <= Math.max(MOST_WRONG_LETTERS, word.length() / 2));
     }
 
     /** Levenshtein's distance: how many letters must be changed, added or taken away. */

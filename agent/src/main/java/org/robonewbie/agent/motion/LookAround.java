@@ -1,10 +1,13 @@
 package org.robonewbie.agent.motion;
 
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.motion.Motors;
 
 /**
- * Lets the head circle smoothly from side to side, down on the way out and up on the way back, so that the camera sees from
- * its own feet to the goals and nearly 240° around. It needs only the neck, so the body can play any motion meanwhile.
+ * Circles the head smoothly from side to side, down on the way out and up on the way back, so that the camera sees from its own
+ * feet to the goals and nearly 240° around. It needs only the neck, so the body can play any motion meanwhile.
  *
  * <pre>{@code
  * private final LookAround lookAround = new LookAround(motors);
@@ -36,10 +39,10 @@ public final class LookAround {
 
     /** Moves the head on by one cycle; call it in each cycle, and not at all to leave the head alone. */
     public void look() {
-        double phase = 2 * Math.PI * cycle * Motors.CYCLE_SECONDS / ROUND_SECONDS;
+        double phase = 2 * Math.PI * cycle * Cycle.SECONDS / ROUND_SECONDS;
         cycle++;
-        motors.setTarget(Joint.NECK_YAW, YAW_DEGREES * Math.sin(phase), MAX_DEGREES_PER_SECOND);
-        double pitch = LEVEL_DEGREES - PITCH_DEGREES * Math.cos(phase);
+        motors.setTarget(Joint.NECK_YAW, YAW_DEGREES * PortableMath.sin(phase), MAX_DEGREES_PER_SECOND);
+        double pitch = LEVEL_DEGREES - PITCH_DEGREES * PortableMath.cos(phase);
         motors.setTarget(Joint.NECK_PITCH, pitch, MAX_DEGREES_PER_SECOND);
     }
 }

@@ -20,29 +20,29 @@ final class MotionStates {
     private String state = STANDING;
     private String lastMotion = "";
 
-    /** Nobody knows in which posture the robot is, but no motion is going on. */
+    /** The robot's posture is unknown, but no motion is running. */
     void reset() {
         state = STANDING;
         lastMotion = "";
     }
 
-    /** A motion goes on to its end. */
+    /** A motion has run to its end. */
     void ended(MotionFile file) {
         state = endOf(file);
         lastMotion = nameOf(file);
     }
 
-    /** Tells whether the robot will be in the stance. */
+    /** Whether the robot will be in the stance. */
     boolean isStance() {
         return state.equals(STANCE);
     }
 
-    /** Tells whether a motion can start now. Without a word about it, it starts whenever the robot stands still. */
+    /** Whether a motion can start now. Without a comment about it, it starts whenever the robot stands. */
     boolean canStart(MotionFile file) {
         return canStart(file, state, lastMotion);
     }
 
-    /** Tells whether a motion can start as soon as another one has ended. */
+    /** Whether a motion can start as soon as another one has ended. */
     static boolean canStartAfter(MotionFile before, MotionFile file) {
         return canStart(file, endOf(before), nameOf(before));
     }
@@ -60,7 +60,7 @@ final class MotionStates {
         return false;
     }
 
-    /** Tells whether a motion makes sense only on the feet, by its own words. */
+    /** Whether a motion makes sense only on the feet, by its own comments. */
     static boolean needsFeet(MotionFile file) {
         return file.property("start").filter(start -> !start.startsWith(LYING)).isPresent();
     }

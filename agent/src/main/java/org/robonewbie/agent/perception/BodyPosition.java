@@ -13,11 +13,7 @@ public enum BodyPosition {
     /** The robot lies on its right side. */
     LYING_ON_RIGHT_SIDE;
 
-    /**
-     * Tells whether the robot has to get up.
-     *
-     * @return whether this is anything but upright
-     */
+    /** {@return whether the robot has to get up: this is anything but upright} */
     public boolean isFallen() {
         return this != UPRIGHT;
     }

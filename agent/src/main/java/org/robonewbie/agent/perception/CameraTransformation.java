@@ -2,11 +2,12 @@ package org.robonewbie.agent.perception;
 
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Turns what the camera in the turned head sees into what a head that looks straight ahead would see. Write your own if you
- * know better.
+ * Converts what the camera in the turned head sees to what a head that looks straight ahead would see. Implement it to try a
+ * better one.
  */
 @FunctionalInterface
 public interface CameraTransformation {
@@ -32,17 +33,17 @@ public interface CameraTransformation {
     };
 
     /**
-     * Turns a direction from the camera's view into the view straight ahead.
+     * Converts a direction from the camera's view to the view straight ahead.
      *
      * @param seen where the camera sees something; bearing 0 is where the head looks
-     * @param neckYawDegrees how far the head is turned; positive is left
-     * @param neckPitchDegrees how far the head is lifted; positive is up
-     * @return where it is against the torso
+     * @param neckYawDegrees angle of the neck; positive is left
+     * @param neckPitchDegrees angle of the neck; positive is up
+     * @return its direction relative to the torso
      */
     Direction toFacingForward(Direction seen, double neckYawDegrees, double neckPitchDegrees);
 
     /** The same angle from -180 to 180 degrees. */
     private static double normalized(double degrees) {
-        return Math.IEEEremainder(degrees, 360);
+        return PortableMath.IEEEremainder(degrees, 360);
     }
 }

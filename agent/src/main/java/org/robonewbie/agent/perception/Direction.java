@@ -2,6 +2,7 @@ package org.robonewbie.agent.perception;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
  * Where something is, as the robot would see it if it looked straight ahead.
@@ -21,8 +22,8 @@ public record Direction(double distance, double bearing, double elevation) {
     public static Direction of(Vector3 point) {
         return new Direction(
                 point.length(),
-                Math.toDegrees(Math.atan2(point.y(), point.x())),
-                Math.toDegrees(Math.atan2(point.z(), Math.hypot(point.x(), point.y()))));
+                PortableMath.toDegrees(PortableMath.atan2(point.y(), point.x())),
+                PortableMath.toDegrees(PortableMath.atan2(point.z(), PortableMath.hypot(point.x(), point.y()))));
     }
 
     /**
@@ -31,9 +32,13 @@ public record Direction(double distance, double bearing, double elevation) {
      * @return x forward, y left, z up, seen from the centre of the head, in metres
      */
     public Vector3 toPoint() {
-        double b = Math.toRadians(bearing);
-        double e = Math.toRadians(elevation);
-        return new Vector3(Math.cos(b) * Math.cos(e), Math.sin(b) * Math.cos(e), Math.sin(e)).times(distance);
+        double b = PortableMath.toRadians(bearing);
+        double e = PortableMath.toRadians(elevation);
+        return new Vector3(
+                        PortableMath.cos(b) * PortableMath.cos(e),
+                        PortableMath.sin(b) * PortableMath.cos(e),
+                        PortableMath.sin(e))
+                .times(distance);
     }
 
     @Override

@@ -1,5 +1,9 @@
 package org.robonewbie.agent.perception;
 
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.math.PortableMath;
+
 /**
  * Feels with the accelerometer which way is up. At rest the accelerometer points away from the ground with 9.81 m/s²; the
  * knocks of walking feet are much stronger but short, so they are cut off and smoothed away.
@@ -7,9 +11,8 @@ package org.robonewbie.agent.perception;
 public final class FallDetector {
 
     private static final double SMOOTHING_SECONDS = 0.2;
-    private static final double CYCLE_SECONDS = 0.02;
     private static final double STRONGEST = 20;
-    private static final double COSINE_OF_FALL = Math.cos(Math.toRadians(60));
+    private static final double COSINE_OF_FALL = PortableMath.cos(PortableMath.toRadians(BodyState.FALLEN_DEGREES));
     private static final double GRAVITY = 9.81;
 
     /** The way up as the torso feels it, smoothed: its parts forward, to the left and along the torso. */
@@ -27,15 +30,15 @@ public final class FallDetector {
      * @param torso what the accelerometer feels; what is no number is ignored
      */
     public void feel(TorsoMotion torso) {
-        double strength = torso.strength();
+        double strength = torso.acceleration().length();
         if (!Double.isFinite(strength)) {
             return;
         }
         double bound = strength > STRONGEST ? STRONGEST / strength : 1;
-        double share = CYCLE_SECONDS / SMOOTHING_SECONDS;
-        forward += share * (bound * torso.forward() - forward);
-        left += share * (bound * torso.left() - left);
-        up += share * (bound * torso.up() - up);
+        double share = Cycle.SECONDS / SMOOTHING_SECONDS;
+        forward += share * (bound * torso.acceleration().x() - forward);
+        left += share * (bound * torso.acceleration().y() - left);
+        up += share * (bound * torso.acceleration().z() - up);
     }
 
     /** Believes the robot to stand, after it was put somewhere else. */
@@ -45,21 +48,13 @@ public final class FallDetector {
         up = GRAVITY;
     }
 
-    /**
-     * Tells how far the torso leans.
-     *
-     * @return degrees between the torso and the direction away from the ground, 0 to 180
-     */
+    /** {@return degrees between the torso and the direction away from the ground, 0 to 180} */
     public double tiltDegrees() {
         double length = length();
-        return length == 0 ? 0 : Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, up / length))));
+        return length == 0 ? 0 : PortableMath.toDegrees(PortableMath.acos(Math.max(-1, Math.min(1, up / length))));
     }
 
-    /**
-     * Tells how the robot is.
-     *
-     * @return upright, or on which side it lies
-     */
+    /** {@return upright, or the side on which the robot lies} */
     public BodyPosition bodyPosition() {
         if (up >= COSINE_OF_FALL * length()) {
             return BodyPosition.UPRIGHT;

@@ -6,8 +6,8 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.perceptor.PolarPosition;
 
 /**
- * Something on the field as the robot remembers it: seen now, some time ago, or never. The object stays the same and changes
- * by itself with each picture of the camera, so it can be kept.
+ * An object on the field as the robot remembers it: seen now, some time ago, or never. The instance stays the same and is
+ * updated with each picture of the camera, so you can keep it.
  *
  * <p>All directions are those of a robot that looks straight ahead; they are as old as the last sighting and do not follow the
  * robot's own movement since then.
@@ -51,7 +51,7 @@ public class FieldItem {
         this.mistakes = mistakes;
     }
 
-    /** Keeps what the camera sees; the direction is calculated when somebody asks, since of most things nobody does. */
+    /** Keeps what the camera sees; the direction is calculated on demand, since most directions are never asked for. */
     void see(PolarPosition newSighting) {
         sighting = newSighting;
         yawDegrees = vision.yawDegrees;
@@ -89,76 +89,44 @@ public class FieldItem {
         return transformation.toFacingForward(direction, yawDegrees, pitchDegrees);
     }
 
-    /**
-     * Tells whether there is something to remember.
-     *
-     * @return whether this was seen at least once since the start or the last beam
-     */
+    /** {@return whether this was seen at least once since the start or the last beam} */
     public final boolean isKnown() {
         return seenSeconds > Double.NEGATIVE_INFINITY;
     }
 
-    /**
-     * Tells whether the camera sees this now.
-     *
-     * @return whether it was in the last picture; the camera takes one in each third cycle
-     */
+    /** {@return whether this was in the last picture; the camera takes one in each third cycle} */
     public final boolean isVisible() {
         return isKnown() && seenSeconds == vision.pictureSeconds && ageSeconds() < 0.1;
     }
 
-    /**
-     * Tells how old the memory is.
-     *
-     * @return seconds since this was last seen; infinite if it never was
-     */
+    /** {@return seconds since this was last seen; infinite if it never was} */
     public final double ageSeconds() {
         return vision.nowSeconds - seenSeconds;
     }
 
-    /**
-     * Tells when this was last seen.
-     *
-     * @return simulated time in seconds, as {@code nao.getTime()}; minus infinity if it was never seen
-     */
+    /** {@return when this was last seen, in simulated seconds as {@code nao.getTime()}; minus infinity if it never was} */
     public final double lastSeenSeconds() {
         return seenSeconds;
     }
 
-    /**
-     * Tells how far away this is.
-     *
-     * @return metres from the centre of the head; infinite if it was never seen
-     */
+    /** {@return metres from the centre of the head; infinite if this was never seen} */
     public final double distance() {
         return direction().distance();
     }
 
-    /**
-     * Tells how far the robot has to turn to face this.
-     *
-     * @return degrees, positive is left; 0 and a report if it was never seen
-     */
+    /** {@return degrees that the robot has to turn to face this, positive is left; 0 and a report if it was never seen} */
     public final double bearing() {
         checkKnown("bearing");
         return direction().bearing();
     }
 
-    /**
-     * Tells how high this is seen.
-     *
-     * @return degrees above the level of the head, negative is below; 0 and a report if it was never seen
-     */
+    /** {@return degrees above the level of the head, negative is below; 0 and a report if this was never seen} */
     public final double elevation() {
         checkKnown("elevation");
         return direction().elevation();
     }
 
-    /**
-     * Tells where this is.
-     *
-     * @return metres from the centre of the head: x forward, y left, z up; the origin and a report if it was never seen
-     */
+    /** {@return metres from the centre of the head: x forward, y left, z up; the origin and a report if this was never seen} */
     public final Vector3 position() {
         checkKnown("position");
         return isKnown() ? direction().toPoint() : Vector3.ZERO;

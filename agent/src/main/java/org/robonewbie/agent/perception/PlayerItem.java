@@ -44,35 +44,23 @@ public final class PlayerItem extends FieldItem {
         return count == 0 ? super.calculatedDirection() : Direction.of(new Vector3(x / count, y / count, z / count));
     }
 
-    /**
-     * Names the robot's team.
-     *
-     * @return the team's name
-     */
+    /** {@return the name of the robot's team} */
     public String team() {
         return team;
     }
 
-    /**
-     * Tells the number on the robot's shirt.
-     *
-     * @return 1 to 11; 0 if it has none yet
-     */
+    /** {@return the number on the robot's shirt, 1 to 11; 0 if it has none yet} */
     public int number() {
         return number;
     }
 
-    /**
-     * Tells friend from foe.
-     *
-     * @return whether the robot plays for the own team
-     */
+    /** {@return whether the robot plays for the same team} */
     public boolean isTeamMate() {
         return teamMate;
     }
 
     /**
-     * Looks at one part of the robot's body.
+     * Returns one part of the robot's body.
      *
      * @param part which part
      * @return the part, known or not

@@ -1,6 +1,9 @@
 package org.robonewbie.agent.walk;
 
 import org.robonewbie.agent.perception.TorsoMotion;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
  * The sense of balance: how the torso leans, from gyro and accelerometer. The gyro's turning is added up cycle by cycle; since
@@ -9,7 +12,6 @@ import org.robonewbie.agent.perception.TorsoMotion;
  */
 final class Balance {
 
-    private static final double CYCLE_SECONDS = 0.02;
     private static final double TRUST_SECONDS = 0.8;
     private static final double RATE_SMOOTHING = 0.4;
     private static final double WEAKEST = 5;
@@ -22,15 +24,16 @@ final class Balance {
 
     /** Takes in the readings of a cycle. */
     void feel(TorsoMotion torso) {
-        pitchDegrees += torso.pitchRate() * CYCLE_SECONDS;
-        rollDegrees += torso.rollRate() * CYCLE_SECONDS;
-        pitchRate += RATE_SMOOTHING * (torso.pitchRate() - pitchRate);
-        rollRate += RATE_SMOOTHING * (torso.rollRate() - rollRate);
-        double strength = torso.strength();
+        pitchDegrees += torso.gyro().y() * Cycle.SECONDS;
+        rollDegrees += torso.gyro().x() * Cycle.SECONDS;
+        pitchRate += RATE_SMOOTHING * (torso.gyro().y() - pitchRate);
+        rollRate += RATE_SMOOTHING * (torso.gyro().x() - rollRate);
+        Vector3 up = torso.acceleration();
+        double strength = up.length();
         if (strength > WEAKEST && strength < STRONGEST) {
-            double trust = CYCLE_SECONDS / TRUST_SECONDS;
-            pitchDegrees += trust * (degrees(-torso.forward(), torso.up()) - pitchDegrees);
-            rollDegrees += trust * (degrees(torso.left(), torso.up()) - rollDegrees);
+            double trust = Cycle.SECONDS / TRUST_SECONDS;
+            pitchDegrees += trust * (degrees(-up.x(), up.z()) - pitchDegrees);
+            rollDegrees += trust * (degrees(up.y(), up.z()) - rollDegrees);
         }
     }
 
@@ -63,6 +66,6 @@ final class Balance {
     }
 
     private static double degrees(double aside, double up) {
-        return Math.toDegrees(Math.atan2(aside, Math.max(1, up)));
+        return PortableMath.toDegrees(PortableMath.atan2(aside, Math.max(1, up)));
     }
 }

@@ -1,45 +1,46 @@
 package org.robonewbie.agent.walk;
 
 /**
- * How strongly a walk answers when the torso leans otherwise than planned. Angles answer with degrees for each degree of lean
- * and for each degree per second, ways with metres.
+ * How strongly a walk answers when the torso leans otherwise than planned: six proportional-derivative controllers. Each gives
  *
- * @param anklePitch ankle for each degree of bowing too far
- * @param anklePitchRate ankle for each degree per second of bowing
- * @param hipPitch hip for each degree of bowing too far
- * @param hipPitchRate hip for each degree per second of bowing
- * @param ankleRoll ankle for each degree of leaning too far to the right
- * @param ankleRollRate ankle for each degree per second of leaning to the right
- * @param hipRoll hip for each degree of leaning too far to the right
- * @param hipRollRate hip for each degree per second of leaning to the right
- * @param stepForward step for each degree of bowing too far
- * @param stepForwardRate step for each degree per second of bowing
- * @param stepRight step for each degree of leaning too far to the right
- * @param stepRightRate step for each degree per second of leaning to the right
+ * <pre>
+ * correction = perDegree · (tilt − planned tilt) + perDegreePerSecond · rate of tilting
+ * </pre>
+ *
+ * <p>Ankle and hip turn the torso back (the <em>ankle strategy</em> and the <em>hip strategy</em> of human balance); the step
+ * puts the swing foot down further to the side to which the robot falls. Angles answer in degrees, steps in metres.
+ *
+ * @param anklePitch ankle against bending forward
+ * @param hipPitch hip against bending forward
+ * @param ankleRoll ankle against leaning to the right
+ * @param hipRoll hip against leaning to the right
+ * @param stepForward step against bending forward
+ * @param stepRight step against leaning to the right
  */
 public record BalanceGains(
-        double anklePitch,
-        double anklePitchRate,
-        double hipPitch,
-        double hipPitchRate,
-        double ankleRoll,
-        double ankleRollRate,
-        double hipRoll,
-        double hipRollRate,
-        double stepForward,
-        double stepForwardRate,
-        double stepRight,
-        double stepRightRate) {
+        Gain anklePitch, Gain hipPitch, Gain ankleRoll, Gain hipRoll, Gain stepForward, Gain stepRight) {
 
-    /** Says what a walk changes. */
-    void correct(Correction correction, double pitchError, double pitchRate, double rollError, double rollRate) {
-        correction.setPitch(
-                anklePitch * pitchError + anklePitchRate * pitchRate,
-                hipPitch * pitchError + hipPitchRate * pitchRate,
-                stepForward * pitchError + stepForwardRate * pitchRate);
-        correction.setRoll(
-                ankleRoll * rollError + ankleRollRate * rollRate,
-                hipRoll * rollError + hipRollRate * rollRate,
-                stepRight * rollError + stepRightRate * rollRate);
+    /**
+     * One proportional-derivative controller.
+     *
+     * @param perDegree answer to each degree of tilt beyond the plan
+     * @param perDegreePerSecond answer to each degree per second of tilting
+     */
+    public record Gain(double perDegree, double perDegreePerSecond) {
+
+        double answer(double errorDegrees, double degreesPerSecond) {
+            return perDegree * errorDegrees + perDegreePerSecond * degreesPerSecond;
+        }
+    }
+
+    /** The corrections against a tilt forward and to the right. */
+    Correction correction(double pitchError, double pitchRate, double rollError, double rollRate) {
+        return new Correction(
+                anklePitch.answer(pitchError, pitchRate),
+                hipPitch.answer(pitchError, pitchRate),
+                ankleRoll.answer(rollError, rollRate),
+                hipRoll.answer(rollError, rollRate),
+                stepForward.answer(pitchError, pitchRate),
+                -stepRight.answer(rollError, rollRate));
     }
 }

@@ -1,63 +1,55 @@
 package org.robonewbie.agent.walk;
 
-/** What the sense of balance changes in a step; nothing at first. {@link BalanceGains} says how much, anew in each cycle. */
-public final class Correction {
+import org.robonewbie.nao.Joint;
 
+/**
+ * What the sense of balance changes in one cycle of a step, see {@link BalanceGains}.
+ *
+ * @param anklePitchDegrees added to both ankles; positive raises the toes
+ * @param hipPitchDegrees added to both hips; positive bends the torso forward
+ * @param ankleRollDegrees added to both ankles
+ * @param hipRollDegrees added to both hips
+ * @param swingForward how much further ahead the swing foot comes down, in metres
+ * @param swingLeft how much further to the left the swing foot comes down, in metres
+ */
+public record Correction(
+        double anklePitchDegrees,
+        double hipPitchDegrees,
+        double ankleRollDegrees,
+        double hipRollDegrees,
+        double swingForward,
+        double swingLeft) {
+
+    /** Changes nothing. */
+    public static final Correction NONE = new Correction(0, 0, 0, 0, 0, 0);
+
+    private static final Joint[] JOINTS = Joint.values();
     private static final double MOST_DEGREES = 15;
     private static final double MOST_METRES = 0.05;
 
-    private double anklePitchDegrees;
-    private double hipPitchDegrees;
-    private double ankleRollDegrees;
-    private double hipRollDegrees;
-    private double swingForward;
-    private double swingLeft;
-
-    /** Creates a correction that changes nothing. */
-    public Correction() {}
-
-    /** Answers to bowing too far or too fast. */
-    void setPitch(double ankleDegrees, double hipDegrees, double stepForward) {
-        anklePitchDegrees = limit(ankleDegrees, MOST_DEGREES);
-        hipPitchDegrees = limit(hipDegrees, MOST_DEGREES);
-        swingForward = limit(stepForward, MOST_METRES);
+    /** Limits angles to 15° and ways to 5 cm. */
+    public Correction {
+        anklePitchDegrees = limit(anklePitchDegrees, MOST_DEGREES);
+        hipPitchDegrees = limit(hipPitchDegrees, MOST_DEGREES);
+        ankleRollDegrees = limit(ankleRollDegrees, MOST_DEGREES);
+        hipRollDegrees = limit(hipRollDegrees, MOST_DEGREES);
+        swingForward = limit(swingForward, MOST_METRES);
+        swingLeft = limit(swingLeft, MOST_METRES);
     }
 
-    /** Answers to leaning too far or too fast to the right. */
-    void setRoll(double ankleDegrees, double hipDegrees, double stepRight) {
-        ankleRollDegrees = limit(ankleDegrees, MOST_DEGREES);
-        hipRollDegrees = limit(hipDegrees, MOST_DEGREES);
-        swingLeft = -limit(stepRight, MOST_METRES);
-    }
-
-    /** Added to both ankles; positive raises the toes. */
-    double anklePitchDegrees() {
-        return anklePitchDegrees;
-    }
-
-    /** Added to both hips; positive bows the torso. */
-    double hipPitchDegrees() {
-        return hipPitchDegrees;
-    }
-
-    /** Added to both ankles. */
-    double ankleRollDegrees() {
-        return ankleRollDegrees;
-    }
-
-    /** Added to both hips. */
-    double hipRollDegrees() {
-        return hipRollDegrees;
-    }
-
-    /** How much further ahead the swinging foot is set down, metres. */
-    double swingForward() {
-        return swingForward;
-    }
-
-    /** How much further to the left the swinging foot is set down, metres. */
-    double swingLeft() {
-        return swingLeft;
+    /** Adds the corrections to the angles of both legs, in the order of {@link Joint}, within the joints' ranges. */
+    void addTo(double[] degrees) {
+        degrees[Joint.LEFT_FOOT_PITCH.ordinal()] += anklePitchDegrees;
+        degrees[Joint.RIGHT_FOOT_PITCH.ordinal()] += anklePitchDegrees;
+        degrees[Joint.LEFT_HIP_PITCH.ordinal()] += hipPitchDegrees;
+        degrees[Joint.RIGHT_HIP_PITCH.ordinal()] += hipPitchDegrees;
+        degrees[Joint.LEFT_FOOT_ROLL.ordinal()] += ankleRollDegrees;
+        degrees[Joint.RIGHT_FOOT_ROLL.ordinal()] += ankleRollDegrees;
+        degrees[Joint.LEFT_HIP_ROLL.ordinal()] += hipRollDegrees;
+        degrees[Joint.RIGHT_HIP_ROLL.ordinal()] += hipRollDegrees;
+        for (int i = 0; i < degrees.length; i++) {
+            degrees[i] = JOINTS[i].clampDegrees(degrees[i]);
+        }
     }
 
     private static double limit(double value, double most) {

@@ -1,24 +1,25 @@
 package org.robonewbie.agent.walk;
 
 /**
- * How a robot steps: all about its way of walking but where the feet go. Lengths in metres.
+ * How a robot steps: its whole way of walking except where the feet go. The curves are those of {@link StepPhase}. Lengths in
+ * metres.
  *
  * @param stepMillis time of one step, a multiple of 20 ms times the keyframes
  * @param keyframesPerStep how many postures describe a step
  * @param torsoHeight of the torso's centre above the soles
- * @param leanDegrees how much the torso bows forward
- * @param feetForward how far the ankles stand ahead of the hips
- * @param feetApart how much wider than the hips each foot is set
- * @param sway how far the torso swings to the side of the standing leg
- * @param swayPhase by which part of a step the swinging is early
- * @param roll how many degrees the torso leans to the side of the standing leg
- * @param lift how high the foot is lifted
+ * @param leanDegrees forward lean of the torso
+ * @param ankleOffset distance of the ankles ahead of the hips
+ * @param footSpread how much wider than the hips each foot is set
+ * @param swayAmplitude how far the torso sways over the support foot
+ * @param swayPhase fraction of a step by which the sway leads
+ * @param rollDegrees how much the torso leans over the support foot
+ * @param liftHeight how high the swing foot is lifted
  * @param liftSkew 0 lifts evenly; positive is highest late in the step
- * @param bothFeet which part of a step both feet stay on the ground
- * @param swingHipDegrees how much the hip lifts the swinging leg to the side, against the sinking of the pelvis
+ * @param doubleSupport fraction of a step during which both feet are on the ground
+ * @param swingHipDegrees how much the hip lifts the swing leg to the side, against the sinking of the pelvis
  * @param toeDegrees how much the toes rise at the beginning of the swing and sink at its end
- * @param bounce how far the torso rises and sinks twice in each step
- * @param bouncePhase by which part of a step the rising is early
+ * @param bounceAmplitude how far the torso rises and sinks in each step
+ * @param bouncePhase fraction of a step by which the bounce leads
  * @param armSwing degrees of arm swing for each metre between the feet
  */
 public record Gait(
@@ -26,27 +27,27 @@ public record Gait(
         int keyframesPerStep,
         double torsoHeight,
         double leanDegrees,
-        double feetForward,
-        double feetApart,
-        double sway,
+        double ankleOffset,
+        double footSpread,
+        double swayAmplitude,
         double swayPhase,
-        double roll,
-        double lift,
+        double rollDegrees,
+        double liftHeight,
         double liftSkew,
-        double bothFeet,
+        double doubleSupport,
         double swingHipDegrees,
         double toeDegrees,
-        double bounce,
+        double bounceAmplitude,
         double bouncePhase,
         double armSwing) {
 
     /** How many numbers {@link #of} takes. */
-    public static final int PARAMETERS = 14;
+    public static final int PARAMETERS = WalkParameter.LIFT_SKEW.ordinal() + 1;
 
-    private static final double HIGHEST_TORSO = 0.375;
+    private static final double ARM_SWING = 330;
 
     /**
-     * Makes a gait from the coordinates of a search, in which 0 is a careful first guess and 1 a noticeable change.
+     * Makes a gait from the coordinates of a search, see {@link WalkParameter}.
      *
      * @param stepMillis time of one step in milliseconds
      * @param keyframesPerStep how many postures describe a step
@@ -57,25 +58,25 @@ public record Gait(
         return new Gait(
                 stepMillis,
                 keyframesPerStep,
-                Math.min(HIGHEST_TORSO, 0.335 + 0.01 * x[0]),
-                5 + 3 * x[1],
-                -0.01 * x[2],
-                0.005 * x[12],
-                0.02 + 0.008 * x[3],
-                0.1 / Math.PI * x[4],
-                2 * x[7],
-                Math.max(0.005, 0.025 + 0.01 * x[5]),
-                0.1 * x[13],
-                Math.max(0, Math.min(0.6, 0.2 + 0.1 * x[6])),
-                2 * x[8],
-                4 * x[9],
-                0.003 * x[10],
-                0.15 * x[11],
-                330);
+                WalkParameter.TORSO_HEIGHT.value(x),
+                WalkParameter.LEAN.value(x),
+                WalkParameter.ANKLE_OFFSET.value(x),
+                WalkParameter.FOOT_SPREAD.value(x),
+                WalkParameter.SWAY_AMPLITUDE.value(x),
+                WalkParameter.SWAY_PHASE.value(x),
+                WalkParameter.ROLL.value(x),
+                WalkParameter.LIFT_HEIGHT.value(x),
+                WalkParameter.LIFT_SKEW.value(x),
+                WalkParameter.DOUBLE_SUPPORT.value(x),
+                WalkParameter.SWING_HIP.value(x),
+                WalkParameter.TOES.value(x),
+                WalkParameter.BOUNCE_AMPLITUDE.value(x),
+                WalkParameter.BOUNCE_PHASE.value(x),
+                ARM_SWING);
     }
 
     /**
-     * Swings the arms otherwise.
+     * Changes the arm swing.
      *
      * @param degreesPerMetre degrees of arm swing for each metre between the feet
      * @return the same gait with other arms
@@ -86,17 +87,17 @@ public record Gait(
                 keyframesPerStep,
                 torsoHeight,
                 leanDegrees,
-                feetForward,
-                feetApart,
-                sway,
+                ankleOffset,
+                footSpread,
+                swayAmplitude,
                 swayPhase,
-                roll,
-                lift,
+                rollDegrees,
+                liftHeight,
                 liftSkew,
-                bothFeet,
+                doubleSupport,
                 swingHipDegrees,
                 toeDegrees,
-                bounce,
+                bounceAmplitude,
                 bouncePhase,
                 degreesPerMetre);
     }

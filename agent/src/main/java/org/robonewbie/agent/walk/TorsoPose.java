@@ -1,9 +1,8 @@
 package org.robonewbie.agent.walk;
 
+import org.robonewbie.nao.kinematics.CoordinateFrame;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
-import org.robonewbie.nao.kinematics.MutablePose;
-import org.robonewbie.nao.motion.MutablePosture;
 import org.robonewbie.nao.motion.Posture;
 
 /**
@@ -11,7 +10,7 @@ import org.robonewbie.nao.motion.Posture;
  * between the hips.
  *
  * @param height of the torso's centre above the ground while it is upright, metres
- * @param leanDegrees how much it bows forward
+ * @param leanDegrees how much it bends forward
  * @param rollDegrees how much it leans to the right
  */
 public record TorsoPose(double height, double leanDegrees, double rollDegrees) {
@@ -19,7 +18,7 @@ public record TorsoPose(double height, double leanDegrees, double rollDegrees) {
     private static final double HIPS_BELOW_TORSO = 0.115;
 
     /**
-     * Finds the angles of both legs.
+     * Calculates the angles of both legs.
      *
      * @param kinematics the robot's
      * @param posture the other limbs; the search for the legs begins with it
@@ -28,23 +27,18 @@ public record TorsoPose(double height, double leanDegrees, double rollDegrees) {
      * @return the posture with both legs placed, or as near as they come
      */
     public Posture above(InverseKinematics kinematics, Posture posture, FootPose left, FootPose right) {
-        MutablePosture placed = new MutablePosture(posture);
-        MutablePose foot = new MutablePose();
-        goToGround(foot, height, leanDegrees, rollDegrees);
-        left.goOn(foot);
-        kinematics.place(Leg.LEFT, foot, placed);
-        goToGround(foot, height, leanDegrees, rollDegrees);
-        right.goOn(foot);
-        kinematics.place(Leg.RIGHT, foot, placed);
-        return placed.toPosture();
+        CoordinateFrame ground = ground();
+        Posture withLeftLeg =
+                kinematics.solve(Leg.LEFT, left.on(ground), posture).applyTo(posture);
+        return kinematics.solve(Leg.RIGHT, right.on(ground), withLeftLeg).applyTo(withLeftLeg);
     }
 
-    /** Goes from the torso's centre to the point of the ground below it, level. */
-    static void goToGround(MutablePose pose, double height, double leanDegrees, double rollDegrees) {
-        pose.reset();
-        pose.move(0, 0, -HIPS_BELOW_TORSO);
-        pose.turnAboutX(-rollDegrees);
-        pose.turnAboutY(-leanDegrees);
-        pose.move(0, 0, HIPS_BELOW_TORSO - height);
+    /** The point of the ground below the torso, level, as seen from the torso's centre. */
+    private CoordinateFrame ground() {
+        return CoordinateFrame.ORIGIN
+                .moved(0, 0, -HIPS_BELOW_TORSO)
+                .turnedAboutX(-rollDegrees)
+                .turnedAboutY(-leanDegrees)
+                .moved(0, 0, HIPS_BELOW_TORSO - height);
     }
 }

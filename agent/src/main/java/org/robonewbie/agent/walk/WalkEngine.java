@@ -4,18 +4,42 @@ import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.nao.motion.MutablePosture;
+import org.robonewbie.nao.motion.Posture;
 
 /**
  * Turns a wanted velocity into one posture for each cycle. Pure calculation, without a connection.
  *
- * <p>It plans one step at a time. At the beginning of a step the velocity comes nearer to the wanted one, and the place follows
- * where the swinging foot has to come down so that the middle between the feet moves with that velocity: seen from the
- * standing foot, as far ahead as the robot walks in the time of one step. For a step aside or a turn the leg on that side opens,
- * and the other one follows. In each cycle {@link Step} tells where both feet and the torso are, inverse kinematics finds the
- * angles of the legs, and the sense of balance corrects ankles, hips and the place of the next step.
+ * <p><img src="doc-files/step.svg" alt="A step seen from above: support foot, swing foot and the path of the torso between them;
+ * below it the curves of lift, travel and sway over the step phase">
  *
- * <p>The walk begins and ends with a step on the spot in which it passes over from and to the {@link Stance}.
+ * <p><b>Planning.</b> It plans one step at a time. At the beginning of a step the velocity v = (vx, vy,
+ * ω) comes nearer to the wanted one, by a limited change. With the step time T and half the width between the feet w, the
+ * swing foot comes down, as seen from the support foot, at
+ *
+ * <pre>
+ * ahead  = slip · vx · T
+ * aside  = 2w + max(0, ± 2 slip · vy · T)      + if the left foot swings, − if the right one does
+ * turned = max(0, ± 2 slip · ω · T)
+ * </pre>
+ *
+ * <p>so that the middle between the feet moves with v. For a step aside or a turn the leg on that side opens in one step, twice
+ * as far since it opens only every other step, and the other leg follows in the next.
+ *
+ * <p><b>Moving.</b> In each cycle the step phase φ = t / T says where feet and torso are: {@link Step}, with the curves of
+ * {@link StepPhase}. Inverse kinematics finds the angles of the legs. This is an open-loop gait: the plan is a fixed function
+ * of the phase, and nothing is calculated from the robot's mass.
+ *
+ * <p><b>Balance.</b> {@link Balance} estimates how the torso leans; {@link BalanceGains} turns the difference from the plan
+ * into corrections of ankles, hips and the place where the swing foot comes down.
+ *
+ * <p>The walk begins and ends with a step on the spot whose amplitude a grows from 0 to 1 or back; the posture is (1 − s) ·
+ * {@link Stance} + s · step with s = a²(3 − 2a).
+ *
+ * <p>Sources: S. Behnke, <em>Online trajectory generation for omnidirectional biped walking</em>, ICRA 2006 (sway, lift and
+ * swing as functions of a gait phase; velocities that set the length of a step); F. Faber and S. Behnke, <em>Stochastic
+ * optimization of bipedal walking using gyro feedback and phase resetting</em>, Humanoids 2007 (feedback from a gyroscope,
+ * parameters found by search). There is no zero moment point here; for walks that plan it, see S. Kajita et al., <em>Biped
+ * walking pattern generation by using preview control of zero-moment point</em>, ICRA 2003.
  */
 public final class WalkEngine {
 
@@ -25,16 +49,14 @@ public final class WalkEngine {
     private final InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
     private final Balance balance = new Balance();
     private final int cyclesPerStep;
-    private final Pace wanted = new Pace();
-    private final Pace velocity = new Pace();
-    private final MovingPlace left = new MovingPlace(FootPlace.LEFT);
-    private final MovingPlace right = new MovingPlace(FootPlace.RIGHT);
-    private final Carriage carriage;
-    private final Step step;
-    private final Correction correction = new Correction();
-    private Leg leg = Leg.LEFT;
-    private final MutablePosture walking = new MutablePosture(Stance.POSTURE);
-    private final MutablePosture next = new MutablePosture(Stance.POSTURE);
+    private WalkVelocity wanted = WalkVelocity.ZERO;
+    private WalkVelocity velocity = WalkVelocity.ZERO;
+    private FootPlace left = FootPlace.LEFT;
+    private FootPlace right = FootPlace.RIGHT;
+    private Leg swing = Leg.LEFT;
+    private TorsoPosture torso;
+    private Step step;
+    private Posture walking = Stance.POSTURE;
     private boolean standing = true;
     private boolean feetSideBySide = true;
     private int cycle;
@@ -47,127 +69,120 @@ public final class WalkEngine {
     public WalkEngine(WalkStyle style) {
         this.style = style;
         this.cyclesPerStep = style.gait().stepMillis() / CYCLE_MILLIS;
-        this.carriage = Carriage.of(style.gait(), 0);
-        this.step = new Step(style.gait());
+        this.torso = TorsoPosture.of(style.gait(), 0);
+        this.step = stepTo(left, torso);
     }
 
     /**
-     * Says where to walk from now on.
+     * Sets the walking velocity from now on.
      *
-     * @param newVelocity the wanted velocity; it is slowed down to what the robot can do
+     * @param newVelocity the wanted velocity; it is scaled down to what the robot can do
      */
     public void towards(WalkVelocity newVelocity) {
-        towards(newVelocity.forward(), newVelocity.left(), newVelocity.turn());
+        wanted = newVelocity.within(style.most(), style.backward());
     }
 
-    /** Says where to walk from now on, as {@link WalkVelocity}. */
-    void towards(double forward, double toTheLeft, double turn) {
-        wanted.set(forward, toTheLeft, turn);
-        wanted.limit(style.most(), style.backward());
-    }
-
-    /**
-     * Tells whether the robot stands in the stance and does not want to walk.
-     *
-     * @return whether there is nothing to do
-     */
+    /** {@return whether the robot stands in the stance and does not want to walk} */
     public boolean isStanding() {
         return standing && wanted.isZero();
     }
 
-    /** The robot stands in the stance, wherever it was before. */
+    /** Begins again: the robot stands in the stance, wherever it was before. */
     public void reset() {
         standing = true;
         feetSideBySide = true;
-        wanted.set(0, 0, 0);
-        velocity.set(0, 0, 0);
-        carriage.set(Carriage.of(style.gait(), 0));
+        wanted = WalkVelocity.ZERO;
+        velocity = WalkVelocity.ZERO;
+        torso = TorsoPosture.of(style.gait(), 0);
         putFeetSideBySide();
         cycle = 0;
         balance.reset();
     }
 
     /**
-     * Feels how the torso moves; to be called in each cycle before {@link #next}.
+     * Takes in how the torso moves; to be called in each cycle before {@link #next}.
      *
-     * @param torso what gyroscope and accelerometer feel
+     * @param motion the readings of gyroscope and accelerometer
      */
-    public void feel(TorsoMotion torso) {
-        balance.feel(torso);
+    public void feel(TorsoMotion motion) {
+        balance.feel(motion);
     }
 
     /**
      * Goes on by one cycle of 20 ms.
      *
-     * @return the posture at the end of the cycle; the same object in each cycle
+     * @return the posture at the end of the cycle
      */
-    public MutablePosture next() {
-        if (standing && wanted.isZero()) {
-            next.set(Stance.POSTURE);
-            return next;
+    public Posture next() {
+        if (isStanding()) {
+            return Stance.POSTURE;
         }
         if (cycle == 0) {
-            begin();
+            step = plan();
         }
         cycle++;
-        step.setTime((double) cycle / cyclesPerStep);
-        keepBalance();
-        step.place(walking, kinematics, correction);
-        next.setBetween(Stance.POSTURE, walking, smooth(step.vigour()));
+        StepPhase moment = step.at((double) cycle / cyclesPerStep);
+        Correction correction = correction(moment);
+        walking = step.posture(kinematics, walking, moment, correction);
         if (cycle == cyclesPerStep) {
-            end();
+            setDown(step.swingFoot(moment, correction));
         }
-        return next;
+        return Stance.POSTURE.towards(walking, smooth(moment.torso().amplitude()));
     }
 
-    private void begin() {
+    /** Plans the next step. */
+    private Step plan() {
         if (standing) {
-            walking.set(Stance.POSTURE);
-            leg = wanted.left() + 0.01 * wanted.turn() >= 0 ? Leg.LEFT : Leg.RIGHT;
+            walking = Stance.POSTURE;
+            swing = wanted.left() + 0.01 * wanted.turn() >= 0 ? Leg.LEFT : Leg.RIGHT;
         }
         boolean stopping = !standing && wanted.isZero() && velocity.isZero() && feetSideBySide;
-        double forwardBefore = velocity.forward();
-        changeVelocity();
-        double lean = style.gait().leanDegrees()
-                + style.leanPerSpeed() * velocity.forward()
-                + style.leanPerChange() * (velocity.forward() - forwardBefore);
-        double feet = style.gait().feetForward() + style.feetPerSpeed() * velocity.forward();
-        step.begin(leg, foot(leg), foot(leg.other()), carriage);
-        step.after().set(stopping ? 0 : 1, lean, feet);
-        aim(step.target());
-    }
-
-    private void changeVelocity() {
-        if (standing) {
-            velocity.set(0, 0, 0);
-        } else {
-            velocity.approach(wanted, style.change());
-        }
+        WalkVelocity before = velocity;
+        velocity = standing ? WalkVelocity.ZERO : velocity.towards(wanted, style.change());
         feetSideBySide = velocity.isZero();
+        return stepTo(target(), torsoAtEnd(stopping, velocity.forward() - before.forward()));
     }
 
-    private MovingPlace foot(Leg which) {
-        return which == Leg.LEFT ? left : right;
+    private Step stepTo(FootPlace target, TorsoPosture after) {
+        return new Step(style.gait(), swing, foot(swing), target, foot(swing.other()), torso, after);
     }
 
-    /** Finds where the swinging foot comes down as seen from the standing one. */
-    private void aim(MovingPlace target) {
+    private TorsoPosture torsoAtEnd(boolean stopping, double change) {
+        double lean =
+                style.gait().leanDegrees() + style.leanPerSpeed() * velocity.forward() + style.leanPerChange() * change;
+        double ankleOffset = style.gait().ankleOffset() + style.ankleOffsetPerSpeed() * velocity.forward();
+        return new TorsoPosture(stopping ? 0 : 1, lean, ankleOffset);
+    }
+
+    /** Where the swing foot comes down: first below the torso's middle line, then on to its own side. */
+    private FootPlace target() {
         double seconds = style.gait().stepMillis() / 1000.0;
         WalkVelocity slip = style.slip();
-        double side = leg == Leg.LEFT ? 1 : -1;
+        double side = swing == Leg.LEFT ? 1 : -1;
         double open = Math.max(0, 2 * side * slip.left() * velocity.left() * seconds);
         double twist = Math.max(0, 2 * side * slip.turn() * velocity.turn() * seconds);
-        target.set(foot(leg.other()));
-        target.go(0, side * FootPlace.HALF_WIDTH, side * twist / 2);
-        target.go(
-                slip.forward() * velocity.forward() * seconds, side * (FootPlace.HALF_WIDTH + open), side * twist / 2);
+        return foot(swing.other())
+                .then(0, side * FootPlace.HALF_WIDTH, side * twist / 2)
+                .then(
+                        slip.forward() * velocity.forward() * seconds,
+                        side * (FootPlace.HALF_WIDTH + open),
+                        side * twist / 2);
     }
 
-    private void end() {
-        foot(leg).set(step.swinging());
-        leg = leg.other();
-        carriage.set(step.after());
-        standing = carriage.vigour() == 0;
+    private FootPlace foot(Leg leg) {
+        return leg == Leg.LEFT ? left : right;
+    }
+
+    /** Ends the step: the swing foot becomes the support foot. */
+    private void setDown(FootPlace place) {
+        if (swing == Leg.LEFT) {
+            left = place;
+        } else {
+            right = place;
+        }
+        swing = swing.other();
+        torso = step.after();
+        standing = torso.amplitude() == 0;
         if (standing) {
             putFeetSideBySide();
         }
@@ -175,21 +190,20 @@ public final class WalkEngine {
     }
 
     private void putFeetSideBySide() {
-        left.set(FootPlace.LEFT);
-        right.set(FootPlace.RIGHT);
+        left = FootPlace.LEFT;
+        right = FootPlace.RIGHT;
     }
 
-    private void keepBalance() {
-        style.gains()
-                .correct(
-                        correction,
-                        balance.pitchDegrees() - step.leanDegrees(),
+    private Correction correction(StepPhase moment) {
+        return style.gains()
+                .correction(
+                        balance.pitchDegrees() - moment.torso().leanDegrees(),
                         balance.pitchRate(),
-                        balance.rollDegrees() - step.rollDegrees(),
+                        balance.rollDegrees() - moment.rollDegrees(),
                         balance.rollRate());
     }
 
-    private static double smooth(double part) {
-        return part * part * (3 - 2 * part);
+    private static double smooth(double amplitude) {
+        return amplitude * amplitude * (3 - 2 * amplitude);
     }
 }

@@ -1,5 +1,20 @@
 package org.robonewbie.agent.walk;
 
+import static org.robonewbie.agent.walk.WalkParameter.ANKLE_PITCH;
+import static org.robonewbie.agent.walk.WalkParameter.ANKLE_PITCH_RATE;
+import static org.robonewbie.agent.walk.WalkParameter.ANKLE_ROLL;
+import static org.robonewbie.agent.walk.WalkParameter.ANKLE_ROLL_RATE;
+import static org.robonewbie.agent.walk.WalkParameter.HIP_PITCH;
+import static org.robonewbie.agent.walk.WalkParameter.HIP_PITCH_RATE;
+import static org.robonewbie.agent.walk.WalkParameter.HIP_ROLL;
+import static org.robonewbie.agent.walk.WalkParameter.HIP_ROLL_RATE;
+import static org.robonewbie.agent.walk.WalkParameter.STEP_FORWARD;
+import static org.robonewbie.agent.walk.WalkParameter.STEP_FORWARD_RATE;
+import static org.robonewbie.agent.walk.WalkParameter.STEP_RIGHT;
+import static org.robonewbie.agent.walk.WalkParameter.STEP_RIGHT_RATE;
+
+import org.robonewbie.agent.walk.BalanceGains.Gain;
+
 /**
  * All numbers of a walk. Most were found by a search in the simulator; {@code EngineDesign} of the module learning is its tool.
  *
@@ -8,10 +23,10 @@ package org.robonewbie.agent.walk;
  * @param most the largest speeds
  * @param backward the largest speed backward, metres per second
  * @param change how much each speed changes from one step to the next
- * @param leanPerSpeed degrees that the torso bows for each metre per second
- * @param feetPerSpeed metres that the feet stand further ahead for each metre per second
- * @param leanPerChange degrees that the torso bows for each metre per second that the walk becomes faster in a step
- * @param slip by which factors the feet are set further than the robot shall get, since it slips
+ * @param leanPerSpeed degrees that the torso bends forward for each metre per second
+ * @param ankleOffsetPerSpeed metres that the ankles stand further ahead for each metre per second
+ * @param leanPerChange degrees that the torso bends forward for each metre per second that the walk becomes faster in a step
+ * @param slip by which factors the steps are planned longer than the robot is meant to get, since its feet slip
  */
 public record WalkStyle(
         Gait gait,
@@ -20,34 +35,25 @@ public record WalkStyle(
         double backward,
         WalkVelocity change,
         double leanPerSpeed,
-        double feetPerSpeed,
+        double ankleOffsetPerSpeed,
         double leanPerChange,
         WalkVelocity slip) {
 
-    private static final double DEGREES_OF_ARM_FOR_EACH_METRE = 180;
+    /** How many numbers {@link #of} takes. */
+    public static final int PARAMETERS = WalkParameter.values().length;
 
-    private static final double[] COORDINATES = {
-        2.1, -1.5, 1.1, -1.3, 3.3, 0.3, -3.3, 0.1, 0.0, -0.3, -2.6, -0.5, 3.0, -1.4, 2.1, -0.2, -0.5, 0.7, 0.4, 0.1,
-        -1.0, 1.2, 0.8, -0.8, 0.5, 3.0, 0.9, 0.1, -1.7, -0.0
-    };
+    private static final double ARM_DEGREES_PER_METRE = 180;
 
     /** The walk of {@link Walk}. */
-    public static final WalkStyle STANDARD = standard(COORDINATES);
+    public static final WalkStyle STANDARD = standard(coordinates());
 
-    /** How many numbers {@link #of} takes. */
-    public static final int PARAMETERS = Gait.PARAMETERS + 16;
-
-    /**
-     * Gives the coordinates that {@link #of} takes for the standard walk.
-     *
-     * @return a copy
-     */
+    /** {@return the coordinates that {@link #of} takes for the standard walk, a new array} */
     public static double[] coordinates() {
-        return COORDINATES.clone();
+        return WalkParameter.standardCoordinates();
     }
 
     /**
-     * Makes the standard walk with other coordinates.
+     * Creates the standard walk with other coordinates.
      *
      * @param x coordinates as for {@link #of}
      * @return a walk with the same step time and the same largest speeds
@@ -57,39 +63,31 @@ public record WalkStyle(
     }
 
     /**
-     * Makes a style from the coordinates of a search, in which 0 is a careful first guess and 1 a noticeable change.
+     * Makes a style from the coordinates of a search, see {@link WalkParameter}.
      *
      * @param stepMillis time of one step in milliseconds
-     * @param slip by which factors the feet are set further than the robot shall get
+     * @param slip by which factors the steps are planned longer than the robot is meant to get
      * @param most the largest speeds
      * @param x at least {@link #PARAMETERS} coordinates
      * @return the style
      */
     public static WalkStyle of(int stepMillis, WalkVelocity slip, WalkVelocity most, double[] x) {
-        int i = Gait.PARAMETERS;
         BalanceGains gains = new BalanceGains(
-                0.1 * x[i],
-                0.01 * x[i + 1],
-                0.1 * x[i + 2],
-                0.01 * x[i + 3],
-                0.1 * x[i + 4],
-                0.01 * x[i + 5],
-                0.1 * x[i + 6],
-                0.01 * x[i + 7],
-                0.001 * x[i + 8],
-                0.0001 * x[i + 9],
-                0.001 * x[i + 10],
-                0.0001 * x[i + 11]);
-        double change = Math.max(0.02, 0.08 + 0.02 * x[i + 12]);
+                new Gain(ANKLE_PITCH.value(x), ANKLE_PITCH_RATE.value(x)),
+                new Gain(HIP_PITCH.value(x), HIP_PITCH_RATE.value(x)),
+                new Gain(ANKLE_ROLL.value(x), ANKLE_ROLL_RATE.value(x)),
+                new Gain(HIP_ROLL.value(x), HIP_ROLL_RATE.value(x)),
+                new Gain(STEP_FORWARD.value(x), STEP_FORWARD_RATE.value(x)),
+                new Gain(STEP_RIGHT.value(x), STEP_RIGHT_RATE.value(x)));
         return new WalkStyle(
-                Gait.of(stepMillis, 1, x).withArmSwing(DEGREES_OF_ARM_FOR_EACH_METRE),
+                Gait.of(stepMillis, 1, x).withArmSwing(ARM_DEGREES_PER_METRE),
                 gains,
                 most,
                 0.6 * most.forward(),
-                new WalkVelocity(change, 0.08, 25),
-                3 * x[i + 13],
-                0.01 * x[i + 14],
-                10 * x[i + 15],
+                new WalkVelocity(WalkParameter.SPEED_CHANGE.value(x), 0.08, 25),
+                WalkParameter.LEAN_PER_SPEED.value(x),
+                WalkParameter.ANKLE_OFFSET_PER_SPEED.value(x),
+                WalkParameter.LEAN_PER_CHANGE.value(x),
                 slip);
     }
 }

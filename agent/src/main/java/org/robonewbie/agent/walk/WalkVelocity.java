@@ -12,26 +12,40 @@ public record WalkVelocity(double forward, double left, double turn) {
     /** Standing still. */
     public static final WalkVelocity ZERO = new WalkVelocity(0, 0, 0);
 
-    /**
-     * Tells whether this is no walking at all.
-     *
-     * @return whether all three speeds are 0
-     */
+    /** {@return whether all three speeds are 0} */
     public boolean isZero() {
         return forward == 0 && left == 0 && turn == 0;
     }
 
     /**
-     * Slows down to what a robot can do, without changing the direction.
+     * Scales the velocity down to what a robot can do; its direction is preserved. The limits form an octahedron: a robot that
+     * uses half of one speed has half of the others left.
      *
-     * @param most the largest speeds; who uses half of one has half of the others left
+     * @param most the largest speeds
      * @param backward the largest speed backward, metres per second
      * @return this velocity or a slower one
      */
     public WalkVelocity within(WalkVelocity most, double backward) {
-        Pace pace = new Pace();
-        pace.set(forward, left, turn);
-        pace.limit(most, backward);
-        return new WalkVelocity(pace.forward(), pace.left(), pace.turn());
+        double ahead = forward / (forward < 0 ? backward : most.forward());
+        double size = Math.abs(ahead) + Math.abs(left / most.left()) + Math.abs(turn / most.turn());
+        return size > 1 ? new WalkVelocity(forward / size, left / size, turn / size) : this;
+    }
+
+    /**
+     * Changes towards another velocity within a limited acceleration.
+     *
+     * @param wanted the other velocity
+     * @param change how much each speed may change
+     * @return the other velocity, or one on the way there
+     */
+    public WalkVelocity towards(WalkVelocity wanted, WalkVelocity change) {
+        return new WalkVelocity(
+                towards(forward, wanted.forward, change.forward),
+                towards(left, wanted.left, change.left),
+                towards(turn, wanted.turn, change.turn));
+    }
+
+    private static double towards(double from, double to, double change) {
+        return from + Math.max(-change, Math.min(change, to - from));
     }
 }

@@ -19,4 +19,17 @@ class SpellingTest {
     void guessesNothingFarAway() {
         assertThat(Spelling.nearest("somersault", WORDS)).isEmpty();
     }
+
+    @Test
+    void prefersANameThatContainsWhatWasWritten() {
+        List<String> examples = List.of("Agent_Wave", "Agent_BasicStructure", "Agent_SimpleSoccer");
+
+        assertThat(Spelling.nearest("Agent_Basic", examples)).contains("Agent_BasicStructure");
+        assertThat(Spelling.nearest("simplesoccer", examples)).contains("Agent_SimpleSoccer");
+    }
+
+    @Test
+    void findsNothingWhereThereIsNothing() {
+        assertThat(Spelling.nearest("wave", List.of())).isEmpty();
+    }
 }

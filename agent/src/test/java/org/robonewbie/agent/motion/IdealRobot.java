@@ -1,6 +1,10 @@
 package org.robonewbie.agent.motion;
 
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.JointStates;
+import org.robonewbie.nao.motion.MotionPlayer;
+import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
 
 /** Joints that do exactly what they are told, with the simulator's delay: an answer to message k acts before message k + 2. */
@@ -14,15 +18,15 @@ final class IdealRobot {
     }
 
     /** One cycle: senses, lets the player think, and turns the joints by what was sent one cycle ago. */
-    void cycle(Motors motors, MotionPlayer player) {
-        sense(motors);
+    void cycle(JointStates joints, Motors motors, MotionPlayer player) {
+        sense(joints);
         player.step(motors);
         act(motors);
     }
 
-    void sense(Motors motors) {
+    void sense(JointStates joints) {
         for (Joint joint : Joint.values()) {
-            motors.sense(joint, degrees[joint.ordinal()]);
+            joints.sense(joint, degrees[joint.ordinal()]);
         }
     }
 
@@ -30,7 +34,7 @@ final class IdealRobot {
         motors.endCycle();
         double[] sent = new double[Joint.COUNT];
         for (Joint joint : Joint.values()) {
-            degrees[joint.ordinal()] += pending[joint.ordinal()] * Motors.CYCLE_SECONDS;
+            degrees[joint.ordinal()] += pending[joint.ordinal()] * Cycle.SECONDS;
             sent[joint.ordinal()] = motors.sentDegreesPerSecond(joint);
         }
         pending = sent;

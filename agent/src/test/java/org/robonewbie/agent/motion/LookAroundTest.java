@@ -4,15 +4,20 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Interpolation;
+import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.MotionPlayer;
+import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
 
 class LookAroundTest {
 
-    private final Motors motors = new Motors();
+    private final JointStates joints = new JointStates();
+    private final Motors motors = new Motors(joints);
     private final IdealRobot robot = new IdealRobot(Posture.ZERO);
     private final LookAround lookAround = new LookAround(motors);
 
@@ -22,7 +27,7 @@ class LookAroundTest {
         double right = 0;
         double down = 0;
 
-        for (int i = 0; i < LookAround.ROUND_SECONDS / Motors.CYCLE_SECONDS + 2; i++) {
+        for (int i = 0; i < LookAround.ROUND_SECONDS / Cycle.SECONDS + 2; i++) {
             cycle();
             left = Math.max(left, robot.degrees(Joint.NECK_YAW));
             right = Math.min(right, robot.degrees(Joint.NECK_YAW));
@@ -43,7 +48,7 @@ class LookAroundTest {
         double before = 0;
 
         for (int i = 0; i < 300; i++) {
-            robot.sense(motors);
+            robot.sense(joints);
             lookAround.look();
             player.step(motors);
             robot.act(motors);
@@ -56,7 +61,7 @@ class LookAroundTest {
     }
 
     private void cycle() {
-        robot.sense(motors);
+        robot.sense(joints);
         lookAround.look();
         robot.act(motors);
     }

@@ -7,22 +7,26 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Interpolation;
+import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.MotionPlayer;
+import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
 
 class MotionPlayerTest {
 
     private static final Joint JOINT = Joint.LEFT_SHOULDER_PITCH;
 
-    private final Motors motors = new Motors();
+    private final JointStates joints = new JointStates();
+    private final Motors motors = new Motors(joints);
     private final IdealRobot robot = new IdealRobot(Posture.ZERO);
 
     @Test
     void turnsAJointWithConstantSpeedByLinearInterpolation() {
         MotionPlayer player = player(frame(400, 40));
 
-        robot.cycle(motors, player);
+        robot.cycle(joints, motors, player);
         double first = motors.sentDegreesPerSecond(JOINT);
         cycles(player, 18);
         double nextToLast = motors.sentDegreesPerSecond(JOINT);
@@ -72,12 +76,12 @@ class MotionPlayerTest {
     @Test
     void startsFromWhereAMovingJointWillBe() {
         motors.setSpeed(JOINT, 100);
-        robot.sense(motors);
+        robot.sense(joints);
         robot.act(motors);
         motors.release();
         MotionPlayer player = player(frame(200, 22));
 
-        robot.cycle(motors, player);
+        robot.cycle(joints, motors, player);
 
         assertThat(motors.sentDegreesPerSecond(JOINT)).isCloseTo(100, within(1e-9));
     }
@@ -105,10 +109,10 @@ class MotionPlayerTest {
         double fastest = 0;
 
         for (int i = 0; i < 31; i++) {
-            robot.cycle(motors, player);
+            robot.cycle(joints, motors, player);
             fastest = Math.max(fastest, motors.sentDegreesPerSecond(JOINT));
         }
-        robot.cycle(motors, player);
+        robot.cycle(joints, motors, player);
 
         assertThat(fastest).isEqualTo(JOINT.maxDegreesPerSecond());
         assertThat(robot.degrees(JOINT)).isCloseTo(100, within(0.01));
@@ -164,7 +168,7 @@ class MotionPlayerTest {
         cycles(player, 10);
         IdealRobot pushed = new IdealRobot(Posture.ZERO.with(JOINT, 10));
         for (int i = 0; i < 12; i++) {
-            pushed.cycle(motors, player);
+            pushed.cycle(joints, motors, player);
         }
 
         assertThat(pushed.degrees(JOINT)).isCloseTo(40, within(0.1));
@@ -172,7 +176,7 @@ class MotionPlayerTest {
 
     private void cycles(MotionPlayer player, int count) {
         for (int i = 0; i < count; i++) {
-            robot.cycle(motors, player);
+            robot.cycle(joints, motors, player);
         }
     }
 

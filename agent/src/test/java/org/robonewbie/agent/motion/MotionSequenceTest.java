@@ -13,7 +13,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.perception.BodyPosition;
+import org.robonewbie.nao.motion.JointStates;
+import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.nao.motion.file.MotionFiles;
 
 /** What a robot does by itself between motions: stop, make a first step, get up. */
 class MotionSequenceTest {
@@ -23,7 +26,8 @@ class MotionSequenceTest {
     @TempDir
     private Path folder;
 
-    private final Motors motors = new Motors();
+    private final JointStates joints = new JointStates();
+    private final Motors motors = new Motors(joints);
     private final IdealRobot robot = new IdealRobot(Posture.ZERO);
     private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
     private BodyPosition bodyPosition = BodyPosition.UPRIGHT;
@@ -34,7 +38,7 @@ class MotionSequenceTest {
         file("stop-walking", "// start: the end of walk\n// end: stance\n100 2" + ZEROS);
         file("turn", "// start: stance\n// end: stance\n100 3" + ZEROS);
         file("stand", "// start: standing\n// end: stance\n100 0" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
 
         List<String> played = play(motions, "walk", "walk", "turn", "turn");
 
@@ -47,7 +51,7 @@ class MotionSequenceTest {
         file("start-walking", "// start: stance\n// end: walking\n100 2" + ZEROS);
         file("turn", "// start: stance\n// end: stance\n100 3" + ZEROS);
         file("lie", "// start: lying on back\n// end: stance\n100 4" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
 
         List<String> played = play(motions, "walk", "walk", "turn", "lie");
 
@@ -57,7 +61,7 @@ class MotionSequenceTest {
     @Test
     void choosesTheWayToGetUpByTheSideOnWhichTheRobotLies() throws IOException {
         file("stand-up-from-front", "100 1" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
 
         boolean upright = motions.startGetUp();
         bodyPosition = BodyPosition.LYING_ON_FRONT;
@@ -73,7 +77,7 @@ class MotionSequenceTest {
     void getsUpByItselfBeforeAMotionThatStartsOnTheFeet() throws IOException {
         file("stand-up-from-front", "// start: lying on front\n// end: stance\n100 10" + ZEROS);
         file("hop", "// start: stance\n// end: stance\n100 20" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
         bodyPosition = BodyPosition.LYING_ON_FRONT;
 
         motions.start("hop");
@@ -90,7 +94,7 @@ class MotionSequenceTest {
     void getsUpInTheMiddleOfALoopedWalkAndWalksOn() throws IOException {
         file("stand-up-from-back", "// start: lying on back\n// end: stance\n100 10" + ZEROS);
         file("hop", "// start: standing\n// end: stance\n100 20" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
         motions.loop("hop");
         cycles(motions, 3);
 
@@ -107,7 +111,7 @@ class MotionSequenceTest {
     @Test
     void playsAMotionAsTheRobotLiesIfItSaysNothingAboutItsStart() throws IOException {
         file("own-way-up", "100 10" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
         bodyPosition = BodyPosition.LYING_ON_FRONT;
 
         motions.start("own-way-up");
@@ -121,7 +125,7 @@ class MotionSequenceTest {
         file("stand-up-from-back", "// start: lying on back\n// end: stance\n40 10" + ZEROS);
         file("start-walking", "// start: stance\n// end: walking\n40 2" + ZEROS);
         file("walk", "// start: walking\n// end: walking\n40 1" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
         bodyPosition = BodyPosition.LYING_ON_BACK;
 
         motions.start("walk");
@@ -139,7 +143,7 @@ class MotionSequenceTest {
     @Test
     void leavesAFallenRobotAloneIfTold() throws IOException {
         file("hop", "// start: stance\n// end: stance\n100 20" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
         motions.setAutomaticGetUp(false);
         bodyPosition = BodyPosition.LYING_ON_FRONT;
 
@@ -149,8 +153,9 @@ class MotionSequenceTest {
         assertThat(motions.current()).contains("hop");
     }
 
-    private Motions motions() {
-        return new Motions(motors, new MotionLibrary(folder.resolve("motions")), mistakes, () -> bodyPosition);
+    private MotionSequencer motions() {
+        return new MotionSequencer(
+                motors, MotionFiles.library(folder.resolve("motions")), mistakes, () -> bodyPosition);
     }
 
     private void file(String name, String text) throws IOException {
@@ -159,7 +164,7 @@ class MotionSequenceTest {
     }
 
     /** Plays motions to their ends and lists what is seen one after the other. */
-    private List<String> play(Motions motions, String... names) {
+    private List<String> play(MotionSequencer motions, String... names) {
         List<String> played = new ArrayList<>();
         for (String name : names) {
             motions.start(name);
@@ -173,9 +178,9 @@ class MotionSequenceTest {
         return played;
     }
 
-    private void cycles(Motions motions, int count) {
+    private void cycles(MotionSequencer motions, int count) {
         for (int i = 0; i < count; i++) {
-            robot.sense(motors);
+            robot.sense(joints);
             motions.update();
             robot.act(motors);
         }

@@ -13,8 +13,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.MotionLibrary;
+import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.nao.motion.file.MotionFiles;
 
 class MotionsTest {
 
@@ -23,14 +27,15 @@ class MotionsTest {
     @TempDir
     private Path folder;
 
-    private final Motors motors = new Motors();
+    private final JointStates joints = new JointStates();
+    private final Motors motors = new Motors(joints);
     private final IdealRobot robot = new IdealRobot(Posture.ZERO);
     private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
 
     @Test
     void playsAFileByItsName() throws IOException {
         file("nod", "200 30" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
 
         boolean started = motions.start("nod");
         cycles(motions, 12);
@@ -43,7 +48,7 @@ class MotionsTest {
     @Test
     void namesTheMotionAndKeyframeThatAreRunning() throws IOException {
         file("nod", "40 10" + ZEROS + "\n40 20" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
 
         motions.start("nod");
         cycles(motions, 3);
@@ -56,7 +61,7 @@ class MotionsTest {
     void runsAMotionToItsEndBeforeAnotherOneStarts() throws IOException {
         file("nod", "200 30" + ZEROS);
         file("shake", "200 -30" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
         motions.start("nod");
         cycles(motions, 5);
 
@@ -69,7 +74,7 @@ class MotionsTest {
     @Test
     void stopsAMotionWhereItIsAndStartsItAgainFromTheBeginning() throws IOException {
         file("nod", "200 30" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
         motions.start("nod");
         cycles(motions, 5);
 
@@ -87,7 +92,7 @@ class MotionsTest {
     @Test
     void repeatsALoopUntilItIsStopped() throws IOException {
         file("nod", "40 10" + ZEROS + "\n40 0" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
 
         motions.loop("nod");
         cycles(motions, 100);
@@ -101,7 +106,7 @@ class MotionsTest {
     @Test
     void playsTwiceAsFast() throws IOException {
         file("nod", "400 30" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
 
         motions.setSpeed(2);
         motions.start("nod");
@@ -113,7 +118,7 @@ class MotionsTest {
     @Test
     void playsAMotionInTheMirror() throws IOException {
         file("salute", "400 30 0 -80" + " 0".repeat(19));
-        Motions motions = motions();
+        MotionSequencer motions = motions();
 
         motions.startMirrored("salute");
         cycles(motions, 22);
@@ -126,7 +131,7 @@ class MotionsTest {
     @Test
     void findsTheOtherSideOfAMotionByItsName() throws IOException {
         file("salute-left", "// end: lying on left side\n200 30" + ZEROS);
-        MotionLibrary library = new MotionLibrary(folder.resolve("motions"));
+        MotionLibrary library = MotionFiles.library(folder.resolve("motions"));
 
         MotionFile right = library.find("salute-right").orElseThrow();
 
@@ -139,17 +144,18 @@ class MotionsTest {
     @Test
     void twoRobotsOfOneProgramDoNotShareTheirMotions() throws IOException {
         file("nod", "200 30" + ZEROS);
-        Motions one = motions();
+        MotionSequencer one = motions();
         IdealRobot otherRobot = new IdealRobot(Posture.ZERO);
-        Motors otherMotors = new Motors();
-        Motions other = new Motions(
-                otherMotors, new MotionLibrary(folder.resolve("motions")), mistakes, () -> BodyPosition.UPRIGHT);
+        JointStates otherJoints = new JointStates();
+        Motors otherMotors = new Motors(otherJoints);
+        MotionSequencer other = new MotionSequencer(
+                otherMotors, MotionFiles.library(folder.resolve("motions")), mistakes, () -> BodyPosition.UPRIGHT);
 
         one.start("nod");
         cycles(one, 5);
         other.start("nod");
         for (int i = 0; i < 12; i++) {
-            otherRobot.sense(otherMotors);
+            otherRobot.sense(otherJoints);
             other.update();
             otherRobot.act(otherMotors);
         }
@@ -187,7 +193,7 @@ class MotionsTest {
     @Test
     void namesTheLineOfABrokenFileAndGoesOn() throws IOException {
         file("nod", "200 30" + ZEROS + "\n200 thirty" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
 
         boolean started = motions.start("nod");
         cycles(motions, 1);
@@ -205,7 +211,7 @@ class MotionsTest {
     @Test
     void playsTheLastGoodVersionOfAFileThatWasBrokenSince() throws IOException {
         file("nod", "200 30" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
         motions.start("nod");
         cycles(motions, 10);
 
@@ -219,7 +225,7 @@ class MotionsTest {
     @Test
     void readsAFileAgainThatWasMended() throws IOException {
         file("nod", "oops");
-        Motions motions = motions();
+        MotionSequencer motions = motions();
         boolean broken = motions.start("nod");
 
         file("nod", "200 30" + ZEROS);
@@ -232,7 +238,7 @@ class MotionsTest {
     @Test
     void reportsOnceWhatAMotorCannotDoInTime() throws IOException {
         file("nod", "20 90" + ZEROS + "\n500 0" + ZEROS);
-        Motions motions = motions();
+        MotionSequencer motions = motions();
 
         for (int i = 0; i < 3; i++) {
             motions.start("nod");
@@ -253,8 +259,9 @@ class MotionsTest {
         assertThat(started).isFalse();
     }
 
-    private Motions motions() {
-        return new Motions(motors, new MotionLibrary(folder.resolve("motions")), mistakes, () -> BodyPosition.UPRIGHT);
+    private MotionSequencer motions() {
+        return new MotionSequencer(
+                motors, MotionFiles.library(folder.resolve("motions")), mistakes, () -> BodyPosition.UPRIGHT);
     }
 
     private void file(String name, String text) throws IOException {
@@ -262,9 +269,9 @@ class MotionsTest {
         Files.writeString(folder.resolve("motions").resolve(name + ".txt"), text);
     }
 
-    private void cycles(Motions motions, int count) {
+    private void cycles(MotionSequencer motions, int count) {
         for (int i = 0; i < count; i++) {
-            robot.sense(motors);
+            robot.sense(joints);
             motions.update();
             robot.act(motors);
         }

@@ -5,11 +5,15 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.JointStates;
+import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.nao.motion.PostureFollower;
 
 class PostureFollowerTest {
 
-    private final Motors motors = new Motors();
+    private final JointStates joints = new JointStates();
+    private final Motors motors = new Motors(joints);
     private final IdealRobot robot = new IdealRobot(Posture.ZERO);
 
     @Test
@@ -17,7 +21,7 @@ class PostureFollowerTest {
         PostureFollower follower = new PostureFollower(motors);
 
         for (int i = 1; i <= 10; i++) {
-            robot.sense(motors);
+            robot.sense(joints);
             follower.follow(Posture.ZERO.with(Joint.NECK_YAW, i));
             robot.act(motors);
         }
@@ -31,7 +35,7 @@ class PostureFollowerTest {
         IdealRobot pushed = new IdealRobot(Posture.ZERO.with(Joint.NECK_YAW, 8));
 
         for (int i = 0; i < 20; i++) {
-            pushed.sense(motors);
+            pushed.sense(joints);
             follower.follow(Posture.ZERO);
             pushed.act(motors);
         }
@@ -42,7 +46,7 @@ class PostureFollowerTest {
     @Test
     void leavesJointsAloneThatTheProgramCommands() {
         PostureFollower follower = new PostureFollower(motors);
-        robot.sense(motors);
+        robot.sense(joints);
         follower.begin();
         motors.setSpeed(Joint.NECK_YAW, 20);
 

@@ -60,8 +60,6 @@ class FallDetectorTest {
     }
 
     private void feel(double forward, double left, double up) {
-        TorsoMotion torso = new TorsoMotion();
-        torso.setAcceleration(forward, left, up);
-        detector.feel(torso);
+        detector.feel(TorsoMotion.AT_REST.withAcceleration(new Vector3(forward, left, up)));
     }
 }

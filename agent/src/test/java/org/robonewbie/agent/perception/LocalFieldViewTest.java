@@ -23,7 +23,7 @@ import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 class LocalFieldViewTest {
 
     private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
-    private final LocalFieldView view = new LocalFieldView(mistakes);
+    private final FieldMemory view = new FieldMemory(mistakes);
 
     @Test
     void knowsNothingAtFirst() {

@@ -8,6 +8,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.perception.TorsoMotion;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.model.RobotType;
@@ -19,7 +20,7 @@ class WalkEngineTest {
 
     @Test
     void keepsTheStanceWithoutAVelocity() {
-        Posture posture = engine.next().toPosture();
+        Posture posture = engine.next();
 
         assertThat(posture).isEqualTo(Stance.POSTURE);
         assertThat(engine.isStanding()).isTrue();
@@ -29,7 +30,7 @@ class WalkEngineTest {
     void leavesTheStanceSoftly() {
         engine.towards(new WalkVelocity(10, 0, 0));
 
-        Posture first = engine.next().toPosture();
+        Posture first = engine.next();
 
         assertThat(first.largestDifference(Stance.POSTURE)).isLessThan(5);
     }
@@ -90,8 +91,7 @@ class WalkEngineTest {
     @Test
     void feelsThatTheTorsoBows() {
         Balance balance = new Balance();
-        TorsoMotion torso = new TorsoMotion();
-        torso.setGyro(0, 20, 0);
+        TorsoMotion torso = TorsoMotion.AT_REST.withGyro(new Vector3(0, 20, 0));
         for (int i = 0; i < 25; i++) {
             balance.feel(torso);
         }
@@ -103,8 +103,8 @@ class WalkEngineTest {
     @Test
     void believesTheDirectionOfGravityInTheLongRun() {
         Balance balance = new Balance();
-        TorsoMotion torso = new TorsoMotion();
-        torso.setAcceleration(0, 9.81 * Math.sin(0.1), 9.81 * Math.cos(0.1));
+        TorsoMotion torso =
+                TorsoMotion.AT_REST.withAcceleration(new Vector3(0, 9.81 * Math.sin(0.1), 9.81 * Math.cos(0.1)));
         for (int i = 0; i < 400; i++) {
             balance.feel(torso);
         }
@@ -123,8 +123,8 @@ class WalkEngineTest {
     private static List<Posture> postures(WalkEngine engine, int cycles) {
         List<Posture> postures = new ArrayList<>();
         for (int i = 0; i < cycles; i++) {
-            engine.feel(new TorsoMotion());
-            postures.add(engine.next().toPosture());
+            engine.feel(TorsoMotion.AT_REST);
+            postures.add(engine.next());
         }
         return postures;
     }

@@ -6,21 +6,25 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.log.Mistakes;
-import org.robonewbie.agent.motion.MotionLibrary;
-import org.robonewbie.agent.motion.Motions;
-import org.robonewbie.agent.motion.Motors;
+import org.robonewbie.agent.motion.MotionSequencer;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.agent.perception.TorsoMotion;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.JointStates;
+import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.nao.motion.file.MotionFiles;
 
 class WalkTest {
 
     private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
-    private final Motors motors = new Motors();
+    private final JointStates joints = new JointStates();
+    private final Motors motors = new Motors(joints);
     private BodyPosition bodyPosition = BodyPosition.UPRIGHT;
-    private final Motions motions = new Motions(motors, new MotionLibrary(), mistakes, () -> bodyPosition);
-    private final Walk walk = new Walk(motors, motions, mistakes, () -> bodyPosition);
+    private final MotionSequencer motions =
+            new MotionSequencer(motors, MotionFiles.library(), mistakes, () -> bodyPosition);
+    private final WalkController walk = new WalkController(motors, motions, mistakes, () -> bodyPosition);
 
     @Test
     void walksAtOnceFromTheStance() {
@@ -106,18 +110,18 @@ class WalkTest {
 
     private void put(Posture posture) {
         for (Joint joint : Joint.values()) {
-            motors.sense(joint, posture.degrees(joint));
+            joints.sense(joint, posture.degrees(joint));
         }
     }
 
     /** Cycles of a robot whose joints do what they are told at once. */
     private void cycles(int count) {
         for (int i = 0; i < count; i++) {
-            walk.update(new TorsoMotion());
+            walk.update(TorsoMotion.AT_REST);
             motors.endCycle();
             for (Joint joint : Joint.values()) {
-                double turned = motors.sentDegreesPerSecond(joint) * Motors.CYCLE_SECONDS;
-                motors.sense(joint, motors.degrees(joint) + turned);
+                double turned = motors.sentDegreesPerSecond(joint) * Cycle.SECONDS;
+                joints.sense(joint, joints.degrees(joint) + turned);
             }
         }
     }

@@ -13,16 +13,17 @@ public final class Checkup {
     private Checkup() {}
 
     /**
-     * Lists the checks.
+     * Returns the checks.
      *
      * @param headless whether studio and browser do not matter
-     * @return the checks, not yet made
+     * @return the checks, not yet run
      */
     public static Checkup of(boolean headless) {
         Checkup checkup = new Checkup();
         checkup.checks.add(JavaCheck::version);
         checkup.checks.add(JavaCheck::compiler);
         checkup.checks.add(JavaCheck::memory);
+        checkup.checks.add(JavaCheck::mathematics);
         checkup.checks.add(() -> FolderCheck.of("This folder", Path.of("").toAbsolutePath()));
         checkup.checks.add(() -> FolderCheck.of("Home folder", Path.of(System.getProperty("user.home", "."))));
         checkup.checks.add(() -> PortCheck.of("Agent port", 3100));
@@ -35,11 +36,7 @@ public final class Checkup {
         return checkup;
     }
 
-    /**
-     * Makes the checks one after the other.
-     *
-     * @return what each has found, in their order, made when asked for
-     */
+    /** {@return the findings of all checks in their order; each check runs when its finding is requested} */
     public Iterable<Finding> findings() {
         return () -> checks.stream().map(Supplier::get).iterator();
     }

@@ -1,8 +1,11 @@
 package org.robonewbie.app.doctor;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import javax.tools.ToolProvider;
+import org.robonewbie.nao.math.MathFingerprint;
 
 /** Looks at the Java that runs this program. */
 final class JavaCheck {
@@ -28,6 +31,24 @@ final class JavaCheck {
                         "Compiler",
                         "none in " + System.getProperty("java.home"),
                         "To run .java files install a JDK instead of a Java run-time (JRE).");
+    }
+
+    static Finding mathematics() {
+        return mathematics(MathFingerprint.all());
+    }
+
+    static Finding mathematics(List<MathFingerprint> fingerprints) {
+        String different = fingerprints.stream()
+                .filter(fingerprint -> !fingerprint.isAsEverywhere())
+                .map(MathFingerprint::function)
+                .collect(Collectors.joining(", "));
+        return different.isEmpty()
+                ? Finding.well(
+                        "Mathematics", fingerprints.size() + " functions give the same bits as on every computer")
+                : Finding.broken(
+                        "Mathematics",
+                        different + ": other results than on other computers",
+                        "Use another JDK: with this one the same seed gives another run.");
     }
 
     static Finding memory() {

@@ -6,13 +6,13 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
-/** Lets a robot stand for one second in a simulator and looks whether it still does. */
+/** Runs a standing robot in a simulator for one second and checks that it still stands. */
 final class SimulatorCheck {
 
     private static final int CYCLES = 50;
@@ -53,7 +53,9 @@ final class SimulatorCheck {
                     .orElseThrow()
                     .robots()
                     .get(0)
-                    .linkPoses()[2];
+                    .body()
+                    .position()
+                    .z();
         }
     }
 

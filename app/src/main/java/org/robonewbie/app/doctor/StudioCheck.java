@@ -7,8 +7,8 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.time.Duration;
 import java.util.ServiceLoader;
-import org.robonewbie.simulator.Viewer;
-import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 

@@ -15,11 +15,7 @@ public enum Verdict {
         this.mark = mark;
     }
 
-    /**
-     * Gives the word that stands before the line.
-     *
-     * @return a short word
-     */
+    /** {@return the short word that precedes the line} */
     public String mark() {
         return mark;
     }

@@ -12,7 +12,8 @@ import java.util.OptionalInt;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.simulator.server.Console;
+import org.robonewbie.nao.math.MathFingerprint;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -24,7 +25,7 @@ class CheckupTest {
                         Checkup.of(false).findings().spliterator(), false)
                 .toList();
 
-        assertThat(findings).hasSize(10).noneMatch(finding -> finding.verdict() == Verdict.BROKEN);
+        assertThat(findings).hasSize(11).noneMatch(finding -> finding.verdict() == Verdict.BROKEN);
     }
 
     @Test
@@ -41,6 +42,17 @@ class CheckupTest {
 
         assertThat(finding.verdict()).isEqualTo(Verdict.WELL);
         assertThat(finding.found()).contains("a robot stood for 1 s");
+    }
+
+    @Test
+    void functionWithOtherBitsIsNamed() {
+        List<MathFingerprint> fingerprints =
+                List.of(new MathFingerprint("sin", 1, 1), new MathFingerprint("pow", 1, 2));
+
+        Finding finding = JavaCheck.mathematics(fingerprints);
+
+        assertThat(finding.verdict()).isEqualTo(Verdict.BROKEN);
+        assertThat(finding.found()).startsWith("pow:");
     }
 
     @Test

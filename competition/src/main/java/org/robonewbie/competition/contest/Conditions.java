@@ -6,9 +6,9 @@ import java.util.Random;
 /**
  * What differs from one competition to the next.
  *
- * @param seed start of all random numbers
- * @param varied whether start places depend on the seed, so that nobody can prepare for them
- * @param ownSeeds seeds of teams that, to try something out, play in a world of their own chance
+ * @param seed seed of all random numbers
+ * @param varied whether start places depend on the seed, so that no team can prepare for them
+ * @param ownSeeds seeds of teams that, to try something out, play under random conditions of their own
  */
 public record Conditions(long seed, boolean varied, Map<String, Long> ownSeeds) {
 
@@ -18,9 +18,9 @@ public record Conditions(long seed, boolean varied, Map<String, Long> ownSeeds) 
     }
 
     /**
-     * Gives the usual conditions.
+     * Returns the usual conditions.
      *
-     * @param seed start of all random numbers
+     * @param seed seed of all random numbers
      * @return equal ones for all, the usual start places
      */
     public static Conditions of(long seed) {

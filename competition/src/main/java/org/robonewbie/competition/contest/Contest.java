@@ -3,46 +3,26 @@ package org.robonewbie.competition.contest;
 import java.util.List;
 
 /** A kind of contest. It plans trials and ranks their results; who runs them is no matter of it. */
-public interface Contest {
+public sealed interface Contest permits ChallengeContest, JudgedContest {
 
-    /**
-     * Names the contest.
-     *
-     * @return one word, as it stands on the command line
-     */
+    /** {@return the contest's name on the command line, one word} */
     String name();
 
-    /**
-     * Names the contest for people.
-     *
-     * @return a title
-     */
+    /** {@return the contest's title} */
     String title();
 
-    /**
-     * Says how it is judged.
-     *
-     * @return one or two sentences
-     */
+    /** {@return the rule in one or two sentences} */
     String rule();
 
     /**
-     * Plans the trials, as far as they are known by now. When all of these are over, it is asked again, since some contests
-     * go on if nobody has won.
+     * Plans the trials that are known by now. When all of these are over, it is called again, since some contests continue if
+     * no team has won.
      *
      * @param teams names of the teams
-     * @param results what is over
+     * @param results the results so far
      * @return all trials, over or not, in their order
      */
-    List<Trial> trials(List<String> teams, Results results);
-
-    /**
-     * Sends somebody who watches a trial.
-     *
-     * @param trial one of the trials
-     * @return its judge
-     */
-    Judge judge(Trial trial);
+    List<ContestTrial> trials(List<String> teams, Results results);
 
     /**
      * Ranks the teams.

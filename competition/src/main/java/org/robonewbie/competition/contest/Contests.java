@@ -14,13 +14,13 @@ public final class Contests {
     private Contests() {}
 
     /**
-     * Lets teams score: the paper's competition.
+     * The paper's competition: who scores first.
      *
      * @param conditions seeds and variations
      * @param seconds simulated seconds of a trial
      * @return the contest
      */
-    public static Contest scoring(Conditions conditions, double seconds) {
+    public static JudgedContest scoring(Conditions conditions, double seconds) {
         return new SoloContest(
                 "scoring",
                 "Scoring",
@@ -37,24 +37,24 @@ public final class Contests {
     }
 
     /**
-     * Lets teams shoot penalties.
+     * A penalty shoot-out.
      *
      * @param conditions seeds
      * @param rounds rounds that are played in any case
      * @param seconds simulated seconds that an attacker has
      * @return the contest
      */
-    public static Contest penalties(Conditions conditions, int rounds, double seconds) {
+    public static JudgedContest penalties(Conditions conditions, int rounds, double seconds) {
         return new PenaltyContest(new ShootOut(rounds, 5), seconds, conditions);
     }
 
     /**
-     * Lets robots run.
+     * A race.
      *
      * @param conditions seeds and variations
      * @return the contest
      */
-    public static Contest walk(Conditions conditions) {
+    public static JudgedContest walk(Conditions conditions) {
         return new SoloContest(
                 "walk",
                 "Fastest walk",
@@ -70,12 +70,12 @@ public final class Contests {
     }
 
     /**
-     * Lets robots kick.
+     * A contest of kicks.
      *
      * @param conditions seeds and variations
      * @return the contest
      */
-    public static Contest kick(Conditions conditions) {
+    public static JudgedContest kick(Conditions conditions) {
         return new SoloContest(
                 "kick",
                 "Longest kick",
@@ -89,12 +89,12 @@ public final class Contests {
     }
 
     /**
-     * Lets robots stand firm.
+     * A contest of standing firm against pushes.
      *
      * @param conditions seeds and variations
      * @return the contest
      */
-    public static Contest stand(Conditions conditions) {
+    public static JudgedContest stand(Conditions conditions) {
         return new SoloContest(
                 "stand",
                 "Longest standing",
@@ -110,12 +110,12 @@ public final class Contests {
     }
 
     /**
-     * Lets robots do gymnastics.
+     * A contest of gymnastics.
      *
      * @param conditions seeds and variations
      * @return the contest
      */
-    public static Contest gymnastics(Conditions conditions) {
+    public static JudgedContest gymnastics(Conditions conditions) {
         return new SoloContest(
                 "gymnastics",
                 "Gymnastics",

@@ -25,11 +25,7 @@ public enum Ending {
         this.sentence = sentence;
     }
 
-    /**
-     * Tells it in words.
-     *
-     * @return a sentence without full stop
-     */
+    /** {@return the ending as a sentence without full stop} */
     public String sentence() {
         return sentence;
     }

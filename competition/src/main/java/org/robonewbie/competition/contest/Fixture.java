@@ -23,7 +23,7 @@ public record Fixture(String home, String away, int homeGoals, int awayGoals) {
      */
     record Pair(String home, String away, int number) {}
 
-    /** Lets each team meet each other one once, in the order of the list. */
+    /** Pairs each team with each other one once, in the order of the list. */
     static List<Pair> pairs(List<String> teams) {
         List<Pair> pairs = new ArrayList<>();
         IntStream.range(0, teams.size())

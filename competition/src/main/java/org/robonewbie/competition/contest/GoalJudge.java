@@ -21,13 +21,13 @@ final class GoalJudge implements Judge {
     private final SoccerField field;
     private final Map<String, Double> figures = new TreeMap<>();
 
-    GoalJudge(Trial trial, String team) {
+    GoalJudge(ContestTrial trial, String team) {
         this.team = team;
         this.field = trial.parameters().field();
     }
 
     @Override
-    public boolean watch(Moment moment, SimulationControl referee) {
+    public boolean watch(JudgedMoment moment, SimulationControl referee) {
         Optional<TeamSide> side = moment.side(team);
         if (side.isEmpty()) {
             return true;

@@ -34,7 +34,7 @@ final class GymnasticsJudge implements Judge {
     private boolean hasTurned;
     private boolean hasGotUp;
 
-    GymnasticsJudge(Trial trial) {
+    GymnasticsJudge(ContestTrial trial) {
         team = trial.entrants().get(0).team();
         held.add(new Held(SECOND, robot -> robot.isUpright() && areArmsUp(robot)));
         held.add(new Held(SECOND, robot -> robot.isUpright() && robot.torso().z() < SQUAT_METRES));
@@ -44,7 +44,7 @@ final class GymnasticsJudge implements Judge {
     }
 
     @Override
-    public boolean watch(Moment moment, SimulationControl referee) {
+    public boolean watch(JudgedMoment moment, SimulationControl referee) {
         List<RobotView> robots = moment.robots(team);
         if (robots.isEmpty()) {
             return true;

@@ -13,10 +13,10 @@ public interface Judge {
      * @param referee steers the world, for contests in which something happens to the robots
      * @return whether the trial is decided
      */
-    boolean watch(Moment moment, SimulationControl referee);
+    boolean watch(JudgedMoment moment, SimulationControl referee);
 
     /**
-     * Tells what a team has reached so far.
+     * Returns what a team has reached so far.
      *
      * @param team name of the team
      * @return figures by name

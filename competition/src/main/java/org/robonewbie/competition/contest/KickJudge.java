@@ -7,8 +7,8 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.SimulationControl;
 
 /**
- * Measures the longest kick: how far, as the crow flies, the ball gets away from the place where it left the robot. It has left
- * it when it is farther than 0.35 m from the robot's torso; so a ball that is pushed along gains nothing.
+ * Measures the longest kick: the straight-line distance of the ball from the place where it left the robot. It has left the
+ * robot when it is farther than 0.35 m from the robot's torso; so a ball that is pushed along gains nothing.
  */
 final class KickJudge implements Judge {
 
@@ -20,12 +20,12 @@ final class KickJudge implements Judge {
     private final Map<String, Double> figures = new TreeMap<>();
     private Vector3 left = Vector3.ZERO;
 
-    KickJudge(Trial trial) {
+    KickJudge(ContestTrial trial) {
         this.team = trial.entrants().get(0).team();
     }
 
     @Override
-    public boolean watch(Moment moment, SimulationControl referee) {
+    public boolean watch(JudgedMoment moment, SimulationControl referee) {
         List<RobotView> robots = moment.robots(team);
         if (robots.isEmpty()) {
             return true;
@@ -46,7 +46,7 @@ final class KickJudge implements Judge {
     }
 
     /** Once the ball is out or in the goal, the referee takes it. */
-    private static boolean isMovedByReferee(Moment moment) {
+    private static boolean isMovedByReferee(JudgedMoment moment) {
         return switch (moment.world().playMode()) {
             case PLAY_ON, KICK_OFF_LEFT, KICK_OFF_RIGHT -> false;
             default -> true;

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * The table of a league: three points for a victory, one for a draw; among equal points the difference of goals decides, then the
- * number of goals. Who is equal in all of that shares a place.
+ * The table of a league: three points for a victory, one for a draw; among equal points the goal difference decides, then the
+ * number of goals. Teams that are equal in all of that share a place.
  */
 final class LeagueTable {
 
@@ -47,12 +47,12 @@ final class LeagueTable {
     }
 
     /**
-     * Makes the table of a contest.
+     * Creates the table of a contest.
      *
      * @param contest whose title and rule it carries
      * @param teams all teams
-     * @param fixtures the meetings that are over
-     * @param trialsOf gives the names of a team's trials
+     * @param fixtures the fixtures that are over
+     * @param trialsOf returns the names of a team's trials
      */
     static Table table(
             Contest contest, List<String> teams, List<Fixture> fixtures, Function<String, List<String>> trialsOf) {
@@ -67,9 +67,9 @@ final class LeagueTable {
     }
 
     /** Ranks teams by the meetings that are over. */
-    static List<Place<Line>> of(List<String> teams, List<Fixture> fixtures) {
+    static List<Ranked<Line>> of(List<String> teams, List<Fixture> fixtures) {
         List<Line> lines = teams.stream().map(team -> line(team, fixtures)).toList();
-        return Place.ranking(
+        return Ranked.ranking(
                 lines,
                 Comparator.comparingInt(Line::points)
                         .thenComparingInt(Line::difference)

@@ -8,21 +8,21 @@ import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * Matches of small teams: each team plays once against each other one. A team whose program fails loses the match 0:3, or higher
- * if it was behind by more; if both fail, nobody gets anything.
+ * Matches of small teams: each team plays once against each other one. A team whose program fails loses the match 0:3, or
+ * higher if it was behind by more; if both fail, neither gets points.
  *
  * @param players robots of each team, 1 to 11
  * @param seconds simulated seconds of a match, in one half
  * @param conditions seeds
  */
-public record MatchContest(int players, double seconds, Conditions conditions) implements Contest {
+public record MatchContest(int players, double seconds, Conditions conditions) implements JudgedContest {
 
     /** The name of this contest. */
     public static final String NAME = "matches";
 
     private static final int FORFEIT_GOALS = 3;
 
-    /** Where robots begin, in the order of their numbers; nobody stands in the centre circle. */
+    /** Where robots begin, in the order of their numbers; the centre circle is free. */
     private static final double[][] LINE_UP = {
         {-5, 0},
         {-1.6, 0},
@@ -55,12 +55,12 @@ public record MatchContest(int players, double seconds, Conditions conditions) i
     }
 
     @Override
-    public List<Trial> trials(List<String> teams, Results results) {
+    public List<ContestTrial> trials(List<String> teams, Results results) {
         return Fixture.pairs(teams).stream().map(this::trial).toList();
     }
 
     @Override
-    public Judge judge(Trial trial) {
+    public Judge judge(ContestTrial trial) {
         return new MatchJudge(trial);
     }
 
@@ -98,12 +98,12 @@ public record MatchContest(int players, double seconds, Conditions conditions) i
         return (int) Math.round(result.figures().getOrDefault(MatchJudge.GOALS, 0.0));
     }
 
-    private Trial trial(Fixture.Pair pair) {
+    private ContestTrial trial(Fixture.Pair pair) {
         SoccerParameters parameters = SoccerParameters.beginner()
                 .with(SoccerParameter.AUTOMATIC_KICK_OFF, 0)
                 .with(SoccerParameter.START_ANY_FIELD_POSITION, 0)
                 .with(SoccerParameter.BEAM_GRACE_TIME, 0);
-        return new Trial(
+        return new ContestTrial(
                 id(pair),
                 conditions.seedOf(pair.number()),
                 parameters,

@@ -6,20 +6,20 @@ import java.util.TreeMap;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.simulator.SimulationControl;
 
-/** Counts the goals of a match. It is over at once when a team has no robot any more. */
+/** Counts the goals of a match. It ends at once when a team has no robot left. */
 final class MatchJudge implements Judge {
 
     static final String GOALS = "goals";
 
-    private final Trial trial;
+    private final ContestTrial trial;
     private final Map<String, Double> goals = new TreeMap<>();
 
-    MatchJudge(Trial trial) {
+    MatchJudge(ContestTrial trial) {
         this.trial = trial;
     }
 
     @Override
-    public boolean watch(Moment moment, SimulationControl referee) {
+    public boolean watch(JudgedMoment moment, SimulationControl referee) {
         boolean anybodyMissing = false;
         for (Entrant entrant : trial.entrants()) {
             Optional<TeamSide> side = moment.side(entrant.team());

@@ -19,7 +19,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  * @param seconds simulated seconds that an attacker has
  * @param conditions seeds
  */
-record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) implements Contest {
+record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) implements JudgedContest {
 
     static final String NAME = "penalties";
 
@@ -47,8 +47,8 @@ record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) 
     }
 
     @Override
-    public List<Trial> trials(List<String> teams, Results results) {
-        List<Trial> trials = new ArrayList<>();
+    public List<ContestTrial> trials(List<String> teams, Results results) {
+        List<ContestTrial> trials = new ArrayList<>();
         for (Fixture.Pair pair : Fixture.pairs(teams)) {
             int rounds = shootOut.roundsNeeded(played(pair, results));
             for (int round = 1; round <= rounds; round++) {
@@ -60,7 +60,7 @@ record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) 
     }
 
     @Override
-    public Judge judge(Trial trial) {
+    public Judge judge(ContestTrial trial) {
         return new PenaltyJudge(trial);
     }
 
@@ -99,7 +99,7 @@ record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) 
         return (int) Math.round(result.of(attacker).figure(PenaltyJudge.GOALS).orElse(0));
     }
 
-    private Trial trial(Fixture.Pair pair, int round, boolean homeAttacks) {
+    private ContestTrial trial(Fixture.Pair pair, int round, boolean homeAttacks) {
         SoccerParameters parameters = SoccerParameters.beginner()
                 .with(SoccerParameter.AUTOMATIC_KICK_OFF, 0)
                 .with(SoccerParameter.BEAM_GRACE_TIME, 0);
@@ -108,7 +108,7 @@ record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) 
         double aside = ASIDE_METRES * (2 * new Random(conditions.seedOf(round)).nextDouble() - 1);
         String attacker = homeAttacks ? pair.home() : pair.away();
         String keeper = homeAttacks ? pair.away() : pair.home();
-        return new Trial(
+        return new ContestTrial(
                 id(pair, round, homeAttacks),
                 conditions.seedOf(pair.number(), round),
                 parameters,

@@ -13,12 +13,12 @@ final class PenaltyJudge implements Judge {
     private final String attacker;
     private double goals;
 
-    PenaltyJudge(Trial trial) {
+    PenaltyJudge(ContestTrial trial) {
         this.attacker = trial.entrants().get(0).team();
     }
 
     @Override
-    public boolean watch(Moment moment, SimulationControl referee) {
+    public boolean watch(JudgedMoment moment, SimulationControl referee) {
         Optional<TeamSide> side = moment.side(attacker);
         if (side.isEmpty()) {
             return true;

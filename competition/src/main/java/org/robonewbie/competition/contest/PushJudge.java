@@ -5,18 +5,19 @@ import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.SimulationControl;
 
 /**
- * Pushes the robot every three seconds at its torso for 0.1 s, each time 5 N harder and from another direction, until it lies:
- * until its torso leans by more than 60 degrees.
+ * Pushes the robot every three seconds at its torso for 0.1 s, each time 5 N harder and from another direction, until it has
+ * fallen.
  */
 final class PushJudge implements Judge {
 
     static final String STANDING_SECONDS = "standingSeconds";
     static final String PUSHES = "pushes";
 
-    private static final double FALLEN_DEGREES = 60;
     private static final int CYCLES_BETWEEN_PUSHES = 150;
     private static final int CYCLES_OF_A_PUSH = 5;
     private static final double STEP_NEWTONS = 5;
@@ -28,15 +29,15 @@ final class PushJudge implements Judge {
     private int pushes;
     private Vector3 push = Vector3.ZERO;
 
-    PushJudge(Trial trial, long seed) {
+    PushJudge(ContestTrial trial, long seed) {
         this.team = trial.entrants().get(0).team();
         this.random = new Random(seed);
     }
 
     @Override
-    public boolean watch(Moment moment, SimulationControl referee) {
+    public boolean watch(JudgedMoment moment, SimulationControl referee) {
         List<RobotView> robots = moment.robots(team);
-        if (robots.isEmpty() || robots.get(0).leanDegrees() > FALLEN_DEGREES) {
+        if (robots.isEmpty() || robots.get(0).isFallen()) {
             return true;
         }
         figures.put(STANDING_SECONDS, moment.seconds());
@@ -48,7 +49,10 @@ final class PushJudge implements Judge {
             push = new Vector3(Math.cos(angle), Math.sin(angle), 0).times(pushes * STEP_NEWTONS);
         }
         if (pushes > 0 && cycle % CYCLES_BETWEEN_PUSHES < CYCLES_OF_A_PUSH) {
-            referee.pushRobot(moment.side(team).orElseThrow(), robots.get(0).number(), push);
+            referee.order(new Order.PushRobot(
+                    new PlayerNumber(
+                            moment.side(team).orElseThrow(), robots.get(0).number()),
+                    push));
         }
         return false;
     }

@@ -7,7 +7,7 @@ import java.util.Optional;
 public interface Results {
 
     /**
-     * Finds a result.
+     * Looks up a result.
      *
      * @param trialId name of the trial
      * @return its result, or empty if it is not over

@@ -2,7 +2,7 @@ package org.robonewbie.competition.contest;
 
 import java.util.Locale;
 
-/** What a program has to be in a trial. A team may have a program of its own for each role. */
+/** The role of a program in a trial. A team may have a program of its own for each role. */
 public enum Role {
     /** Whatever the contest asks for. */
     MAIN,
@@ -11,11 +11,7 @@ public enum Role {
     /** Keeps the goal against penalties. */
     GOALKEEPER;
 
-    /**
-     * Gives the word for it in a file of teams.
-     *
-     * @return such as {@code attacker}
-     */
+    /** {@return the word for it in a file of teams, such as {@code attacker}} */
     public String key() {
         return name().toLowerCase(Locale.ROOT);
     }

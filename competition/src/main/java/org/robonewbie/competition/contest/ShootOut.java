@@ -14,7 +14,7 @@ record ShootOut(int rounds, int suddenDeathRounds) {
     /** What both teams did in one round: goals are 1 or 0. */
     record Round(int home, int away) {}
 
-    /** Tells how many rounds there are to be, as far as the played ones tell. */
+    /** The number of rounds that are needed, as known from the ones played. */
     int roundsNeeded(List<Round> played) {
         if (played.size() < rounds || !isEqual(played) || played.size() >= rounds + suddenDeathRounds) {
             return Math.max(rounds, played.size());
@@ -22,7 +22,7 @@ record ShootOut(int rounds, int suddenDeathRounds) {
         return played.size() + 1;
     }
 
-    /** Tells whether nothing is left to shoot. */
+    /** Whether the shoot-out is decided. */
     boolean isOver(List<Round> played) {
         return played.size() >= roundsNeeded(played);
     }

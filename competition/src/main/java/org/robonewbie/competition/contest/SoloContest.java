@@ -29,10 +29,10 @@ public record SoloContest(
         String rule,
         StartPlace start,
         double seconds,
-        Function<Trial, Judge> judges,
+        Function<ContestTrial, Judge> judges,
         List<Criterion> criteria,
         Conditions conditions)
-        implements Contest {
+        implements JudgedContest {
 
     private static final double VARIED_METRES = 0.3;
     private static final double VARIED_DEGREES = 20;
@@ -43,12 +43,12 @@ public record SoloContest(
     }
 
     @Override
-    public List<Trial> trials(List<String> teams, Results results) {
+    public List<ContestTrial> trials(List<String> teams, Results results) {
         return teams.stream().map(this::trial).toList();
     }
 
     @Override
-    public Judge judge(Trial trial) {
+    public Judge judge(ContestTrial trial) {
         return judges.apply(trial);
     }
 
@@ -59,7 +59,7 @@ public record SoloContest(
                 .toList();
         List<TeamResult> ready = found.stream().flatMap(Optional::stream).toList();
         List<Table.Row> rows =
-                Place.ranking(ready, order()).stream().map(this::row).toList();
+                Ranked.ranking(ready, order()).stream().map(this::row).toList();
         List<Table.Row> waiting = teams.stream()
                 .filter(team -> ready.stream().noneMatch(result -> result.team().equals(team)))
                 .map(team -> new Table.Row(ready.size() + 1, team, cells("not yet"), List.of()))
@@ -72,11 +72,11 @@ public record SoloContest(
                 Stream.concat(rows.stream(), waiting.stream()).toList());
     }
 
-    private Trial trial(String team) {
+    private ContestTrial trial(String team) {
         SoccerParameters parameters = SoccerParameters.beginner()
                 .with(SoccerParameter.AUTOMATIC_KICK_OFF, 0)
                 .with(SoccerParameter.BEAM_GRACE_TIME, 0);
-        return new Trial(
+        return new ContestTrial(
                 id(team),
                 conditions.seedOf(team),
                 parameters,
@@ -103,7 +103,7 @@ public record SoloContest(
                 start.degrees() + VARIED_DEGREES * (2 * random.nextDouble() - 1));
     }
 
-    /** Who has lost the trial stands behind all others. */
+    /** A team that has lost the trial ranks behind all others. */
     private Comparator<TeamResult> order() {
         Comparator<TeamResult> order = Comparator.comparing(result -> !result.isPlayed());
         for (Criterion criterion : criteria) {
@@ -112,7 +112,7 @@ public record SoloContest(
         return order;
     }
 
-    private Table.Row row(Place<TeamResult> place) {
+    private Table.Row row(Ranked<TeamResult> place) {
         TeamResult result = place.who();
         List<String> cells = Stream.concat(
                         criteria.stream().map(criterion -> criterion.text(result)),

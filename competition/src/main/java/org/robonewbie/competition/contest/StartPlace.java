@@ -5,13 +5,13 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Where a robot of a team starts, as its own team sees the pitch: the origin is the centre spot, x points to the opponents'
- * goal and y to the left of that.
+ * Where a robot of a team starts, in its team's own coordinates: the origin is the centre spot, x points to the opponents' goal
+ * and y to the left of that.
  *
  * @param number the robot's number, 1 to 11
  * @param x metres
  * @param y metres
- * @param degrees direction to look to; 0 is towards the opponents' goal, positive is left
+ * @param degrees its heading; 0 is towards the opponents' goal, positive is left
  */
 public record StartPlace(int number, double x, double y, double degrees) {
 
@@ -28,7 +28,7 @@ public record StartPlace(int number, double x, double y, double degrees) {
     }
 
     /**
-     * Tells where that is in the world.
+     * Returns the position in the world frame.
      *
      * @param side the team's half
      * @return centre of the torso, metres
@@ -38,7 +38,7 @@ public record StartPlace(int number, double x, double y, double degrees) {
     }
 
     /**
-     * Tells which way that is in the world.
+     * Returns the heading in the world frame.
      *
      * @param side the team's half
      * @return degrees, 0 towards the right goal, counter-clockwise

@@ -32,11 +32,7 @@ public record TeamResult(String team, Ending ending, SortedMap<String, Double> f
         return new TeamResult(team, ending, new TreeMap<>(figures));
     }
 
-    /**
-     * Tells whether the team took part to the end.
-     *
-     * @return whether its figures count
-     */
+    /** {@return whether the team took part to the end, so that its figures count} */
     public boolean isPlayed() {
         return ending == Ending.PLAYED;
     }

@@ -18,7 +18,7 @@ public record TrialResult(String id, long seed, double seconds, List<TeamResult>
     }
 
     /**
-     * Finds a team's result.
+     * Returns a team's result.
      *
      * @param name name of a team that took part
      * @return its result

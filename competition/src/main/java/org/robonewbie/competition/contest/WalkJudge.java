@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.robonewbie.simulator.SimulationControl;
 
-/** Measures a race towards the opponents' goal: who is how far, and when the line is crossed upright. */
+/** Measures a race towards the opponents' goal: the distance covered, and when the line is crossed upright. */
 final class WalkJudge implements Judge {
 
     static final String LINE_SECONDS = "lineSeconds";
@@ -18,15 +18,15 @@ final class WalkJudge implements Judge {
     /**
      * Begins.
      *
-     * @param lineMetres how far the line is from the start
+     * @param lineMetres distance of the line from the start
      */
-    WalkJudge(Trial trial, double lineMetres) {
+    WalkJudge(ContestTrial trial, double lineMetres) {
         this.entrant = trial.entrants().get(0);
         this.lineMetres = lineMetres;
     }
 
     @Override
-    public boolean watch(Moment moment, SimulationControl referee) {
+    public boolean watch(JudgedMoment moment, SimulationControl referee) {
         List<RobotView> robots = moment.robots(entrant.team());
         if (robots.isEmpty()) {
             return true;

@@ -5,7 +5,7 @@ final class Html {
 
     private Html() {}
 
-    /** Makes a text harmless inside a page. */
+    /** Escapes a text for a page. */
     static String text(String plain) {
         return plain.replace("&", "&amp;")
                 .replace("<", "&lt;")

@@ -10,15 +10,16 @@ import java.nio.file.StandardOpenOption;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Results;
-import org.robonewbie.competition.contest.Trial;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.competition.trial.TrialFiles;
+import org.robonewbie.nao.file.AtomicFile;
 
 /**
- * The folder in which a contest keeps all that it has: each finished trial in a file of its own, which is there completely or not
- * at all, so that a contest that was broken off goes on where it was.
+ * The folder in which a contest keeps everything: each finished trial in a file of its own, written atomically, so that an
+ * interrupted contest continues where it was.
  */
 public final class ResultFolder implements Results, AutoCloseable {
 
@@ -62,7 +63,7 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Tells where a file of the results is.
+     * Returns the path of a file of the results.
      *
      * @param name its name in this folder
      * @return the file
@@ -72,17 +73,17 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Tells where a trial puts what it writes.
+     * Returns where a trial writes its files.
      *
      * @param trial the trial
      * @return its files
      */
-    public TrialFiles filesOf(Trial trial) {
+    public TrialFiles filesOf(ContestTrial trial) {
         return new TrialFiles(Optional.of(recording(trial.id())), folder.resolve("logs"), folder.resolve("work"));
     }
 
     /**
-     * Tells where a trial is recorded.
+     * Returns the recording of a trial.
      *
      * @param trialId name of the trial
      * @return the file, which {@code robonewbie studio} opens
@@ -115,7 +116,7 @@ public final class ResultFolder implements Results, AutoCloseable {
      * @throws IOException if it cannot be written
      */
     public void save(TrialResult result, String circumstances) throws IOException {
-        WholeFile.write(trialFile(result.id()), TrialJson.write(result, circumstances));
+        AtomicFile.write(trialFile(result.id()), TrialJson.write(result, circumstances));
         finished.put(result.id(), result);
     }
 

@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.team.TeamEntry;
+import org.robonewbie.nao.file.AtomicFile;
 
 /** Writes the table of a contest as a page, as CSV and as JSON, and a certificate for each team. */
 public final class TableFiles {
@@ -35,11 +36,11 @@ public final class TableFiles {
      * @throws IOException if a file cannot be written
      */
     public void write(Table table, long seed) throws IOException {
-        WholeFile.write(folder.file("table.csv"), csv(table));
-        WholeFile.write(folder.file("table.json"), json(table, seed));
-        WholeFile.write(folder.file("table.html"), new TablePage(teams).of(table, seed));
+        AtomicFile.write(folder.file("table.csv"), csv(table));
+        AtomicFile.write(folder.file("table.json"), json(table, seed));
+        AtomicFile.write(folder.file("table.html"), new TablePage(teams).of(table, seed));
         for (Table.Row row : table.rows()) {
-            WholeFile.write(
+            AtomicFile.write(
                     folder.file("certificates").resolve(row.team() + ".html"),
                     new Certificate(team(row.team()), table, row).page());
         }

@@ -15,10 +15,10 @@ public record Limits(
     /** The usual limits. */
     public static final Limits USUAL = new Limits(512, 300, 20, 60, 900);
 
-    /** What a Java program needs beside its data, and what may be shared with other programs. */
+    /** What a Java program needs in addition to its data, and what may be shared with other programs. */
     private static final int BESIDE_MEGABYTES = 512;
 
-    /** Tells how much memory all processes of a team may take. */
+    /** The memory that all processes of a team may take. */
     long residentBytes() {
         return (memoryMegabytes + BESIDE_MEGABYTES) * 1_000_000L;
     }

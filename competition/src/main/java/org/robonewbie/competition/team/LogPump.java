@@ -38,7 +38,7 @@ final class LogPump {
         }
     }
 
-    /** Tells whether Java has ended the program since its memory was full. */
+    /** Whether Java has ended the program since its memory was full. */
     boolean tellsLackOfMemory() {
         return lackOfMemory;
     }
@@ -57,7 +57,7 @@ final class LogPump {
                 }
             }
         } catch (IOException ended) {
-            // The program or the disk is at its end; the trial goes on without the log.
+            // The program or the disk is at its end; the trial continues without the log.
         }
     }
 }

@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.robonewbie.competition.contest.Role;
 
-/** Finds the class with which a team's program begins; no line of the team runs for that. */
+/** Finds the class with which a team's program starts, without running any line of the team. */
 final class MainClasses {
 
     private MainClasses() {}
@@ -34,7 +34,7 @@ final class MainClasses {
         return chosen;
     }
 
-    /** Lists the classes of a folder that have a main method. */
+    /** The classes of a folder that have a main method. */
     static List<String> in(Path classes, List<Path> classPath) throws IOException {
         List<URL> urls = new ArrayList<>();
         for (Path place : classPath) {

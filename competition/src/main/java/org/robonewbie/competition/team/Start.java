@@ -7,12 +7,12 @@ import org.robonewbie.competition.contest.Role;
 import org.robonewbie.competition.contest.StartPlace;
 
 /**
- * What a program is told when it is started.
+ * What a program receives when it is started.
  *
  * @param port TCP port of the simulator on this computer
  * @param team name of its team
- * @param role what it has to be
- * @param places where its robots start; several only if one process brings all players
+ * @param role its role
+ * @param places where its robots start; several only if one process runs all players
  */
 public record Start(int port, String team, Role role, List<StartPlace> places) {
 

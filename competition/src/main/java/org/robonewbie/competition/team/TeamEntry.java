@@ -18,39 +18,27 @@ public record TeamEntry(String name, String program, Map<String, String> setting
         settings = Map.copyOf(settings);
     }
 
-    /**
-     * Names the team for people.
-     *
-     * @return its title, or its name if it has none
-     */
+    /** {@return the team's title, or its name if it has none} */
     public String title() {
         return settings.getOrDefault(TeamList.TITLE, name);
     }
 
-    /**
-     * Names its members.
-     *
-     * @return as written, empty if nobody is named
-     */
+    /** {@return the team's members as written, empty if there are none} */
     public String members() {
         return settings.getOrDefault(TeamList.MEMBERS, "");
     }
 
-    /**
-     * Tells its own seed.
-     *
-     * @return the seed, or empty if it plays under the same conditions as the others
-     */
+    /** {@return the team's own seed; empty if it plays under the same conditions as the others} */
     public Optional<Long> seed() {
         return Optional.ofNullable(settings.get(TeamList.SEED)).map(Long::valueOf);
     }
 
-    /** Tells whether one process brings all players. */
+    /** Whether one process runs all players. */
     boolean isTogether() {
         return settings.getOrDefault(TeamList.TOGETHER, "no").equals("yes");
     }
 
-    /** Tells which class it wants for a role, or for all if it has none for this one. */
+    /** The class that it wants for a role, or for all if it has none for this one. */
     Optional<String> mainClass(Role role) {
         return Optional.ofNullable(settings.get(role.key()))
                 .or(() -> Optional.ofNullable(settings.get(Role.MAIN.key())));

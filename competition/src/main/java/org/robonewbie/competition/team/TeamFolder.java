@@ -23,7 +23,7 @@ final class TeamFolder {
 
     private TeamFolder() {}
 
-    /** Lists the files in a fixed order; a file is its own list. */
+    /** The files in a fixed order; a file is its own list. */
     static List<Path> filesOf(Path place) throws IOException {
         List<Path> files = new ArrayList<>();
         Files.walkFileTree(place, new SimpleFileVisitor<>() {
@@ -61,7 +61,7 @@ final class TeamFolder {
         }
     }
 
-    /** Deletes a folder with all that is in it, as far as the system allows it. */
+    /** Deletes a folder with everything in it, where the system permits it. */
     static void delete(Path folder) {
         if (!Files.exists(folder)) {
             return;

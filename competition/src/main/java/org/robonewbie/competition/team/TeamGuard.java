@@ -15,10 +15,10 @@ import java.util.Objects;
  */
 public final class TeamGuard {
 
-    /** Says that a class shall be started. */
+    /** Requests a class to be started. */
     static final String CLASS = "class";
 
-    /** Says that a command shall be started. */
+    /** Requests a command to be started. */
     static final String COMMAND = "command";
 
     private TeamGuard() {}

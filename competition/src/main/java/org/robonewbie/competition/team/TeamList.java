@@ -128,7 +128,7 @@ public final class TeamList {
         settings.computeIfAbsent(name, team -> new TreeMap<>()).put(setting, value);
     }
 
-    /** Names a team after its folder, file or class. */
+    /** The name of a team, after its folder, file or class. */
     private String freeName(String program) {
         Path last =
                 Objects.requireNonNullElse(Path.of(program.split("\\s", -1)[0]).getFileName(), Path.of("Team"));

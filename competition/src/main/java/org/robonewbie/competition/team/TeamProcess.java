@@ -38,13 +38,13 @@ public final class TeamProcess implements AutoCloseable {
     }
 
     /**
-     * Starts a program in a process of its own.
+     * Starts a program in a separate process.
      *
      * @param program the program
-     * @param start what it is told
-     * @param limits what it may use
-     * @param workFolder folder that it gets to work in; made now, deleted at the end
-     * @param log file for what it prints
+     * @param start what it receives
+     * @param limits its limits
+     * @param workFolder working folder of the program; created now, deleted at the end
+     * @param log file for its output
      * @return the running program
      * @throws IOException if the process cannot be started
      */
@@ -67,11 +67,7 @@ public final class TeamProcess implements AutoCloseable {
         return new TeamProcess(process, LogPump.start(process.getInputStream(), log), limits, workFolder);
     }
 
-    /**
-     * Tells whether the program still runs.
-     *
-     * @return whether it does
-     */
+    /** {@return whether the program is still running} */
     public boolean isRunning() {
         return process.isAlive();
     }
@@ -97,9 +93,9 @@ public final class TeamProcess implements AutoCloseable {
     }
 
     /**
-     * Tells why the program has ended, or lost its robot. Waits a moment for its end.
+     * Returns why the program has ended, or lost its robot. Waits a moment for its end.
      *
-     * @return the reason; {@link Ending#SILENT} if it still runs
+     * @return the reason; {@link Ending#SILENT} if it is still running
      */
     public Ending ending() {
         if (brokenLimit.isPresent()) {

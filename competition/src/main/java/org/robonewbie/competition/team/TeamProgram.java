@@ -9,11 +9,7 @@ import org.robonewbie.competition.contest.Role;
 /** A program that is ready to be started. */
 public sealed interface TeamProgram {
 
-    /**
-     * Tells what is told apart: as long as it stays the same, earlier results of the team hold.
-     *
-     * @return a checksum of the program
-     */
+    /** {@return a checksum of the program; while it stays the same, earlier results of the team are valid} */
     String fingerprint();
 
     /**

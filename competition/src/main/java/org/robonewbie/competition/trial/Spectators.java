@@ -1,16 +1,16 @@
 package org.robonewbie.competition.trial;
 
 import java.io.IOException;
-import org.robonewbie.competition.contest.Trial;
+import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.simulator.SimulationControl;
 
 /** Those who look at trials while they run. */
 public interface Spectators {
 
-    /** Nobody looks, so trials run as fast as they can. */
+    /** No spectators, so trials run as fast as they can. */
     Spectators NOBODY = new Spectators() {
         @Override
-        public Runnable watch(SimulationControl simulation, Trial trial) {
+        public Runnable watch(SimulationControl simulation, ContestTrial trial) {
             return () -> {};
         }
 
@@ -21,17 +21,17 @@ public interface Spectators {
     };
 
     /**
-     * Lets them look at a trial.
+     * Shows a trial.
      *
-     * @param simulation what to look at
-     * @param trial which trial it is
+     * @param simulation the simulation to show
+     * @param trial the trial
      * @return what to do at the end of the trial
-     * @throws IOException if they cannot look
+     * @throws IOException if it cannot be shown
      */
-    Runnable watch(SimulationControl simulation, Trial trial) throws IOException;
+    Runnable watch(SimulationControl simulation, ContestTrial trial) throws IOException;
 
     /**
-     * Tells whether there is nobody.
+     * Returns whether there are no spectators.
      *
      * @return whether trials need not keep real time
      */

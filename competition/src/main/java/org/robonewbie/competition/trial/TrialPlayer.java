@@ -1,7 +1,7 @@
 package org.robonewbie.competition.trial;
 
 import java.io.IOException;
-import org.robonewbie.competition.contest.Trial;
+import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.TrialResult;
 
 /** Plays the trials of a contest; several at the same time, from several threads. */
@@ -17,5 +17,5 @@ public interface TrialPlayer {
      * @throws IOException if no simulator or process can be started
      * @throws InterruptedException if this thread is interrupted
      */
-    TrialResult run(Trial trial, TrialFiles files) throws IOException, InterruptedException;
+    TrialResult run(ContestTrial trial, TrialFiles files) throws IOException, InterruptedException;
 }

@@ -10,13 +10,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import org.robonewbie.competition.contest.Contest;
+import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Entrant;
 import org.robonewbie.competition.contest.Judge;
+import org.robonewbie.competition.contest.JudgedContest;
 import org.robonewbie.competition.contest.StartPlace;
 import org.robonewbie.competition.contest.TeamResult;
-import org.robonewbie.competition.contest.Trial;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.Start;
@@ -27,14 +27,14 @@ import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
 /**
- * Runs one trial: a simulator that waits for everybody and runs as fast as it can, and the programs of the teams beside it. The
- * world begins when all are there, so that it does not matter how quickly a program starts.
+ * Runs one trial: a simulator that waits for all programs and runs as fast as it can, and the programs of the teams. The world
+ * begins when all are there, so that it does not matter how quickly a program starts.
  */
 public final class TrialRunner implements TrialPlayer {
 
     private static final long LOOK_MILLISECONDS = 100;
 
-    private final Contest contest;
+    private final JudgedContest contest;
     private final Map<String, TeamProgram> programs;
     private final Limits limits;
     private final Spectators spectators;
@@ -47,7 +47,7 @@ public final class TrialRunner implements TrialPlayer {
      * @param limits what programs may use
      * @param spectators who watches the trials live
      */
-    public TrialRunner(Contest contest, Map<String, TeamProgram> programs, Limits limits, Spectators spectators) {
+    public TrialRunner(JudgedContest contest, Map<String, TeamProgram> programs, Limits limits, Spectators spectators) {
         this.contest = contest;
         this.programs = Map.copyOf(programs);
         this.limits = limits;
@@ -55,7 +55,7 @@ public final class TrialRunner implements TrialPlayer {
     }
 
     @Override
-    public TrialResult run(Trial trial, TrialFiles files) throws IOException, InterruptedException {
+    public TrialResult run(ContestTrial trial, TrialFiles files) throws IOException, InterruptedException {
         Judge judge = contest.judge(trial);
         Map<String, List<TeamProcess>> processes = new LinkedHashMap<>();
         try {
@@ -67,7 +67,7 @@ public final class TrialRunner implements TrialPlayer {
     }
 
     /** Plays until the umpire has decided or the time is over. */
-    private Umpire play(Trial trial, TrialFiles files, Judge judge, Map<String, List<TeamProcess>> processes)
+    private Umpire play(ContestTrial trial, TrialFiles files, Judge judge, Map<String, List<TeamProcess>> processes)
             throws IOException, InterruptedException {
         Path log = files.logs().resolve(trial.id() + "-simulator.txt");
         try (PrintWriter console = new PrintWriter(Files.newBufferedWriter(log, StandardCharsets.UTF_8), true);
@@ -85,7 +85,7 @@ public final class TrialRunner implements TrialPlayer {
         }
     }
 
-    private SimulatorSettings settings(Trial trial, TrialFiles files) {
+    private SimulatorSettings settings(ContestTrial trial, TrialFiles files) {
         return SimulatorSettings.beginner()
                 .parameters(trial.parameters())
                 .agentPort(0)
@@ -98,7 +98,8 @@ public final class TrialRunner implements TrialPlayer {
                 .build();
     }
 
-    private void startAll(Trial trial, TrialFiles files, Simulator simulator, Map<String, List<TeamProcess>> processes)
+    private void startAll(
+            ContestTrial trial, TrialFiles files, Simulator simulator, Map<String, List<TeamProcess>> processes)
             throws IOException {
         for (Entrant entrant : trial.entrants()) {
             List<TeamProcess> own = new ArrayList<>();
@@ -131,8 +132,8 @@ public final class TrialRunner implements TrialPlayer {
                 .toList();
     }
 
-    /** Waits for the decision, and sees to it that nobody keeps the world from reaching it. */
-    private void lead(Trial trial, Simulator simulator, Umpire umpire, Map<String, List<TeamProcess>> processes)
+    /** Waits for the decision, and ensures that no program keeps the world from reaching it. */
+    private void lead(ContestTrial trial, Simulator simulator, Umpire umpire, Map<String, List<TeamProcess>> processes)
             throws InterruptedException {
         long beginning = System.nanoTime();
         boolean tooLate = false;
@@ -161,14 +162,15 @@ public final class TrialRunner implements TrialPlayer {
     }
 
     /** Fills up for the robots of a process that has ended. */
-    private static void standInFor(Trial trial, List<TeamProcess> own, Simulator simulator) {
+    private static void standInFor(ContestTrial trial, List<TeamProcess> own, Simulator simulator) {
         int robots = trial.robots() / trial.entrants().size() / own.size();
         for (int i = 0; i < Math.max(1, robots); i++) {
             StandIn.connect(simulator);
         }
     }
 
-    private TrialResult result(Trial trial, Judge judge, Umpire umpire, Map<String, List<TeamProcess>> processes) {
+    private TrialResult result(
+            ContestTrial trial, Judge judge, Umpire umpire, Map<String, List<TeamProcess>> processes) {
         List<TeamResult> teams = new ArrayList<>();
         for (Entrant entrant : trial.entrants()) {
             String team = entrant.team();

@@ -6,14 +6,17 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Entrant;
 import org.robonewbie.competition.contest.Judge;
-import org.robonewbie.competition.contest.Moment;
+import org.robonewbie.competition.contest.JudgedMoment;
 import org.robonewbie.competition.contest.StartPlace;
-import org.robonewbie.competition.contest.Trial;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
@@ -29,7 +32,7 @@ final class Umpire implements SimulationObserver {
     private static final long CYCLES_TO_JOIN = 150;
     private static final double PLACE_METRES = 0.4;
 
-    private final Trial trial;
+    private final ContestTrial trial;
     private final Judge judge;
     private final SimulationControl control;
     private final CountDownLatch decided = new CountDownLatch(1);
@@ -40,7 +43,7 @@ final class Umpire implements SimulationObserver {
     private long beginning;
     private double seconds;
 
-    Umpire(Trial trial, Judge judge, SimulationControl control) {
+    Umpire(ContestTrial trial, Judge judge, SimulationControl control) {
         this.trial = trial;
         this.judge = judge;
         this.control = control;
@@ -63,7 +66,7 @@ final class Umpire implements SimulationObserver {
         return decided.getCount() == 0;
     }
 
-    /** Waits for the decision; tells whether it has come. */
+    /** Waits for the decision; returns whether it has come. */
     boolean await(long milliseconds) throws InterruptedException {
         return decided.await(milliseconds, TimeUnit.MILLISECONDS);
     }
@@ -73,23 +76,23 @@ final class Umpire implements SimulationObserver {
         return seconds;
     }
 
-    /** Tells whether a team had a robot on the pitch when the trial was decided. */
+    /** Whether a team had a robot on the pitch when the trial was decided. */
     boolean isPresent(String team) {
         return robots.getOrDefault(team, 0) > 0;
     }
 
-    /** Tells whether a team had more robots than it may have. */
+    /** Whether a team had more robots than it may have. */
     boolean isGreedy(String team) {
         return greedy.contains(team);
     }
 
-    /** Tells whether the trial has begun. */
+    /** Whether the trial has begun. */
     boolean hasBegun() {
         return beginning > 0;
     }
 
     private void lineUp(WorldSnapshot world) {
-        Moment moment = new Moment(trial, 0, world);
+        JudgedMoment moment = new JudgedMoment(trial, 0, world);
         long joined =
                 world.robots().stream().filter(robot -> robot.number() > 0).count();
         if (joined >= trial.robots() && complete == 0) {
@@ -108,18 +111,19 @@ final class Umpire implements SimulationObserver {
         }
     }
 
-    private void kickOff(Moment moment) {
-        control.kickOff(trial.kickOff());
+    private void kickOff(JudgedMoment moment) {
+        control.order(new Order.KickOff(trial.kickOff()));
         if (trial.ball().isPresent()) {
             TeamSide side = moment.side(trial.entrants().get(0).team()).orElse(TeamSide.LEFT);
             Vector3 ball = trial.ball().get();
-            control.setPlayMode(PlayMode.PLAY_ON);
-            control.placeBall(side == TeamSide.LEFT ? ball : new Vector3(-ball.x(), -ball.y(), ball.z()), Vector3.ZERO);
+            control.order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
+            control.order(new Order.MoveBall(
+                    side == TeamSide.LEFT ? ball : new Vector3(-ball.x(), -ball.y(), ball.z()), Vector3.ZERO));
         }
     }
 
-    /** Puts robots to their places that have chosen others. */
-    private void correctPlaces(Entrant entrant, Moment moment) {
+    /** Moves robots that have chosen other places to their own. */
+    private void correctPlaces(Entrant entrant, JudgedMoment moment) {
         for (RobotSnapshot robot : robotsOf(entrant, moment.world())) {
             TeamSide side = robot.side().orElseThrow();
             StartPlace place = entrant.places().stream()
@@ -127,24 +131,27 @@ final class Umpire implements SimulationObserver {
                     .findFirst()
                     .orElse(entrant.places().get(0));
             Vector3 wanted = place.position(side);
-            boolean isThere =
-                    Math.hypot(robot.linkPoses()[0] - wanted.x(), robot.linkPoses()[1] - wanted.y()) < PLACE_METRES;
+            boolean isThere = Math.hypot(
+                            robot.body().position().x() - wanted.x(),
+                            robot.body().position().y() - wanted.y())
+                    < PLACE_METRES;
             if (!isThere) {
-                control.placeRobot(side, robot.number(), wanted, place.heading(side));
+                control.order(
+                        new Order.PlaceRobot(new PlayerNumber(side, robot.number()), wanted, place.heading(side)));
             }
         }
     }
 
     private void watch(WorldSnapshot world) {
-        double now = (world.cycle() - beginning) * WorldSnapshot.CYCLE_SECONDS;
-        Moment moment = new Moment(trial, now, world);
+        double now = (world.cycle() - beginning) * Cycle.SECONDS;
+        JudgedMoment moment = new JudgedMoment(trial, now, world);
         count(moment);
         if (judge.watch(moment, control) || now >= trial.seconds() - 1e-9 || !greedy.isEmpty()) {
             decide(now);
         }
     }
 
-    private void count(Moment moment) {
+    private void count(JudgedMoment moment) {
         for (Entrant entrant : trial.entrants()) {
             int count = robotsOf(entrant, moment.world()).size();
             robots.put(entrant.team(), count);
@@ -163,7 +170,7 @@ final class Umpire implements SimulationObserver {
 
     private void decide(double now) {
         seconds = now;
-        control.pause();
+        control.order(new Order.Pause());
         decided.countDown();
     }
 }

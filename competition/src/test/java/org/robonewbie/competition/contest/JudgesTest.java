@@ -11,14 +11,18 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
@@ -26,12 +30,11 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 /** What the judges see in worlds that are put together by hand: one robot, the ball, a decision of the referee. */
 class JudgesTest {
 
-    private static final NaoModel MODEL = NaoModel.of(RobotType.TYPE_0);
     private static final double STANDING = 0.38;
     private static final Vector3 FAR_AWAY = new Vector3(3, 3, 0.04);
 
-    private Trial trial =
-            new Trial("none", 1, SoccerParameters.beginner(), List.of(), 1, TeamSide.LEFT, Optional.empty());
+    private ContestTrial trial =
+            new ContestTrial("none", 1, SoccerParameters.beginner(), List.of(), 1, TeamSide.LEFT, Optional.empty());
 
     private Simulator simulator;
     private long cycle;
@@ -129,7 +132,7 @@ class JudgesTest {
     }
 
     private Judge penaltyOfRed() {
-        Contest contest = Contests.penalties(conditions(), 3, 30);
+        JudgedContest contest = Contests.penalties(conditions(), 3, 30);
         trial = contest.trials(List.of("Red", "Blue"), id -> Optional.empty()).stream()
                 .filter(attack -> attack.entrants().get(0).team().equals("Red"))
                 .findFirst()
@@ -190,7 +193,7 @@ class JudgesTest {
         return new Conditions(1, false, Map.of());
     }
 
-    private Judge judge(Contest contest) {
+    private Judge judge(JudgedContest contest) {
         trial = contest.trials(List.of("Red"), id -> Optional.empty()).get(0);
         return contest.judge(trial);
     }
@@ -201,40 +204,16 @@ class JudgesTest {
 
     private boolean watch(Judge judge, PlayMode mode, int goals, RobotSnapshot robot, Vector3 ball) {
         cycle++;
-        double seconds = cycle * WorldSnapshot.CYCLE_SECONDS;
+        double seconds = cycle * Cycle.SECONDS;
         WorldSnapshot world = new WorldSnapshot(
-                cycle,
-                seconds,
-                mode,
-                "Red",
-                "",
-                goals,
-                0,
-                1,
-                ball,
-                new float[] {1, 0, 0, 0},
-                List.of(robot),
-                false,
-                1,
-                1);
-        return judge.watch(new Moment(trial, seconds, world), simulator.control());
+                cycle, seconds, mode, "Red", "", goals, 0, 1, ball, Rotation.NONE, List.of(robot), false, 1, 1);
+        return judge.watch(new JudgedMoment(trial, seconds, world), simulator.control());
     }
 
-    /** All parts at one place, leaning to the front; the joints are at 0. */
+    /** A robot that faces the right goal, leaning to the front; the joints are at 0. */
     private static RobotSnapshot robotAt(double x, double height, double leanDegrees) {
-        double half = Math.toRadians(leanDegrees) / 2;
-        float[] poses = new float[7 * MODEL.links().size()];
-        for (int link = 0; link < MODEL.links().size(); link++) {
-            float[] pose = {(float) x, 0, (float) height, (float) Math.cos(half), (float) Math.sin(half), 0, 0};
-            System.arraycopy(pose, 0, poses, 7 * link, pose.length);
-        }
-        return new RobotSnapshot(
-                1,
-                "Red",
-                Optional.of(TeamSide.LEFT),
-                2,
-                RobotType.TYPE_0,
-                poses,
-                new float[MODEL.hinges().size()]);
+        Pose torso = new Pose(new Vector3(x, 0, height), Rotation.ofYawPitchRoll(0, leanDegrees, 0));
+        BodyState body = BodyState.of(RobotType.TYPE_0, torso, Posture.ZERO);
+        return new RobotSnapshot(1, "Red", Optional.of(TeamSide.LEFT), 2, body);
     }
 }

@@ -74,7 +74,7 @@ class LeagueTableTest {
                         TeamResult.of("B", other, Map.of(MatchJudge.GOALS, others))));
     }
 
-    private static String points(Place<LeagueTable.Line> place) {
+    private static String points(Ranked<LeagueTable.Line> place) {
         List<String> cells = place.who().cells();
         return cells.get(cells.size() - 1);
     }

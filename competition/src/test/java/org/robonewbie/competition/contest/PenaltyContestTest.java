@@ -41,7 +41,7 @@ class PenaltyContestTest {
 
     @Test
     void bothTeamsHaveBothRolesUnderEqualConditions() {
-        List<Trial> trials = Contests.penalties(Conditions.of(1), 2, 30).trials(TEAMS, id -> Optional.empty());
+        List<ContestTrial> trials = Contests.penalties(Conditions.of(1), 2, 30).trials(TEAMS, id -> Optional.empty());
 
         assertThat(trials)
                 .extracting(trial ->
@@ -83,7 +83,7 @@ class PenaltyContestTest {
                                 TeamResult.of(keeper, Ending.PLAYED, Map.of()))));
     }
 
-    private static StartPlace place(Trial trial) {
+    private static StartPlace place(ContestTrial trial) {
         return trial.entrants().get(0).places().get(0);
     }
 }

@@ -74,10 +74,10 @@ class ScoringTableTest {
 
     @Test
     void everybodyHasTheSameTrial() {
-        List<Trial> trials = SCORING.trials(List.of("A", "B"), id -> Optional.empty());
+        List<ContestTrial> trials = SCORING.trials(List.of("A", "B"), id -> Optional.empty());
 
-        assertThat(trials).extracting(Trial::seed).containsExactly(1L, 1L);
-        assertThat(trials).extracting(Trial::seconds).containsOnly(180.0);
+        assertThat(trials).extracting(ContestTrial::seed).containsExactly(1L, 1L);
+        assertThat(trials).extracting(ContestTrial::seconds).containsOnly(180.0);
         assertThat(trials)
                 .extracting(trial -> trial.entrants().get(0).places().get(0).pose())
                 .containsOnly("-0.5,0.4,-40");

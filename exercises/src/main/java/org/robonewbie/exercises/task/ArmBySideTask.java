@@ -1,17 +1,16 @@
 package org.robonewbie.exercises.task;
 
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Program;
-import org.robonewbie.exercises.Puppet;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 
 /**
  * Raise the arm on whose side another robot stands; that robot stands somewhere else every three seconds.
@@ -24,7 +23,8 @@ public final class ArmBySideTask implements Task {
     private static final double UP_DEGREES = 50;
     private static final double DOWN_DEGREES = 20;
 
-    private final List<Integer> sides = new ArrayList<>(List.of(1, -1, 0, 1, -1, 0));
+    private List<Integer> sides = List.of(1, -1, 0, 1, -1, 0);
+    private Chance places = new Chance(0);
     private final boolean[] wrong = new boolean[6];
     private int phase = -1;
 
@@ -32,23 +32,32 @@ public final class ArmBySideTask implements Task {
     public ArmBySideTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        stage.add(student.get(), "Students", 1, STUDENT);
-        stage.add(Program.of(new Puppet()), "Others", 2, new Place(-5, 2, 0));
-        Collections.shuffle(sides, stage.random());
+    public Scene scene(Chance chance) {
+        places = chance;
+        sides = chance.shuffled(sides);
+        return Scene.of(RobotStart.at(STUDENT), RobotStart.at(-5, 2).withTeam("Others", 2));
     }
 
     @Override
-    public void watch(Stage stage) {
-        int now = Math.min(sides.size() - 1, (int) (stage.seconds() / PHASE_SECONDS));
+    public void act(Trial trial) {
+        int now = phase(trial.seconds());
         if (now != phase) {
             phase = now;
-            stage.players().get(1).moveTo(dummyPlace(stage, sides.get(phase)));
+            trial.moveRobot(1, dummyPlace(sides.get(phase)));
         }
-        if (stage.seconds() - phase * PHASE_SECONDS > JUDGED_FROM_SECONDS) {
-            double left = stage.student().jointDegrees(Joint.LEFT_SHOULDER_PITCH);
-            double right = stage.student().jointDegrees(Joint.RIGHT_SHOULDER_PITCH);
-            wrong[phase] |= isWrong(left, sides.get(phase) > 0) || isWrong(right, sides.get(phase) < 0);
+    }
+
+    private int phase(double seconds) {
+        return Math.min(sides.size() - 1, (int) (seconds / PHASE_SECONDS));
+    }
+
+    @Override
+    public void see(Moment moment) {
+        int now = phase(moment.seconds());
+        if (moment.seconds() - now * PHASE_SECONDS > JUDGED_FROM_SECONDS) {
+            double left = moment.robot().degrees(Joint.LEFT_SHOULDER_PITCH);
+            double right = moment.robot().degrees(Joint.RIGHT_SHOULDER_PITCH);
+            wrong[now] |= isWrong(left, sides.get(now) > 0) || isWrong(right, sides.get(now) < 0);
         }
     }
 
@@ -73,9 +82,9 @@ public final class ArmBySideTask implements Task {
     }
 
     /** Left, right, or behind the student's robot, where its camera does not see it. */
-    private static Place dummyPlace(Stage stage, int side) {
-        double distance = stage.between(1.2, 2.2);
-        double bearing = side == 0 ? stage.between(150, 210) : side * stage.between(15, 40);
+    private Place dummyPlace(int side) {
+        double distance = places.between(1.2, 2.2);
+        double bearing = side == 0 ? places.between(150, 210) : side * places.between(15, 40);
         Vector3 point = STUDENT.point(distance, bearing, 0);
         return new Place(point.x(), point.y(), 180);
     }

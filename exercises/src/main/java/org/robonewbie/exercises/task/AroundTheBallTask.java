@@ -1,14 +1,14 @@
 package org.robonewbie.exercises.task;
 
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
 
 /**
  * Walk once around the ball, without touching it and without losing it.
@@ -30,23 +30,23 @@ public final class AroundTheBallTask implements Task {
     public AroundTheBallTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        Program robot = student.get();
-        Player player = stage.add(robot, "Students", 1, STUDENT);
-        stage.placeBall(new Vector3(stage.between(-0.05, 0.3), stage.between(-0.15, 0.15), 0));
-        stage.prelude(player, robot, "stand");
-        ballStart = stage.ball().position();
-        directionBefore = direction(stage);
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(STUDENT).after("stand"))
+                .withBall(chance.between(-0.05, 0.3), chance.between(-0.15, 0.15));
     }
 
     @Override
-    public void watch(Stage stage) {
-        double direction = direction(stage);
+    public void see(Moment moment) {
+        double direction = direction(moment);
+        if (moment.seconds() == 0) {
+            ballStart = moment.ball();
+            directionBefore = direction;
+        }
         turned += Math.IEEEremainder(direction - directionBefore, 360);
         directionBefore = direction;
-        moved = Math.max(moved, stage.ball().position().distanceTo(ballStart));
-        farthest = Math.max(farthest, stage.student().distance(ballStart));
-        seconds = stage.seconds();
+        moved = Math.max(moved, moment.ball().distanceTo(ballStart));
+        farthest = Math.max(farthest, moment.place().distance(ballStart));
+        seconds = moment.seconds();
     }
 
     @Override
@@ -74,9 +74,9 @@ public final class AroundTheBallTask implements Task {
                         "Walk sideways while you turn to the ball: walk.towards(forward, left, turn) takes all three at once.");
     }
 
-    private static double direction(Stage stage) {
-        Place here = stage.student().place();
-        Vector3 ball = stage.ball().position();
+    private static double direction(Moment moment) {
+        Place here = moment.place();
+        Vector3 ball = moment.ball();
         return Math.toDegrees(Math.atan2(here.y() - ball.y(), here.x() - ball.x()));
     }
 }

@@ -1,20 +1,21 @@
 package org.robonewbie.exercises.task;
 
 import java.util.Locale;
-import java.util.function.Supplier;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 
-/**
- * Tell where the ball is while the head turns: the simple sum of neck and camera angles is not exact enough.
- */
+/** Report where the ball is while the head turns: the simple sum of neck and camera angles is not exact enough. */
 public final class BallDirectionTask implements Task {
 
     private static final Place STUDENT = new Place(-2, 0, 0);
@@ -24,6 +25,7 @@ public final class BallDirectionTask implements Task {
     private static final double YAW_RANGE = 60;
     private static final double PITCH_RANGE = 20;
 
+    private Optional<String> said = Optional.empty();
     private double lowYaw = 180;
     private double highYaw = -180;
     private double lowPitch = 180;
@@ -35,22 +37,27 @@ public final class BallDirectionTask implements Task {
     public BallDirectionTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        stage.add(student.get(), "Students", 1, STUDENT);
-        stage.placeBall(STUDENT.point(stage.between(1, 2), stage.between(-35, 35), 0));
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(STUDENT))
+                .withBall(STUDENT.point(chance.between(1, 2), chance.between(-35, 35), 0));
     }
 
     @Override
-    public void watch(Stage stage) {
-        Player robot = stage.student();
-        lowYaw = Math.min(lowYaw, robot.jointDegrees(Joint.NECK_YAW));
-        highYaw = Math.max(highYaw, robot.jointDegrees(Joint.NECK_YAW));
-        lowPitch = Math.min(lowPitch, robot.jointDegrees(Joint.NECK_PITCH));
-        highPitch = Math.max(highPitch, robot.jointDegrees(Joint.NECK_PITCH));
-        robot.said().map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
+    public void act(Trial trial) {
+        said = trial.said(0);
+    }
+
+    @Override
+    public void see(Moment moment) {
+        BodyState robot = moment.robot();
+        lowYaw = Math.min(lowYaw, robot.degrees(Joint.NECK_YAW));
+        highYaw = Math.max(highYaw, robot.degrees(Joint.NECK_YAW));
+        lowPitch = Math.min(lowPitch, robot.degrees(Joint.NECK_PITCH));
+        highPitch = Math.max(highPitch, robot.degrees(Joint.NECK_PITCH));
+        said.map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
             words++;
-            sumOfErrors += Math.abs(Double.parseDouble(match.group(1))
-                    - robot.bearing(stage.ball().position()));
+            sumOfErrors +=
+                    Math.abs(Double.parseDouble(match.group(1)) - moment.place().bearing(moment.ball()));
         });
     }
 

@@ -2,14 +2,13 @@ package org.robonewbie.exercises.task;
 
 import java.util.EnumMap;
 import java.util.Map;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
 
 /**
  * Dance: many joints, many changes of direction, no fall.
@@ -30,24 +29,22 @@ public final class DanceTask implements Task {
     public DanceTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        Program robot = student.get();
-        Player player = stage.add(robot, "Students", 1, new Place(-1, 0, 0));
-        stage.prelude(player, robot, "stand");
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(-1, 0).after("stand"));
     }
 
     @Override
-    public void watch(Stage stage) {
+    public void see(Moment moment) {
         for (Joint joint : Joint.values()) {
-            double degrees = stage.student().jointDegrees(joint);
+            double degrees = moment.robot().degrees(joint);
             double[] range = ranges.computeIfAbsent(joint, key -> new double[] {degrees, degrees});
             range[0] = Math.min(range[0], degrees);
             range[1] = Math.max(range[1], degrees);
             double[] turn = turns.computeIfAbsent(joint, key -> new double[] {degrees, 0, 0});
             follow(turn, degrees);
         }
-        fallen |= stage.student().isFallen();
-        standing = stage.student().isStanding();
+        fallen |= moment.robot().isFallen();
+        standing = moment.robot().isStanding();
     }
 
     @Override

@@ -1,14 +1,13 @@
 package org.robonewbie.exercises.task;
 
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
-import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
 
 /**
  * Walk as far as possible in 10 seconds.
@@ -27,18 +26,15 @@ public final class FasterWalkTask implements Task {
     public FasterWalkTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        Program robot = student.get();
-        Player player = stage.add(robot, "Students", 1, STUDENT);
-        stage.placeBall(new Vector3(4, 3.5, 0));
-        stage.prelude(player, robot, "stand");
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(STUDENT).after("stand")).withBall(4, 3.5);
     }
 
     @Override
-    public void watch(Stage stage) {
-        metres = stage.student().torso().x() - STUDENT.x();
-        aside = Math.max(aside, Math.abs(stage.student().torso().y()));
-        fallen |= stage.student().isFallen();
+    public void see(Moment moment) {
+        metres = moment.robot().position().x() - STUDENT.x();
+        aside = Math.max(aside, Math.abs(moment.robot().position().y()));
+        fallen |= moment.robot().isFallen();
     }
 
     @Override

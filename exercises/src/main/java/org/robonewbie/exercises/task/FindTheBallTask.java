@@ -1,13 +1,14 @@
 package org.robonewbie.exercises.task;
 
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.measure.Held;
 
 /**
  * Look for a ball that lies out of sight, and face it for half a second.
@@ -20,42 +21,35 @@ public final class FindTheBallTask implements Task {
     private static final double LIMIT_SECONDS = 8;
     private static final double QUICK_SECONDS = 5;
 
-    private double facedSince = Double.NaN;
-    private double foundSeconds = Double.NaN;
+    private final Held facing =
+            new Held(HELD_SECONDS, moment -> Math.abs(moment.place().bearing(moment.ball())) <= FACING_DEGREES);
     private double bearing;
 
     /** Creates the task of one trial. */
     public FindTheBallTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        Program robot = student.get();
-        Player player = stage.add(robot, "Students", 1, STUDENT);
-        double side = stage.random().nextBoolean() ? 1 : -1;
-        stage.placeBall(STUDENT.point(stage.between(1, 2.5), side * stage.between(100, 170), 0));
-        stage.prelude(player, robot, "stand");
+    public Scene scene(Chance chance) {
+        double side = chance.side();
+        return Scene.of(RobotStart.at(STUDENT).after("stand"))
+                .withBall(STUDENT.point(chance.between(1, 2.5), side * chance.between(100, 170), 0));
     }
 
     @Override
-    public void watch(Stage stage) {
-        bearing = stage.student().bearing(stage.ball().position());
-        if (Math.abs(bearing) > FACING_DEGREES) {
-            facedSince = Double.NaN;
-        } else if (Double.isNaN(facedSince)) {
-            facedSince = stage.seconds();
-        } else if (stage.seconds() - facedSince >= HELD_SECONDS && Double.isNaN(foundSeconds)) {
-            foundSeconds = stage.seconds();
-        }
+    public void see(Moment moment) {
+        bearing = moment.place().bearing(moment.ball());
+        facing.see(moment);
     }
 
     @Override
     public boolean isDecided() {
-        return !Double.isNaN(foundSeconds);
+        return facing.isDecided();
     }
 
     @Override
     public Score score() {
-        if (foundSeconds <= LIMIT_SECONDS) {
+        double foundSeconds = facing.value();
+        if (facing.isDecided() && foundSeconds <= LIMIT_SECONDS) {
             int points = (int) Math.round(10 - 2 * Math.max(0, foundSeconds - QUICK_SECONDS));
             return Score.passed(
                     points,

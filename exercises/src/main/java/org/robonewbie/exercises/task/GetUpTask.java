@@ -1,13 +1,14 @@
 package org.robonewbie.exercises.task;
 
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.measure.Held;
 
 /**
  * Get up: the robot lies on its back with odd seeds and on its front with even ones.
@@ -18,41 +19,34 @@ public final class GetUpTask implements Task {
     private static final double LIMIT_SECONDS = 12;
     private static final double QUICK_SECONDS = 7;
 
-    private double standingSince = Double.NaN;
-    private double upSeconds = Double.NaN;
+    private final Held up = new Held(HELD_SECONDS, moment -> moment.robot().isStanding());
     private boolean onBack;
 
     /** Creates the task of one trial. */
     public GetUpTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        Program robot = student.get();
-        Player player = stage.add(robot, "Students", 1, new Place(-1, 0, stage.between(-180, 180)));
-        onBack = stage.isSeedOdd();
-        stage.prelude(player, robot, "stand", onBack ? "fall-back" : "fall-forward");
+    public Scene scene(Chance chance) {
+        onBack = chance.isSeedOdd();
+        return Scene.of(RobotStart.at(new Place(-1, 0, chance.between(-180, 180)))
+                .after("stand", onBack ? "fall-back" : "fall-forward"));
     }
 
     @Override
-    public void watch(Stage stage) {
-        if (!stage.student().isStanding()) {
-            standingSince = Double.NaN;
-        } else if (Double.isNaN(standingSince)) {
-            standingSince = stage.seconds();
-        } else if (stage.seconds() - standingSince >= HELD_SECONDS) {
-            upSeconds = stage.seconds();
-        }
+    public void see(Moment moment) {
+        up.see(moment);
     }
 
     @Override
     public boolean isDecided() {
-        return !Double.isNaN(upSeconds);
+        return up.isDecided();
     }
 
     @Override
     public Score score() {
         String from = onBack ? "from the back" : "from the front";
-        if (upSeconds <= LIMIT_SECONDS) {
+        double upSeconds = up.value();
+        if (up.isDecided() && upSeconds <= LIMIT_SECONDS) {
             int points = (int) Math.round(10 - Math.max(0, upSeconds - QUICK_SECONDS));
             return Score.passed(points, String.format(Locale.ROOT, "stood %s after %.1f s", from, upSeconds), "");
         }

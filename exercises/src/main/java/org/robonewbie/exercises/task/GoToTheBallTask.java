@@ -1,19 +1,18 @@
 package org.robonewbie.exercises.task;
 
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.measure.Held;
 
-/**
- * Three things one after the other: walk to the ball, stop before it, raise the arm. The ball must not be touched.
- */
+/** Three things in sequence: walk to the ball, stop in front of it, raise the arm. The ball must not be touched. */
 public final class GoToTheBallTask implements Task {
 
     private static final double NEAR_METRES = 0.5;
@@ -26,44 +25,36 @@ public final class GoToTheBallTask implements Task {
     private double nearest = Double.POSITIVE_INFINITY;
     private double moved;
     private boolean fallen;
-    private double heldSince = Double.NaN;
-    private double doneSeconds = Double.NaN;
+    private final Held done = new Held(HELD_SECONDS, GoToTheBallTask::isDone);
 
     /** Creates the task of one trial. */
     public GoToTheBallTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        Program robot = student.get();
-        Place start = new Place(-2.5, stage.between(-1, 1), stage.between(-60, 60));
-        Player player = stage.add(robot, "Students", 1, start);
-        stage.placeBall(start.point(stage.between(1.5, 2.5), stage.between(-50, 50), 0));
-        stage.prelude(player, robot, "stand");
-        ballStart = stage.ball().position();
+    public Scene scene(Chance chance) {
+        Place start = new Place(-2.5, chance.between(-1, 1), chance.between(-60, 60));
+        return Scene.of(RobotStart.at(start).after("stand"))
+                .withBall(start.point(chance.between(1.5, 2.5), chance.between(-50, 50), 0));
     }
 
     @Override
-    public void watch(Stage stage) {
-        Player robot = stage.student();
-        moved = Math.max(moved, stage.ball().position().distanceTo(ballStart));
-        fallen |= robot.isFallen();
-        double distance = robot.distance(stage.ball().position());
-        nearest = Math.min(nearest, distance);
-        boolean done = distance <= NEAR_METRES
-                && Math.abs(robot.bearing(stage.ball().position())) <= FACING_DEGREES
-                && robot.jointDegrees(Joint.LEFT_SHOULDER_PITCH) >= UP_DEGREES;
-        if (!done) {
-            heldSince = Double.NaN;
-        } else if (Double.isNaN(heldSince)) {
-            heldSince = stage.seconds();
-        } else if (stage.seconds() - heldSince >= HELD_SECONDS) {
-            doneSeconds = stage.seconds();
-        }
+    public void see(Moment moment) {
+        ballStart = moment.seconds() == 0 ? moment.ball() : ballStart;
+        moved = Math.max(moved, moment.ball().distanceTo(ballStart));
+        fallen |= moment.robot().isFallen();
+        nearest = Math.min(nearest, moment.place().distance(moment.ball()));
+        done.see(moment);
+    }
+
+    private static boolean isDone(Moment moment) {
+        return moment.place().distance(moment.ball()) <= NEAR_METRES
+                && Math.abs(moment.place().bearing(moment.ball())) <= FACING_DEGREES
+                && moment.robot().degrees(Joint.LEFT_SHOULDER_PITCH) >= UP_DEGREES;
     }
 
     @Override
     public boolean isDecided() {
-        return !Double.isNaN(doneSeconds) || moved > MOVED_METRES;
+        return done.isDecided() || moved > MOVED_METRES;
     }
 
     @Override
@@ -74,12 +65,12 @@ public final class GoToTheBallTask implements Task {
             return Score.failed(
                     3, finding, "The feet reach further than the torso: stop at 0.4 m, and get slower before.");
         }
-        if (Double.isNaN(doneSeconds)) {
+        if (!done.isDecided()) {
             return Score.failed(
                     nearest <= NEAR_METRES ? 5 : 1,
                     finding,
                     "Within 0.5 m of the ball and facing it, the left shoulder must be above 60° for 1 s.");
         }
-        return Score.passed(String.format(Locale.ROOT, "%s, done after %.1f s", finding, doneSeconds));
+        return Score.passed(String.format(Locale.ROOT, "%s, done after %.1f s", finding, done.value()));
     }
 }

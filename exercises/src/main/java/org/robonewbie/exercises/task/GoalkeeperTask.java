@@ -1,19 +1,18 @@
 package org.robonewbie.exercises.task;
 
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 
-/**
- * Keep a shot out of the goal that would pass beside the standing robot.
- */
+/** Keep a shot out of the goal that would pass the standing robot. */
 public final class GoalkeeperTask implements Task {
 
     private static final Place KEEPER = new Place(-5.75, 0, 0);
@@ -28,24 +27,25 @@ public final class GoalkeeperTask implements Task {
     public GoalkeeperTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        Program robot = student.get();
-        Player player = stage.add(robot, "Students", 1, KEEPER);
-        stage.placeBall(new Vector3(-1.75, stage.between(-0.5, 0.5), 0));
-        stage.prelude(player, robot, "stand");
-        aim = (stage.random().nextBoolean() ? 1 : -1) * stage.between(0.27, 0.35);
+    public Scene scene(Chance chance) {
+        double aside = chance.between(-0.5, 0.5);
+        aim = chance.side() * chance.between(0.27, 0.35);
+        return Scene.of(RobotStart.at(KEEPER).after("stand")).withBall(-1.75, aside);
     }
 
     @Override
-    public void watch(Stage stage) {
-        if (!shot && stage.seconds() >= SHOT_SECONDS) {
+    public void act(Trial trial) {
+        if (!shot && trial.seconds() >= SHOT_SECONDS) {
             shot = true;
-            Vector3 way = new Vector3(KEEPER.x(), aim, 0).minus(stage.ball().position());
+            Vector3 way = new Vector3(KEEPER.x(), aim, 0).minus(trial.ball().position());
             Vector3 level = new Vector3(way.x(), way.y(), 0);
-            stage.ball().setVelocity(level.times(METRES_PER_SECOND / level.length()));
+            trial.ball().setVelocity(level.times(METRES_PER_SECOND / level.length()));
         }
-        goal |= stage.game().score(TeamSide.RIGHT) > 0
-                || stage.ball().position().x() < -6.05;
+    }
+
+    @Override
+    public void see(Moment moment) {
+        goal |= moment.goals(TeamSide.RIGHT) > 0 || moment.ball().x() < -6.05;
     }
 
     @Override

@@ -1,14 +1,15 @@
 package org.robonewbie.exercises.task;
 
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 
 /**
  * Kick a ball that lies before the left foot. Walking through it does not count.
@@ -24,6 +25,8 @@ public final class KickTask implements Task {
 
     private Vector3 ballStart = Vector3.ZERO;
     private Vector3 robotStart = Vector3.ZERO;
+    private double ahead;
+    private double left;
     private double metres;
     private double walked;
     private boolean fallen;
@@ -33,25 +36,25 @@ public final class KickTask implements Task {
     public KickTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        Program robot = student.get();
-        Player player = stage.add(robot, "Students", 1, STUDENT);
-        stage.placeBall(new Vector3(4, 3, 0));
-        stage.prelude(player, robot, "stand");
-        Place here = player.place();
-        double ahead = BALL_AHEAD + stage.between(-ERROR_METRES, ERROR_METRES);
-        double left = BALL_LEFT + stage.between(-ERROR_METRES, ERROR_METRES);
-        stage.placeBall(here.point(Math.hypot(ahead, left), Math.toDegrees(Math.atan2(left, ahead)), 0));
-        ballStart = stage.ball().position();
-        robotStart = player.torso();
+    public Scene scene(Chance chance) {
+        ahead = BALL_AHEAD + chance.between(-ERROR_METRES, ERROR_METRES);
+        left = BALL_LEFT + chance.between(-ERROR_METRES, ERROR_METRES);
+        return Scene.of(RobotStart.at(STUDENT).after("stand")).withBall(4, 3);
     }
 
     @Override
-    public void watch(Stage stage) {
-        metres = Math.max(metres, stage.ball().position().x() - ballStart.x());
-        walked = Math.max(walked, stage.student().distance(robotStart));
-        fallen |= stage.student().isFallen();
-        standing = stage.student().isStanding();
+    public void begin(Trial trial) {
+        trial.placeBall(trial.now().place().pointAt(ahead, left));
+        ballStart = trial.ball().position();
+        robotStart = trial.now().robot().position();
+    }
+
+    @Override
+    public void see(Moment moment) {
+        metres = Math.max(metres, moment.ball().x() - ballStart.x());
+        walked = Math.max(walked, moment.place().distance(robotStart));
+        fallen |= moment.robot().isFallen();
+        standing = moment.robot().isStanding();
     }
 
     @Override

@@ -1,14 +1,15 @@
 package org.robonewbie.exercises.task;
 
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 
 /**
  * Two robots of the student: number 1 plays the ball, number 2 comes to meet it.
@@ -30,26 +31,27 @@ public final class PassingTask implements Task {
     public PassingTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        Program robot = student.get();
-        Player passer = stage.add(robot, "Students", 1, PASSER);
-        stage.add(student.get(), "Students", 2, new Place(0.6 + stage.between(0, 0.3), stage.between(-0.5, 0.5), 180));
-        stage.placeBall(new Vector3(4, 3, 0));
-        stage.prelude(passer, robot, "stand");
-        Place here = passer.place();
-        stage.placeBall(
-                here.point(Math.hypot(BALL_AHEAD, BALL_LEFT), Math.toDegrees(Math.atan2(BALL_LEFT, BALL_AHEAD)), 0));
-        ballStart = stage.ball().position();
+    public Scene scene(Chance chance) {
+        Place mate = new Place(0.6 + chance.between(0, 0.3), chance.between(-0.5, 0.5), 180);
+        return Scene.of(
+                        RobotStart.at(PASSER).after("stand"),
+                        RobotStart.at(mate).withTeam(RobotStart.TEAM, 2))
+                .withBall(4, 3);
     }
 
     @Override
-    public void watch(Stage stage) {
-        Player mate = stage.players().get(1);
-        metres = Math.max(metres, stage.ball().position().distanceTo(ballStart));
+    public void begin(Trial trial) {
+        trial.placeBall(trial.now().place().pointAt(BALL_AHEAD, BALL_LEFT));
+        ballStart = trial.ball().position();
+    }
+
+    @Override
+    public void see(Moment moment) {
+        metres = Math.max(metres, moment.ball().distanceTo(ballStart));
         if (metres >= FEWEST_METRES) {
-            nearest = Math.min(nearest, mate.distance(stage.ball().position()));
+            nearest = Math.min(nearest, moment.place(1).distance(moment.ball()));
         }
-        fallen |= mate.isFallen() || stage.student().isFallen();
+        fallen |= moment.robots().get(1).isFallen() || moment.robot().isFallen();
     }
 
     @Override

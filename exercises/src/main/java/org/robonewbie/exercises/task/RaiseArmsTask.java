@@ -1,14 +1,14 @@
 package org.robonewbie.exercises.task;
 
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
 
 /**
  * Raise the left arm to 60° and the right arm to 45°; the last half second counts.
@@ -27,16 +27,16 @@ public final class RaiseArmsTask implements Task {
     public RaiseArmsTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        stage.add(student.get(), "Students", 1, new Place(-1, 0, 0));
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(-1, 0));
     }
 
     @Override
-    public void watch(Stage stage) {
-        if (stage.seconds() > JUDGED_FROM_SECONDS) {
-            Player robot = stage.student();
-            leftError = Math.max(leftError, Math.abs(robot.jointDegrees(Joint.LEFT_SHOULDER_PITCH) - LEFT_DEGREES));
-            rightError = Math.max(rightError, Math.abs(robot.jointDegrees(Joint.RIGHT_SHOULDER_PITCH) - RIGHT_DEGREES));
+    public void see(Moment moment) {
+        if (moment.seconds() > JUDGED_FROM_SECONDS) {
+            BodyState robot = moment.robot();
+            leftError = Math.max(leftError, Math.abs(robot.degrees(Joint.LEFT_SHOULDER_PITCH) - LEFT_DEGREES));
+            rightError = Math.max(rightError, Math.abs(robot.degrees(Joint.RIGHT_SHOULDER_PITCH) - RIGHT_DEGREES));
         }
     }
 

@@ -1,14 +1,15 @@
 package org.robonewbie.exercises.task;
 
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
 
 /**
  * Score a goal, alone on the pitch, as in the competition.
@@ -34,18 +35,17 @@ public final class ScoreAGoalTask implements Task {
     public ScoreAGoalTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        stage.add(student.get(), "Students", 1, STUDENT);
-        stage.placeBall(Vector3.ZERO);
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(STUDENT)).withBall(0, 0);
     }
 
     @Override
-    public void watch(Stage stage) {
-        Vector3 ball = stage.ball().position();
+    public void see(Moment moment) {
+        Vector3 ball = moment.ball();
         nearest = Math.min(nearest, Math.hypot(GOAL_X - ball.x(), ball.y()));
-        scored |= stage.game().score(TeamSide.LEFT) > 0;
-        seconds = stage.seconds();
-        Vector3 torso = stage.student().torso();
+        scored |= moment.goals(TeamSide.LEFT) > 0;
+        seconds = moment.seconds();
+        Vector3 torso = moment.robot().position();
         if (ball.distanceTo(lastBall) > STAYED_METRES || torso.distanceTo(lastTorso) > STAYED_METRES) {
             lastBall = ball;
             lastTorso = torso;

@@ -3,13 +3,14 @@ package org.robonewbie.exercises.task;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
 
 /**
  * Play a motion of the left shoulder through its keyframes, but without sudden changes of speed: linear interpolation
@@ -29,13 +30,13 @@ public final class SmoothMotionTask implements Task {
     public SmoothMotionTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        stage.add(student.get(), "Students", 1, new Place(-1, 0, 0));
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(-1, 0));
     }
 
     @Override
-    public void watch(Stage stage) {
-        angles.add(stage.student().jointDegrees(Joint.LEFT_SHOULDER_PITCH));
+    public void see(Moment moment) {
+        angles.add(moment.robot().degrees(Joint.LEFT_SHOULDER_PITCH));
     }
 
     @Override
@@ -47,7 +48,7 @@ public final class SmoothMotionTask implements Task {
         double jerk = 0;
         for (int i = 2; i < angles.size(); i++) {
             double change = angles.get(i) - 2 * angles.get(i - 1) + angles.get(i - 2);
-            jerk = Math.max(jerk, Math.abs(change) / Stage.CYCLE_SECONDS);
+            jerk = Math.max(jerk, Math.abs(change) / Cycle.SECONDS);
         }
         String finding = String.format(
                 Locale.ROOT, "keyframes missed by %.1f°, largest change of speed %.0f °/s in a cycle", missed, jerk);
@@ -65,7 +66,7 @@ public final class SmoothMotionTask implements Task {
 
     /** How near the joint comes to a keyframe around its time; commands show their effect two cycles later. */
     private double nearest(double seconds, double degrees) {
-        int expected = (int) Math.round(seconds / Stage.CYCLE_SECONDS) + 1;
+        int expected = (int) Math.round(seconds / Cycle.SECONDS) + 2;
         double best = Double.POSITIVE_INFINITY;
         for (int i = expected - CYCLES_AROUND; i <= expected + CYCLES_AROUND; i++) {
             best = Math.min(best, Math.abs(angles.get(i) - degrees));

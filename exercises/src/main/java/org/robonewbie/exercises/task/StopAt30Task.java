@@ -2,17 +2,16 @@ package org.robonewbie.exercises.task;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
 
 /**
  * Stop the left shoulder at 30° ± 1°, from a place that is different each time. What was decided shows two cycles
@@ -31,18 +30,16 @@ public final class StopAt30Task implements Task {
     public StopAt30Task() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        Program robot = student.get();
-        Player player = stage.add(robot, "Students", 1, new Place(-1, 0, 0));
-        Posture low = Posture.ZERO.with(Joint.LEFT_SHOULDER_PITCH, stage.between(-60, 0));
-        stage.prelude(player, robot, new Motion("low", List.of(new Keyframe(600, low))));
+    public Scene scene(Chance chance) {
+        Posture low = Posture.ZERO.with(Joint.LEFT_SHOULDER_PITCH, chance.between(-60, 0));
+        return Scene.of(RobotStart.at(-1, 0).after(new Motion("low", List.of(new Keyframe(600, low)))));
     }
 
     @Override
-    public void watch(Stage stage) {
-        double degrees = stage.student().jointDegrees(Joint.LEFT_SHOULDER_PITCH);
+    public void see(Moment moment) {
+        double degrees = moment.robot().degrees(Joint.LEFT_SHOULDER_PITCH);
         highest = Math.max(highest, degrees);
-        if (stage.seconds() > LATEST_SECONDS) {
+        if (moment.seconds() > LATEST_SECONDS) {
             largestError = Math.max(largestError, Math.abs(degrees - GOAL_DEGREES));
         }
     }

@@ -3,14 +3,16 @@ package org.robonewbie.exercises.task;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Supplier;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 
 /**
  * Follow a moving ball with the head, and swing the left arm once in two seconds, at the same time.
@@ -34,24 +36,27 @@ public final class TwoBehavioursTask implements Task {
     public TwoBehavioursTask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        stage.add(student.get(), "Students", 1, STUDENT);
-        stage.placeBall(STUDENT.point(1.5, 0, 0));
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(STUDENT)).withBall(STUDENT.point(1.5, 0, 0));
     }
 
     @Override
-    public void watch(Stage stage) {
-        stage.placeBall(STUDENT.point(1.5, 45 * Math.sin(2 * Math.PI * stage.seconds() / 6), 0));
-        Player robot = stage.student();
-        double arm = robot.jointDegrees(Joint.LEFT_SHOULDER_PITCH);
-        if (stage.seconds() > FROM_SECONDS) {
+    public void act(Trial trial) {
+        trial.placeBall(STUDENT.point(1.5, 45 * Math.sin(2 * Math.PI * trial.seconds() / 6), 0));
+    }
+
+    @Override
+    public void see(Moment moment) {
+        BodyState robot = moment.robot();
+        double arm = robot.degrees(Joint.LEFT_SHOULDER_PITCH);
+        if (moment.seconds() > FROM_SECONDS) {
             cycles++;
-            double gaze = robot.jointDegrees(Joint.NECK_YAW);
-            atBall += Math.abs(robot.bearing(stage.ball().position()) - gaze) < AT_BALL_DEGREES ? 1 : 0;
+            double gaze = robot.degrees(Joint.NECK_YAW);
+            atBall += Math.abs(moment.place().bearing(moment.ball()) - gaze) < AT_BALL_DEGREES ? 1 : 0;
             lowest = Math.min(lowest, arm);
             highest = Math.max(highest, arm);
             if (angleBefore < 0 && arm >= 0) {
-                upward.add(stage.seconds());
+                upward.add(moment.seconds());
             }
         }
         angleBefore = arm;

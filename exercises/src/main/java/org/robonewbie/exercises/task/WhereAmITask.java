@@ -3,16 +3,18 @@ package org.robonewbie.exercises.task;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Supplier;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.robonewbie.exercises.Place;
-import org.robonewbie.exercises.Player;
-import org.robonewbie.exercises.Program;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.Stage;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 
 /**
  * Find out where on the pitch the robot stands; in the middle of the trial it is carried to another place.
@@ -25,6 +27,8 @@ public final class WhereAmITask implements Task {
     private static final double GOOD_METRES = 0.3;
 
     private final List<Double> errors = new ArrayList<>();
+    private Chance places = new Chance(0);
+    private Optional<String> words = Optional.empty();
     private boolean carried;
     private double said = Double.POSITIVE_INFINITY;
 
@@ -32,38 +36,41 @@ public final class WhereAmITask implements Task {
     public WhereAmITask() {}
 
     @Override
-    public void begin(Stage stage, Supplier<? extends Program> student) {
-        stage.add(student.get(), "Students", 1, somewhere(stage));
+    public Scene scene(Chance chance) {
+        places = chance;
+        return Scene.of(RobotStart.at(somewhere()));
     }
 
     @Override
-    public void watch(Stage stage) {
-        Player robot = stage.student();
-        if (!carried && stage.seconds() >= CARRIED_SECONDS) {
+    public void act(Trial trial) {
+        if (!carried && trial.seconds() >= CARRIED_SECONDS) {
             carried = true;
             errors.add(said);
             said = Double.POSITIVE_INFINITY;
-            robot.moveTo(somewhere(stage));
+            trial.moveRobot(0, somewhere());
         }
-        double sinceMoved = stage.seconds() - (carried ? CARRIED_SECONDS : 0);
-        robot.said().map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
+        words = trial.said(0);
+    }
+
+    @Override
+    public void see(Moment moment) {
+        double sinceMoved = moment.seconds() - (carried ? CARRIED_SECONDS : 0);
+        words.map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
             double x = Double.parseDouble(match.group(1));
             double y = Double.parseDouble(match.group(2));
             if (sinceMoved > THINKING_SECONDS) {
-                said = robot.distance(new Vector3(x, y, 0));
+                said = moment.place().distance(new Vector3(x, y, 0));
             }
         });
     }
 
     @Override
     public Score score() {
-        errors.add(said);
-        double worst = errors.stream().mapToDouble(Double::doubleValue).max().orElse(said);
+        List<Double> all = new ArrayList<>(errors);
+        all.add(said);
+        double worst = all.stream().mapToDouble(Double::doubleValue).max().orElse(said);
         String finding = String.format(
-                Locale.ROOT,
-                "errors of the two places: %.2f m and %.2f m",
-                errors.get(0),
-                errors.get(errors.size() - 1));
+                Locale.ROOT, "errors of the two places: %.2f m and %.2f m", all.get(0), all.get(all.size() - 1));
         if (Double.isInfinite(worst)) {
             return Score.failed(
                     0, finding, "From 10 s on say in each cycle where you are, such as nao.say(\"at:-2.31:1.05\").");
@@ -77,7 +84,7 @@ public final class WhereAmITask implements Task {
                                 + " where they stand. Forget what was seen before the robot was carried away.");
     }
 
-    private static Place somewhere(Stage stage) {
-        return new Place(stage.between(-4.5, 3), stage.between(-2.5, 2.5), stage.between(-180, 180));
+    private Place somewhere() {
+        return new Place(places.between(-4.5, 3), places.between(-2.5, 2.5), places.between(-180, 180));
     }
 }

@@ -4,8 +4,8 @@ import java.util.List;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.KeyframeInterval;
 import org.robonewbie.nao.motion.Motion;
-import org.robonewbie.nao.motion.MotionSection;
 import org.robonewbie.nao.motion.Posture;
 
 /** Cubic curves: the slope at a keyframe is that from the keyframe before to the one after. */
@@ -31,7 +31,7 @@ public final class SmoothMotion extends Agent {
         return new Keyframe(millis, Posture.ZERO.with(Joint.LEFT_SHOULDER_PITCH, degrees));
     }
 
-    private static double curve(MotionSection section, Joint joint, double t) {
+    private static double curve(KeyframeInterval section, Joint joint, double t) {
         double from = section.from().degrees(joint);
         double to = section.to().degrees(joint);
         double millis = section.durationMillis();

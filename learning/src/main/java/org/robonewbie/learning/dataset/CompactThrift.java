@@ -56,7 +56,7 @@ final class CompactThrift {
         return this;
     }
 
-    /** Begins a field whose own fields follow, until {@link #end}. */
+    /** Begins a field that contains fields of its own, until {@link #end}. */
     CompactThrift structure(int field) {
         begin(field, STRUCTURE);
         return element();

@@ -4,10 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.robonewbie.learning.experiment.BodyAxes;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PolarPosition;
@@ -130,29 +131,18 @@ final class CycleTable {
     }
 
     private static void putBody(List<Object> row, Optional<Vector3> sensed) {
-        put(row, sensed.map(BodyAxes::forwardLeftUp).orElse(new Vector3(Double.NaN, Double.NaN, Double.NaN)));
+        put(row, sensed.map(SimSparkFrame::toBody).orElse(new Vector3(Double.NaN, Double.NaN, Double.NaN)));
     }
 
     private static void putTrue(List<Object> row, WorldSnapshot world, RobotSnapshot robot) {
-        float[] pose = robot.linkPoses();
-        for (int i = 0; i < 7; i++) {
-            row.add((double) pose[i]);
-        }
-        putDirection(row, pose[3], pose[4], pose[5], pose[6]);
-        NaoModel model = NaoModel.of(robot.type());
+        BodyState body = robot.body();
+        Rotation turn = SimSparkFrame.linkFromBody(body.torso()).rotation();
+        put(row, body.position());
+        row.addAll(List.of(turn.w(), turn.x(), turn.y(), turn.z(), body.headingDegrees(), body.tiltDegrees()));
         for (Joint joint : Joint.values()) {
-            row.add((double) robot.jointDegrees()[model.hingeIndex(joint)]);
+            row.add(body.degrees(joint));
         }
         put(row, world.ballPosition());
-    }
-
-    /** The second and third column of the rotation's matrix are where the torso's front and top point to. */
-    private static void putDirection(List<Object> row, double w, double x, double y, double z) {
-        double forwardX = 2 * (x * y - w * z);
-        double forwardY = 1 - 2 * (x * x + z * z);
-        double up = 1 - 2 * (x * x + y * y);
-        row.add(Math.toDegrees(Math.atan2(forwardY, forwardX)));
-        row.add(Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, up)))));
     }
 
     private static void put(List<Object> row, Vector3 vector) {

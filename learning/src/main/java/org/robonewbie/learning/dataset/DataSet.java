@@ -6,12 +6,12 @@ import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.robonewbie.nao.file.AtomicFile;
 
 /**
  * A folder of tables about many runs: {@code cycles/run-00001.parquet} and so on, {@code events/run-00001.parquet} and so on,
@@ -44,12 +44,12 @@ public final class DataSet {
     }
 
     /**
-     * Begins a data set in a folder that has none yet.
+     * Creates a data set in a folder that has none yet.
      *
-     * @param folder where; it is created if it is missing
+     * @param folder the folder; it is created if it is missing
      * @param format how its tables are written
      * @param withMessages whether the messages of robots and programs are kept as text too
-     * @param facts what it shall say about how it was made, such as versions and settings
+     * @param facts what it records about how it was made, such as versions and settings
      * @return the empty data set
      * @throws IOException if the folder cannot be written
      * @throws IllegalArgumentException if there is a data set already
@@ -98,11 +98,7 @@ public final class DataSet {
         return tables.rows();
     }
 
-    /**
-     * Tells how many runs it has.
-     *
-     * @return runs that were added
-     */
+    /** {@return the number of runs that were added} */
     public int runs() {
         return runs.size();
     }
@@ -147,9 +143,9 @@ public final class DataSet {
         tables.add("events", described("events/run-*." + format, RunTables.eventColumns()));
         tables.add("runs", described("runs." + format, RunTables.runColumns()));
         all.add("tables", tables);
-        Path part = folder.resolve(DESCRIPTION + ".part");
-        Files.writeString(part, new GsonBuilder().setPrettyPrinting().create().toJson(all) + "\n");
-        Files.move(part, folder.resolve(DESCRIPTION), StandardCopyOption.REPLACE_EXISTING);
+        AtomicFile.write(
+                folder.resolve(DESCRIPTION),
+                new GsonBuilder().setPrettyPrinting().create().toJson(all) + "\n");
     }
 
     private static JsonObject described(String files, List<Column> columns) {

@@ -13,8 +13,8 @@ import java.util.zip.GZIPOutputStream;
 
 /**
  * A table in the format of Apache Parquet, version 1, in its plainest form: all columns required, one page per column and group
- * of rows, numbers as they are in memory (encoding PLAIN), each page compressed with gzip. The numbers in the code are those
- * of the format's own description, parquet.thrift.
+ * of rows, numbers as they are in memory (encoding PLAIN), each page compressed with gzip. The numbers in the code are those of
+ * the format's own description, parquet.thrift.
  */
 final class ParquetFile extends TableFile {
 

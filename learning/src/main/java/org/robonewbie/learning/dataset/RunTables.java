@@ -95,7 +95,7 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
         }
     }
 
-    /** The simulation goes on without its tables if they cannot be written; {@link #finish} tells why. */
+    /** The simulation continues without its tables if they cannot be written; {@link #finish} reports why. */
     private void add(TableFile file, List<Object> row) {
         if (failure == null) {
             try {
@@ -110,7 +110,7 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
         return List.of((long) run, seed, lastCycle, rows, (long) scoreLeft, (long) scoreRight);
     }
 
-    /** Tells how many rows the table of cycles has so far. */
+    /** The number of rows in the table of cycles so far. */
     long rows() {
         return rows;
     }

@@ -5,8 +5,8 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.List;
+import org.robonewbie.nao.file.AtomicFile;
 
 /** A table that is being written. Under its own name it appears only when it is complete. */
 public abstract class TableFile implements AutoCloseable {
@@ -18,7 +18,7 @@ public abstract class TableFile implements AutoCloseable {
 
     TableFile(Path file, List<Column> columns) throws IOException {
         this.file = file;
-        this.part = file.resolveSibling(file.getFileName() + ".part");
+        this.part = AtomicFile.part(file);
         this.columns = List.copyOf(columns);
         this.out = new BufferedOutputStream(Files.newOutputStream(part));
     }
@@ -46,10 +46,10 @@ public abstract class TableFile implements AutoCloseable {
     public final void finish() throws IOException {
         writeEnd();
         out.close();
-        Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+        AtomicFile.moveIntoPlace(file);
     }
 
-    /** Gives the table up unless it is finished. */
+    /** Discards the table unless it is finished. */
     @Override
     public final void close() throws IOException {
         try {

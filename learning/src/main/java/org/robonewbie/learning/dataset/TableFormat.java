@@ -16,11 +16,11 @@ public enum TableFormat {
     PARQUET;
 
     /**
-     * Begins a table.
+     * Starts a table.
      *
-     * @param file its name without the ending of the format; it appears there when it is {@link TableFile#finish finished}
+     * @param file its name without the extension of the format; it appears there when it is {@link TableFile#finish finished}
      * @param columns its columns
-     * @param facts what the file shall say about itself, where the format allows it
+     * @param facts what the file records about itself, where the format allows it
      * @return the empty table
      * @throws IOException if the file cannot be written
      */
@@ -33,9 +33,7 @@ public enum TableFormat {
     }
 
     /**
-     * Names the format as on the command line, which is also the ending of its files.
-     *
-     * @return {@code csv} or {@code parquet}
+     * {@return the format's name on the command line, which is also the extension of its files: {@code csv} or {@code parquet}}
      */
     @Override
     public String toString() {

@@ -37,11 +37,7 @@ public record DescribedMotion(Motion motion, String does, String start, String e
         return new DescribedMotion(motion, does, start, end, all);
     }
 
-    /**
-     * Makes the same motion for the other side.
-     *
-     * @return left and right exchanged in movement, name and words
-     */
+    /** {@return the mirror image of the motion: left and right exchanged in movement, name and words} */
     public DescribedMotion mirrored() {
         return new DescribedMotion(
                 motion.mirrored().named(otherSide(motion.name())),

@@ -90,11 +90,7 @@ public final class Designs {
 
     private Designs() {}
 
-    /**
-     * Lists the designs.
-     *
-     * @return their names in alphabetical order
-     */
+    /** {@return the names of the designs in alphabetical order} */
     public static List<String> names() {
         return List.copyOf(ALL.keySet());
     }

@@ -12,11 +12,11 @@ import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.learning.trial.WalkTrial;
 
 /**
- * What the walk engine is searched for with: in some trials it walks straight on as fast as it can, in others in circles and
- * aside, in others it is commanded without any sense, and it must stay on its feet in all of them.
+ * The search for the numbers of the walk engine: in some trials it walks straight as fast as it can, in others in circles and
+ * sideways, in others it is commanded at random, and it must stay on its feet in all of them.
  *
  * @param stepMillis time of one step
- * @param slip by which factors the feet are set further than the robot shall get
+ * @param slip factors by which the feet are set further than the robot is to get
  * @param most the largest speeds
  * @param newtons strength of the pushes
  */

@@ -10,8 +10,8 @@ import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Motion;
 
 /**
- * Steps on the spot or to the left, from stance to stance, with the gait of the walk; the right-hand motion is its mirror image.
- * Nothing is searched for: how far the feet are set follows from trials.
+ * Steps on the spot or to the left, from stance to stance, with the gait of the walk; the right-hand motion is its mirror
+ * image. Nothing is searched for: the distance between the feet follows from trials.
  */
 public final class FootworkDesign extends DrawnDesign {
 

@@ -7,9 +7,9 @@ import org.robonewbie.agent.walk.FootPose;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.TorsoPose;
 import org.robonewbie.learning.search.SearchPlan;
-import org.robonewbie.learning.trial.BallPlace;
 import org.robonewbie.learning.trial.KickTrial;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
@@ -34,9 +34,9 @@ public final class KickDesign extends SearchedDesign {
      *
      * @param name name of the motion; "right" in it becomes "left" in its mirror image
      * @param does what the robot does
-     * @param wantedMetres how far the ball shall roll
-     * @param start first guess; what is missing is 0
-     * @param plan how it is searched for
+     * @param wantedMetres how far the ball is to roll
+     * @param start first guess; missing coordinates are 0
+     * @param plan the plan of the search
      */
     public KickDesign(String name, String does, double wantedMetres, double[] start, SearchPlan plan) {
         super(Arrays.copyOf(start, PARAMETERS), plan);

@@ -10,22 +10,14 @@ import org.robonewbie.learning.search.SearchPlan;
  */
 public interface MotionDesign extends CostFunction {
 
-    /**
-     * Gives the first guess.
-     *
-     * @return coordinates from which the search begins
-     */
+    /** {@return the first guess: the coordinates from which the search starts} */
     double[] start();
 
-    /**
-     * Tells how the shipped motion was searched for.
-     *
-     * @return the plan
-     */
+    /** {@return the plan with which the shipped motion was searched for} */
     SearchPlan plan();
 
     /**
-     * Makes the motions that belong to coordinates.
+     * Creates the motions that belong to coordinates.
      *
      * @param coordinates any coordinates
      * @return the motions with what their files say about them

@@ -11,9 +11,10 @@ import java.util.stream.Collectors;
 import org.robonewbie.learning.search.Search;
 import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
 
 /**
- * Makes motions of the library again: searches as their designs say and writes the files. The result is the same each time.
+ * Recreates motions of the library: searches as their designs say and writes the files. The result is the same each time.
  *
  * <pre>{@code
  * java org.robonewbie.learning.design.MotionWorkshop walk-forward nao/src/main/resources/motions
@@ -24,7 +25,7 @@ public final class MotionWorkshop {
     private MotionWorkshop() {}
 
     /**
-     * Makes the motions of one design.
+     * Creates the motions of one design.
      *
      * @param arguments name of the design and the directory for the files
      * @throws IOException if a file cannot be written
@@ -38,7 +39,7 @@ public final class MotionWorkshop {
     }
 
     /**
-     * Makes the motions of one design; after each generation the files hold what has been found so far.
+     * Creates the motions of one design; after each generation the files hold what has been found so far.
      *
      * @param name name of the design
      * @param directory where the files are written
@@ -75,7 +76,7 @@ public final class MotionWorkshop {
 
     private static void save(MotionFile file, Path path) {
         try {
-            file.save(path);
+            MotionFiles.save(file, path);
         } catch (IOException e) {
             throw new UncheckedIOException("Cannot write " + path + ".", e);
         }

@@ -2,10 +2,10 @@ package org.robonewbie.learning.design;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robonewbie.learning.trial.Library;
 import org.robonewbie.learning.trial.Lying;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /**
  * Getting up from the left side: a roll onto the back, drawn by hand, and then the shipped way to get up from there. From the
@@ -24,7 +24,7 @@ public final class SideGetUpDesign extends DrawnDesign {
         Sketch roll = Sketch.load(NAME, joint -> false);
         List<Keyframe> keyframes =
                 new ArrayList<>(roll.motion(roll.coordinates()).keyframes());
-        keyframes.addAll(Library.motion(AFTERWARDS).keyframes());
+        keyframes.addAll(ShippedMotions.motion(AFTERWARDS).keyframes());
         var motion = new DescribedMotion(
                 new Motion(NAME, keyframes), "rolls onto the back and gets up", Lying.ON_LEFT.words(), "stance");
         return List.of(motion, motion.mirrored());

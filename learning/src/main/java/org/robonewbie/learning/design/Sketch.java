@@ -16,7 +16,7 @@ import org.robonewbie.nao.motion.Posture;
 
 /**
  * A motion drawn by hand as the first guess of a search: durations and angles are its coordinates, in units of 0.1 s and 10°. A
- * keyframe that is its own mirror image stays so. The last keyframe is not changed.
+ * keyframe that is its own mirror image remains so. The last keyframe does not change.
  */
 public final class Sketch {
 
@@ -53,17 +53,14 @@ public final class Sketch {
             if (stream == null) {
                 throw new IllegalArgumentException("There is no sketch \"" + name + "\".");
             }
-            return new Sketch(MotionFile.read(name + ".txt", stream).motion(), searched);
+            return new Sketch(
+                    MotionFile.parse(name + ".txt", stream.readAllBytes()).motion(), searched);
         } catch (IOException e) {
             throw new UncheckedIOException("Cannot read the sketch " + name + ".", e);
         }
     }
 
-    /**
-     * Gives the sketch as it is drawn.
-     *
-     * @return coordinates: for each keyframe but the last its duration and its angles
-     */
+    /** {@return the coordinates of the sketch as drawn: for each keyframe but the last its duration and its angles} */
     public double[] coordinates() {
         List<Double> all = new ArrayList<>();
         for (int i = 0; i < joints.size(); i++) {
@@ -75,7 +72,7 @@ public final class Sketch {
     }
 
     /**
-     * Makes the motion that belongs to coordinates.
+     * Creates the motion that belongs to coordinates.
      *
      * @param coordinates any coordinates
      * @return a motion whose angles are within the joints' ranges
@@ -101,7 +98,7 @@ public final class Sketch {
     }
 
     /**
-     * Measures how far coordinates ask for more than joints can do.
+     * Measures by how much coordinates exceed the joints' ranges.
      *
      * @param coordinates any coordinates
      * @return sum of the angles beyond the joints' ranges, in degrees

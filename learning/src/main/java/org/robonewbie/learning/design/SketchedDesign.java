@@ -35,7 +35,7 @@ abstract class SketchedDesign implements MotionDesign {
         return cost(sketch.motion(coordinates), seed) + 0.002 * sketch.degreesBeyondRange(coordinates);
     }
 
-    /** Says what the motion is, and adds its mirror image if there is one. */
+    /** Describes the motion, and adds its mirror image if there is one. */
     abstract List<DescribedMotion> described(Motion motion);
 
     /** Carries out a trial. */

@@ -7,10 +7,10 @@ import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.gait.Footsteps;
 import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.learning.trial.Course;
-import org.robonewbie.learning.trial.Library;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /**
  * A walk forward: the first step out of the stance, a cycle of two steps, and the stop that leads back to the stance. Searched
@@ -83,14 +83,14 @@ public final class WalkDesign extends SearchedDesign {
     @Override
     public double cost(double[] x, long seed) {
         Course course = new Course(seed, PUSH_NEWTONS);
-        course.play(withStartAndStop ? start(x) : Library.motion(START));
+        course.play(withStartAndStop ? start(x) : ShippedMotions.motion(START));
         Motion walk = walk(x);
         while (course.watch().seconds() < TRIAL_SECONDS && course.play(walk)) {
             // one cycle of two steps after the other
         }
         double seconds = course.watch().seconds();
         double speed = course.forward() / seconds;
-        boolean good = course.play(withStartAndStop ? stop(x) : Library.motion(STOP)) && course.endsInStance();
+        boolean good = course.play(withStartAndStop ? stop(x) : ShippedMotions.motion(STOP)) && course.endsInStance();
         if (!good) {
             return 6 - 3 * seconds / TRIAL_SECONDS - Math.min(0.5, Math.max(0, speed));
         }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.protocol.perceptor.PolarPosition;
@@ -70,8 +71,8 @@ final class Perception {
         for (int i = 0; i < Joint.COUNT; i++) {
             row[i] = hundredths(jointDegrees[i]);
         }
-        put(row, Joint.COUNT, BodyAxes.forwardLeftUp(robot.gyroDegreesPerSecond()));
-        put(row, Joint.COUNT + 3, BodyAxes.forwardLeftUp(robot.acceleration()));
+        put(row, Joint.COUNT, SimSparkFrame.toBody(robot.gyroDegreesPerSecond()));
+        put(row, Joint.COUNT + 3, SimSparkFrame.toBody(robot.acceleration()));
         FootForces feet = robot.footForces();
         putFoot(row, Joint.COUNT + 6, feet.left());
         putFoot(row, Joint.COUNT + 6 + NUMBERS_PER_FOOT, feet.right());
@@ -92,8 +93,8 @@ final class Perception {
 
     private static void putFoot(double[] row, int index, Optional<FootForce> foot) {
         foot.ifPresent(felt -> {
-            put(row, index, BodyAxes.forwardLeftUp(felt.point()));
-            put(row, index + 3, BodyAxes.forwardLeftUp(felt.force()));
+            put(row, index, SimSparkFrame.toBody(felt.point()));
+            put(row, index + 3, SimSparkFrame.toBody(felt.force()));
         });
     }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.robonewbie.learning.objective.TrueStateEye;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.world.SoccerWorld;
@@ -24,7 +25,7 @@ public final class SoccerTrial implements Trial {
     private long cycles;
 
     /**
-     * Makes a trial that has begun with seed 0.
+     * Creates a trial that has begun with seed 0.
      *
      * @param setting how it begins
      */
@@ -48,7 +49,7 @@ public final class SoccerTrial implements Trial {
             bodies.add(new TrialRobotBody(world, setting, start, random.split()));
         }
         world.ball().place(setting.ball().plus(spread(random, 1)).plus(spread(random, 0)));
-        long settling = Math.round(setting.settlingSeconds() / SoccerWorld.STEP_SECONDS);
+        long settling = Math.round(setting.settlingSeconds() / Cycle.SECONDS);
         for (long i = 0; i < settling; i++) {
             double progress = Math.min(1, i / (STEPS_TO_REST * settling));
             bodies.forEach(body -> body.settle(progress));
@@ -112,7 +113,7 @@ public final class SoccerTrial implements Trial {
     @Override
     public WorldState state() {
         return new WorldState(
-                cycles * SoccerWorld.STEP_SECONDS,
+                cycles * Cycle.SECONDS,
                 bodies.stream().map(TrialRobotBody::state).toList(),
                 world.ball().position(),
                 world.ball().velocity());
@@ -129,20 +130,16 @@ public final class SoccerTrial implements Trial {
     }
 
     /**
-     * Opens an eye upon a robot, for the {@link org.robonewbie.learning.objective.Objective objectives}.
+     * Creates a sensor for the true state of a robot, for the {@link org.robonewbie.learning.objective.Objective objectives}.
      *
      * @param robot number of the robot, from 0
-     * @return something that sees what is true until the trial begins anew; to be asked once after each step
+     * @return sees what is true until the next reset; to be asked once after each step
      */
     public TrueStateEye eye(int robot) {
         return new TrueStateEye(world, world.robots().get(robot));
     }
 
-    /**
-     * Gives access to the world itself, to push robots or to move the ball in the middle of a trial.
-     *
-     * @return the world of this trial until it begins anew
-     */
+    /** {@return the world of this trial until the next reset, to push robots or to move the ball in the middle of a trial} */
     public SoccerWorld world() {
         return world;
     }

@@ -3,8 +3,8 @@ package org.robonewbie.learning.experiment;
 import java.util.List;
 
 /**
- * A world with robots in the hand of one experimenter: it begins anew with a seed, and each step is one cycle of 20 ms.
- * Equal seeds and equal commands give equal trials, to the bit. One thread at a time; other threads use trials of their own.
+ * A world with robots under the control of one experimenter: a reset takes a seed, and each step is one cycle of 20 ms. Equal
+ * seeds and equal commands give equal trials, to the bit. Not thread-safe; other threads use trials of their own.
  *
  * <pre>{@code
  * Trial trial = new SoccerTrial(TrialSetting.standing());
@@ -15,49 +15,37 @@ import java.util.List;
  * double degrees = trial.observation(0)[Joint.NECK_YAW.ordinal()];
  * }</pre>
  *
- * <p>What a robot is paid for is the experimenter's own affair: a function of the {@link WorldState}.
+ * <p>What a robot is rewarded for is up to the experimenter: a function of the {@link WorldState}.
  */
 public interface Trial {
 
     /**
-     * Begins anew: puts ball and robots to their places and lets the robots come to rest in their first postures.
+     * Starts over: moves ball and robots to their places and waits until the robots rest in their first postures.
      *
      * @param seed chooses where exactly everything begins, and all noise
      */
     void reset(long seed);
 
     /**
-     * Lets one cycle of 20 ms pass. As with a server, a command acts one cycle later than it is given.
+     * Runs one cycle of 20 ms. As with a server, a command takes effect one cycle later than it is given.
      *
-     * @param degreesPerSecond the speed of each joint for each robot, in the order of {@link org.robonewbie.nao.Joint};
-     *     cut to what the motor can do
+     * @param degreesPerSecond the speed of each joint for each robot, in the order of {@link org.robonewbie.nao.Joint}; clamped
+     *     to what the motor can do
      * @throws IllegalArgumentException if there are not 22 speeds for each robot, or one is not a number
      */
     void step(double[]... degreesPerSecond);
 
-    /**
-     * Tells how many robots there are.
-     *
-     * @return at least 1
-     */
+    /** {@return the number of robots, at least 1} */
     int robots();
 
-    /**
-     * Tells what is true now.
-     *
-     * @return the world as a referee with perfect eyes sees it
-     */
+    /** {@return the true state of the world} */
     WorldState state();
 
-    /**
-     * Names what {@link #observation} gives, the same for each robot.
-     *
-     * @return names with units, unmodifiable
-     */
+    /** {@return names with units of what {@link #observation} returns, the same for each robot; unmodifiable} */
     List<ObservedQuantity> quantities();
 
     /**
-     * Tells what a robot feels and sees now, as its perceptors report it.
+     * Returns what a robot senses now, as its perceptors report it.
      *
      * @param robot number of the robot, from 0
      * @return one number for each of the {@link #quantities}; a new array

@@ -4,12 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import org.robonewbie.agent.motion.Motors;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.SimSparkFrame;
+import org.robonewbie.nao.motion.JointStates;
+import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.protocol.perceptor.Vision;
-import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.sensing.Camera;
 import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.world.Robot;
@@ -19,14 +22,14 @@ import org.robonewbie.simulator.world.SoccerWorld;
 final class TrialRobotBody {
 
     private static final double TORSO_METRES = 0.39;
-    private static final double CYCLE_SECONDS = SoccerWorld.STEP_SECONDS;
     private static final Joint[] JOINTS = Joint.values();
 
     private final SoccerWorld world;
     private final Robot robot;
     private final Optional<Camera> camera;
     private final Perception perception;
-    private final Motors motors = new Motors();
+    private final JointStates joints = new JointStates();
+    private final Motors motors = new Motors(joints);
     private final Posture firstPosture;
     private final double[] onTheWay = new double[Joint.COUNT];
     private final double[] degrees = new double[Joint.COUNT];
@@ -77,7 +80,7 @@ final class TrialRobotBody {
         perception.look(camera.map(this::picture));
     }
 
-    /** Lets the last command act and keeps the new one for the next cycle. */
+    /** Applies the last command and keeps the new one for the next cycle. */
     void command(double[] degreesPerSecond) {
         for (Joint joint : JOINTS) {
             robot.setMotorSpeed(joint, Math.toRadians(onTheWay[joint.ordinal()]));
@@ -91,7 +94,7 @@ final class TrialRobotBody {
             int i = joint.ordinal();
             degreesBefore[i] = degrees[i];
             degrees[i] = robot.jointDegrees(joint);
-            motors.sense(joint, Perception.hundredths(degrees[i]));
+            joints.sense(joint, Perception.hundredths(degrees[i]));
         }
         if (withPicture) {
             perception.look(camera.map(this::picture));
@@ -107,19 +110,19 @@ final class TrialRobotBody {
     }
 
     RobotState state() {
-        List<Pose> links = new ArrayList<>();
+        List<BodyPose> links = new ArrayList<>();
         for (int i = 0; i < robot.model().links().size(); i++) {
             links.add(robot.linkPose(i));
         }
         double[] rates = new double[Joint.COUNT];
         for (int i = 0; i < rates.length; i++) {
-            rates[i] = (degrees[i] - degreesBefore[i]) / CYCLE_SECONDS;
+            rates[i] = (degrees[i] - degreesBefore[i]) / Cycle.SECONDS;
         }
         return new RobotState(
                 robot.model().type(),
                 links,
                 robot.torsoVelocity(),
-                BodyAxes.forwardLeftUp(robot.gyroDegreesPerSecond()),
+                SimSparkFrame.toBody(robot.gyroDegreesPerSecond()),
                 degrees.clone(),
                 rates);
     }

@@ -13,12 +13,12 @@ import org.robonewbie.nao.Vector3;
  *         .withBall(new Vector3(4.2, -0.05, 0.042));
  * }</pre>
  *
- * @param field sizes of the pitch
+ * @param field dimensions of the pitch
  * @param robots where the robots begin, at least one
  * @param ball centre of the ball in the world frame, metres
- * @param placeSpreadMetres robots and ball begin up to so far beside their places along each axis
- * @param headingSpreadDegrees robots begin turned by up to so much to either side
- * @param jointSpreadDegrees joints begin up to so far from their angles
+ * @param placeSpreadMetres how much the places of robots and ball vary along each axis
+ * @param headingSpreadDegrees how much the robots' headings vary to either side
+ * @param jointSpreadDegrees how much the joint angles vary
  * @param cameraNoise whether the cameras are as imprecise as the server's
  * @param camera whether robots have cameras at all; without them a trial is faster
  * @param settlingSeconds time to come to rest in the first posture
@@ -81,7 +81,7 @@ public record TrialSetting(
     }
 
     /**
-     * Puts the ball somewhere else.
+     * Moves the ball.
      *
      * @param position its centre in the world frame, metres
      * @return a changed copy
@@ -100,11 +100,11 @@ public record TrialSetting(
     }
 
     /**
-     * Lets trials differ more or less.
+     * Sets how much trials differ.
      *
-     * @param placeMetres robots and ball begin up to so far beside their places along each axis
-     * @param headingDegrees robots begin turned by up to so much to either side
-     * @param jointDegrees joints begin up to so far from their angles
+     * @param placeMetres how much the places of robots and ball vary along each axis
+     * @param headingDegrees how much the robots' headings vary to either side
+     * @param jointDegrees how much the joint angles vary
      * @return a changed copy
      */
     public TrialSetting withSpread(double placeMetres, double headingDegrees, double jointDegrees) {

@@ -4,8 +4,8 @@ import java.util.List;
 import org.robonewbie.nao.Vector3;
 
 /**
- * The world at one moment, as nobody inside it can know it. The world frame has its origin on the centre spot, x to the right
- * goal, y to the left of that, z up.
+ * The true state of the world at one moment. The world frame has its origin at the centre spot, x to the right goal, y to the
+ * left of that, z up.
  *
  * @param seconds time since the trial began
  * @param robots the robots in the order of the setting
@@ -19,11 +19,7 @@ public record WorldState(double seconds, List<RobotState> robots, Vector3 ballPo
         robots = List.copyOf(robots);
     }
 
-    /**
-     * Gives the first robot.
-     *
-     * @return robot 0
-     */
+    /** {@return the first robot} */
     public RobotState robot() {
         return robots.get(0);
     }

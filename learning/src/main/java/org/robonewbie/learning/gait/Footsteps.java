@@ -2,10 +2,10 @@ package org.robonewbie.learning.gait;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robonewbie.agent.walk.Carriage;
 import org.robonewbie.agent.walk.FootPlace;
 import org.robonewbie.agent.walk.Gait;
 import org.robonewbie.agent.walk.Step;
+import org.robonewbie.agent.walk.TorsoPosture;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.model.RobotType;
@@ -30,7 +30,7 @@ public final class Footsteps {
     private final List<Keyframe> keyframes = new ArrayList<>();
     private FootPlace left;
     private FootPlace right;
-    private double vigour = 1;
+    private double amplitude = 1;
     private int takingUpMillis;
 
     /**
@@ -75,12 +75,12 @@ public final class Footsteps {
      *
      * @param leg which foot
      * @param target where it is set down
-     * @param vigourAtEnd 1 sways and lifts as the gait says, 0 not at all
+     * @param amplitudeAtEnd 1 sways and lifts as the gait says, 0 not at all
      * @return this
      */
-    public Footsteps step(Leg leg, FootPlace target, double vigourAtEnd) {
-        Carriage before = Carriage.of(gait, vigour);
-        Carriage after = Carriage.of(gait, vigourAtEnd);
+    public Footsteps step(Leg leg, FootPlace target, double amplitudeAtEnd) {
+        TorsoPosture before = TorsoPosture.of(gait, amplitude);
+        TorsoPosture after = TorsoPosture.of(gait, amplitudeAtEnd);
         Step step = new Step(gait, leg, place(leg), target, place(leg.other()), before, after);
         if (takingUpMillis > 0 && keyframes.isEmpty()) {
             keyframes.add(new Keyframe(takingUpMillis, posture(step, 0)));
@@ -89,7 +89,7 @@ public final class Footsteps {
             double time = (double) i / gait.keyframesPerStep();
             keyframes.add(new Keyframe(gait.stepMillis() / gait.keyframesPerStep(), posture(step, time)));
         }
-        vigour = vigourAtEnd;
+        amplitude = amplitudeAtEnd;
         putDown(leg, target);
         return this;
     }
@@ -106,11 +106,7 @@ public final class Footsteps {
         return this;
     }
 
-    /**
-     * Gives the result.
-     *
-     * @return all keyframes so far
-     */
+    /** {@return all keyframes so far} */
     public List<Keyframe> keyframes() {
         return List.copyOf(keyframes);
     }

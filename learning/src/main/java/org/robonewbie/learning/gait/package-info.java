@@ -1,5 +1,5 @@
 /**
- * Steps as keyframes: where the feet shall go becomes angles of the legs. Read {@link org.robonewbie.learning.gait.Footsteps}
+ * Steps as keyframes: converts positions of the feet to angles of the legs. Read {@link org.robonewbie.learning.gait.Footsteps}
  * first.
  */
 @org.jspecify.annotations.NullMarked

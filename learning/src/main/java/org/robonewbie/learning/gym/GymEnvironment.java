@@ -3,10 +3,11 @@ package org.robonewbie.learning.gym;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.robonewbie.agent.motion.Motors;
 import org.robonewbie.learning.experiment.ObservedQuantity;
 import org.robonewbie.learning.experiment.SoccerTrial;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.JointStates;
+import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
 
 /** One robot that lives through episodes of a task. */
@@ -19,7 +20,8 @@ final class GymEnvironment {
     private final SoccerTrial trial;
     private final List<ObservedQuantity> quantities;
     private final Posture firstPosture;
-    private Motors motors = new Motors();
+    private JointStates joints = new JointStates();
+    private Motors motors = new Motors(joints);
     private Task.Episode episode;
     private double reward;
 
@@ -43,7 +45,7 @@ final class GymEnvironment {
                 quantity.name(), quantity.unit(), quantity.least() - room, quantity.greatest() + room);
     }
 
-    /** Names what is observed; values beyond the ranges are cut. */
+    /** What is observed; values beyond the ranges are clamped. */
     List<ObservedQuantity> quantities() {
         return quantities;
     }
@@ -55,12 +57,13 @@ final class GymEnvironment {
     /** Begins an episode that is chosen by the seed. */
     void reset(long seed) {
         trial.reset(seed);
-        motors = new Motors();
+        joints = new JointStates();
+        motors = new Motors(joints);
         episode = task.begin(trial, new SplittableRandom(~seed));
         reward = 0;
     }
 
-    /** Lets one cycle pass. Actions beyond 1 count as 1. */
+    /** Runs one cycle. Actions beyond 1 count as 1. */
     void step(double[] action) {
         episode.beforeStep();
         trial.step(speeds(action));
@@ -70,7 +73,7 @@ final class GymEnvironment {
     private double[] speeds(double[] action) {
         double[] felt = trial.observation(0);
         for (Joint joint : Joint.values()) {
-            motors.sense(joint, felt[joint.ordinal()]);
+            joints.sense(joint, felt[joint.ordinal()]);
         }
         for (int i = 0; i < action.length; i++) {
             Joint joint = task.joints().get(i);
@@ -86,7 +89,7 @@ final class GymEnvironment {
         return speeds;
     }
 
-    /** Tells what the robot perceives now. */
+    /** The robot's present perception. */
     double[] observation() {
         double[] felt = trial.observation(0);
         double[] extras = episode.extras();
@@ -100,12 +103,12 @@ final class GymEnvironment {
         return all;
     }
 
-    /** Tells what the last step has paid. */
+    /** The reward of the last step. */
     double reward() {
         return reward;
     }
 
-    /** Tells whether there is no sense in going on. */
+    /** Whether the episode has ended. */
     boolean isOver() {
         return episode.isOver();
     }

@@ -11,7 +11,7 @@ import java.net.Socket;
 import java.util.function.Consumer;
 
 /**
- * Lets learning programs in other languages use the tasks, through a TCP port of this computer only. Each connection has
+ * Offers the tasks to learning programs in other languages, through a TCP port of this computer only. Each connection has
  * environments of its own, so that several programs do not disturb each other. The messages are described in
  * docs/gym-protocol.md; {@code python/} speaks them.
  */
@@ -41,11 +41,7 @@ public final class GymServer implements AutoCloseable {
         return server;
     }
 
-    /**
-     * Tells where it listens.
-     *
-     * @return the port
-     */
+    /** {@return the port on which the server listens} */
     public int port() {
         return socket.getLocalPort();
     }

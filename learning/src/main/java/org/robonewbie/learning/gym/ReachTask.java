@@ -3,18 +3,17 @@ package org.robonewbie.learning.gym;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.robonewbie.learning.experiment.BodyAxes;
 import org.robonewbie.learning.experiment.ObservedQuantity;
 import org.robonewbie.learning.experiment.SoccerTrial;
 import org.robonewbie.learning.experiment.TrialSetting;
 import org.robonewbie.nao.BodyPart;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.nao.kinematics.SimSparkFrame;
+import org.robonewbie.simulator.physics.BodyPose;
 
 /**
- * Bring the left lower arm to a point that is somewhere before and beside the left shoulder. Each cycle costs the distance in
- * metres.
+ * Bring the left lower arm to a random point in front of and beside the left shoulder. Each cycle costs the distance in metres.
  */
 final class ReachTask implements Task {
 
@@ -85,9 +84,8 @@ final class ReachTask implements Task {
             }
 
             private Vector3 arm() {
-                Pose torso = trial.state().robot().torso();
-                return BodyAxes.forwardLeftUp(
-                        torso.toLocal(trial.state().robot().position(BodyPart.LEFT_LOWER_ARM)));
+                BodyPose torso = trial.state().robot().torso();
+                return SimSparkFrame.toBody(torso.toLocal(trial.state().robot().position(BodyPart.LEFT_LOWER_ARM)));
             }
         };
     }

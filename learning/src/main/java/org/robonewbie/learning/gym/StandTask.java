@@ -2,11 +2,11 @@ package org.robonewbie.learning.gym;
 
 import java.util.List;
 import java.util.SplittableRandom;
-import org.robonewbie.learning.experiment.RobotState;
 import org.robonewbie.learning.experiment.SoccerTrial;
 import org.robonewbie.learning.experiment.TrialSetting;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
 
 /**
  * Stay on your feet while someone pushes you from any side once per second. Each cycle pays 1, less what the torso leans (1
@@ -66,7 +66,7 @@ final class StandTask implements Task {
 
             @Override
             public double reward(double[] action) {
-                return 1 - trial.state().robot().tiltDegrees() / RobotState.FALLEN_DEGREES;
+                return 1 - trial.state().robot().tiltDegrees() / BodyState.FALLEN_DEGREES;
             }
 
             @Override

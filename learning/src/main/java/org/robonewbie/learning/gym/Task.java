@@ -13,22 +13,22 @@ import org.robonewbie.nao.Joint;
  */
 interface Task {
 
-    /** Names the task, such as {@code Walk}. */
+    /** The name of the task, such as {@code Walk}. */
     String name();
 
-    /** Tells how each episode begins. */
+    /** How each episode begins. */
     TrialSetting setting();
 
-    /** Lists the joints that an action moves; the others stay as they are. */
+    /** The joints that an action moves; the others stay as they are. */
     List<Joint> joints();
 
-    /** Tells how far an action of 1 is from the first posture. */
+    /** The angle by which an action of 1 differs from the first posture. */
     double rangeDegrees();
 
-    /** Tells after how many cycles an episode ends. */
+    /** The number of cycles after which an episode ends. */
     int longestCycles();
 
-    /** Names what is observed besides the perceptors. */
+    /** What is observed besides the perceptors. */
     default List<ObservedQuantity> extras() {
         return List.of();
     }
@@ -45,10 +45,10 @@ interface Task {
         /** Pays for the last cycle. */
         double reward(double[] action);
 
-        /** Tells whether there is no sense in going on. */
+        /** Whether the episode has ended. */
         boolean isOver();
 
-        /** Gives what is observed besides the perceptors. */
+        /** The values of what is observed besides the perceptors. */
         default double[] extras() {
             return new double[0];
         }

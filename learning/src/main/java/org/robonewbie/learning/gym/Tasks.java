@@ -11,7 +11,7 @@ final class Tasks {
     private Tasks() {}
 
     /**
-     * Finds a task.
+     * Looks up a task.
      *
      * @throws IllegalArgumentException if there is none of this name; the message lists all
      */

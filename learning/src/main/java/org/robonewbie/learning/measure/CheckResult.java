@@ -45,11 +45,7 @@ public record CheckResult(MotionCheck check, List<Outcome> outcomes) {
         return new CheckResult(check, Arrays.asList(outcomes));
     }
 
-    /**
-     * Counts the successes.
-     *
-     * @return how many trials kept to the rule
-     */
+    /** {@return how many trials succeeded} */
     public int successes() {
         return (int) outcomes.stream().filter(Outcome::success).count();
     }

@@ -2,12 +2,12 @@ package org.robonewbie.learning.measure;
 
 import java.util.List;
 import java.util.function.ToDoubleFunction;
-import org.robonewbie.agent.motion.PostureFollower;
 import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.trial.Course;
 import org.robonewbie.learning.trial.WalkTrial;
+import org.robonewbie.nao.motion.PostureFollower;
 
 /** Checks of the walk engine. */
 final class EngineChecks {

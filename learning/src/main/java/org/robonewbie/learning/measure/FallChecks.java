@@ -3,10 +3,10 @@ package org.robonewbie.learning.measure;
 import java.util.List;
 import org.robonewbie.learning.trial.Course;
 import org.robonewbie.learning.trial.DiveTrial;
-import org.robonewbie.learning.trial.Library;
 import org.robonewbie.learning.trial.Lying;
 import org.robonewbie.learning.trial.TrialObserver;
 import org.robonewbie.learning.trial.TrialRobot;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /** Checks of the motions that end on the ground or begin there. */
 final class FallChecks {
@@ -28,7 +28,7 @@ final class FallChecks {
         return new MotionCheck(name, "stance", "ends " + end.words(), "s", seed -> {
             TrialRobot robot = new Course(seed, PUSH_NEWTONS).robot();
             double start = robot.seconds();
-            robot.play(Library.motion(name), TrialObserver.NONE);
+            robot.play(ShippedMotions.motion(name), TrialObserver.NONE);
             double seconds = robot.seconds() - start;
             robot.hold(1, TrialObserver.NONE);
             return new Outcome(end.isTrueOf(robot), seconds);
@@ -40,7 +40,7 @@ final class FallChecks {
         return new MotionCheck(name, "lying on front after a fall, arms anywhere", "ends lying on back", "s", seed -> {
             TrialRobot robot = Lying.ON_FRONT.fallen(seed);
             double start = robot.seconds();
-            robot.play(Library.motion(name), TrialObserver.NONE);
+            robot.play(ShippedMotions.motion(name), TrialObserver.NONE);
             double seconds = robot.seconds() - start;
             robot.hold(1, TrialObserver.NONE);
             return new Outcome(Lying.ON_BACK.isTrueOf(robot), seconds);
@@ -54,7 +54,7 @@ final class FallChecks {
                 "the ball does not get past the robot",
                 "m aside of the ball's way",
                 seed -> {
-                    DiveTrial trial = DiveTrial.run(Library.motion(name), seed, side);
+                    DiveTrial trial = DiveTrial.run(ShippedMotions.motion(name), seed, side);
                     return new Outcome(trial.blocked(), Math.abs(trial.passesAt()));
                 });
     }

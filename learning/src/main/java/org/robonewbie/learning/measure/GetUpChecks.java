@@ -2,9 +2,9 @@ package org.robonewbie.learning.measure;
 
 import java.util.List;
 import org.robonewbie.learning.trial.GetUpTrial;
-import org.robonewbie.learning.trial.Library;
 import org.robonewbie.learning.trial.Lying;
 import org.robonewbie.learning.trial.TrialObserver;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /** Checks of the motions that bring a fallen robot to its feet. */
 final class GetUpChecks {
@@ -32,7 +32,7 @@ final class GetUpChecks {
                         "s",
                         seed -> {
                             GetUpTrial trial = GetUpTrial.run(
-                                    lying.fallen(seed), List.of(Library.motion(name)), TrialObserver.NONE);
+                                    lying.fallen(seed), List.of(ShippedMotions.motion(name)), TrialObserver.NONE);
                             return new Outcome(trial.success() && trial.seconds() <= MOST_SECONDS, trial.seconds());
                         })
                 .thoroughly(THOROUGHNESS);

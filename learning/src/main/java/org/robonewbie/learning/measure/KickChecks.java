@@ -2,10 +2,10 @@ package org.robonewbie.learning.measure;
 
 import java.util.List;
 import java.util.stream.Stream;
-import org.robonewbie.learning.trial.BallPlace;
 import org.robonewbie.learning.trial.KickTrial;
-import org.robonewbie.learning.trial.Library;
+import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /** Checks of kicks and passes. */
 final class KickChecks {
@@ -35,8 +35,8 @@ final class KickChecks {
 
     private static MotionCheck kick(String name, String rule, double least, double most) {
         return new MotionCheck(name, START, rule, "m", seed -> {
-            MotionFile file = Library.file(name);
-            BallPlace ball = BallPlace.of(file.property("ball").orElseThrow());
+            MotionFile file = ShippedMotions.file(name);
+            BallPlace ball = file.ball().orElseThrow();
             KickTrial trial = KickTrial.run(file.motion(), ball, seed);
             boolean far = trial.metres() >= least && trial.metres() <= most;
             return new Outcome(far && trial.standing(), trial.metres());

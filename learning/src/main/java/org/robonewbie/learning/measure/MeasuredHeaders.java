@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
 
 /**
  * Writes into the head of each motion file how well the motion works.
@@ -46,7 +46,7 @@ public final class MeasuredHeaders {
         for (CheckResult result : results) {
             Path path = directory.resolve(result.check().name() + ".txt");
             if (Files.exists(path)) {
-                MotionFile.load(path).withProperty("measured", text(result)).save(path);
+                MotionFiles.save(MotionFiles.load(path).withProperty("measured", text(result)), path);
             }
         }
     }

@@ -3,16 +3,14 @@ package org.robonewbie.learning.measure;
 import com.google.gson.GsonBuilder;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.robonewbie.nao.file.AtomicFile;
 
 /**
  * Measures all shipped motions in the simulated world and prints a table: how often each works, and how well.
@@ -56,11 +54,7 @@ public final class MotionMeasurement {
         this.out = out;
     }
 
-    /**
-     * Lists what is measured.
-     *
-     * @return all checks in the order of the table
-     */
+    /** {@return all checks in the order of the table} */
     public static List<MotionCheck> checks() {
         return Stream.of(
                         WalkChecks.all(),
@@ -74,7 +68,7 @@ public final class MotionMeasurement {
     }
 
     /**
-     * Carries out all checks, printing each line as soon as it is known.
+     * Runs all checks, printing each line as soon as it is known.
      *
      * @param json file for the results as well
      * @return the results in the order of the table
@@ -115,14 +109,7 @@ public final class MotionMeasurement {
     private static void write(Path file, List<CheckResult> results) throws IOException {
         List<Row> rows = results.stream().map(Row::of).toList();
         String text = new GsonBuilder().setPrettyPrinting().create().toJson(Map.of("motions", rows)) + "\n";
-        Path target = file.toAbsolutePath();
-        Path temporary = Files.createTempFile(target.getParent(), target.getFileName() + ".", ".tmp");
-        try {
-            Files.writeString(temporary, text, StandardCharsets.UTF_8);
-            Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
-        } finally {
-            Files.deleteIfExists(temporary);
-        }
+        AtomicFile.write(file, text);
     }
 
     /** One object of the file. */

@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Random;
 import java.util.function.BiFunction;
 import org.robonewbie.agent.walk.Walk;
-import org.robonewbie.learning.trial.BallPlace;
-import org.robonewbie.learning.trial.Library;
 import org.robonewbie.learning.trial.ServedRobot;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.BallPlace;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /** The most important checks once more, with an agent on a whole simulator instead of a robot in a bare world. */
 final class ServerChecks {
@@ -71,8 +71,7 @@ final class ServerChecks {
 
     private static MotionCheck kick(String name, double least, double most, String rule) {
         return check(name, rule + ", the robot stands", "m", (robot, seed) -> {
-            BallPlace place = BallPlace.of(Library.file(name).property("ball").orElseThrow())
-                    .near(new Random(seed));
+            BallPlace place = ShippedMotions.file(name).ball().orElseThrow().near(new Random(seed));
             Vector3 start = robot.place(place.ahead(), place.left(), BALL_RADIUS);
             robot.ball().place(start);
             robot.perform(name);

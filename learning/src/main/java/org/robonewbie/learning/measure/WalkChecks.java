@@ -2,8 +2,8 @@ package org.robonewbie.learning.measure;
 
 import java.util.List;
 import org.robonewbie.learning.trial.Course;
-import org.robonewbie.learning.trial.Library;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /** Checks of the motions that carry the robot over the pitch. */
 final class WalkChecks {
@@ -38,7 +38,7 @@ final class WalkChecks {
             Course course = new Course(seed, PUSH_NEWTONS);
             walkFiveMetres(course, name);
             double speed = course.forward() / course.watch().seconds();
-            course.play(Library.motion("stop-walking"));
+            course.play(ShippedMotions.motion("stop-walking"));
             return new Outcome(course.endsInStance(), speed);
         });
     }
@@ -54,8 +54,8 @@ final class WalkChecks {
     }
 
     private static void walkFiveMetres(Course course, String name) {
-        course.play(Library.motion("start-walking"));
-        Motion walk = Library.motion(name);
+        course.play(ShippedMotions.motion("start-walking"));
+        Motion walk = ShippedMotions.motion(name);
         while (course.forward() < WAY && isInTime(course) && course.play(walk)) {
             // one cycle of two steps after the other
         }
@@ -68,7 +68,7 @@ final class WalkChecks {
     private static MotionCheck turn(String name, int sign) {
         return new MotionCheck(name, STANCE, "turns once around, ends in the stance", "degrees each time", seed -> {
             Course course = new Course(seed, PUSH_NEWTONS);
-            Motion turn = Library.motion(name);
+            Motion turn = ShippedMotions.motion(name);
             int times = 0;
             while (sign * course.turnedDegrees() < 360 && isInTime(course) && course.play(turn)) {
                 times++;
@@ -96,7 +96,7 @@ final class WalkChecks {
 
     private static void playFiveTimes(Course course, String name) {
         for (int i = 0; i < 5; i++) {
-            course.play(Library.motion(name));
+            course.play(ShippedMotions.motion(name));
         }
     }
 }

@@ -1,6 +1,6 @@
 package org.robonewbie.learning.objective;
 
-/** Measures how far the robot gets along its first heading before it falls. */
+/** Measures the distance that the robot covers along its first heading before it falls. */
 final class DistanceGauge extends RememberingGauge {
 
     private double metres;

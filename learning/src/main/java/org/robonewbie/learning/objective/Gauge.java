@@ -10,10 +10,6 @@ public interface Gauge {
      */
     void look(TrueState now);
 
-    /**
-     * Tells what has been measured.
-     *
-     * @return the value in the objective's unit; always a number
-     */
+    /** {@return the measured value in the objective's unit; always a number} */
     double value();
 }

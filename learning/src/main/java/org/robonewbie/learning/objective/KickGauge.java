@@ -1,6 +1,6 @@
 package org.robonewbie.learning.objective;
 
-/** Measures how far the ball gets along the robot's first heading, and how far it will roll on. */
+/** Measures the distance that the ball covers along the robot's first heading, including an estimate of its further roll. */
 final class KickGauge extends RememberingGauge {
 
     /** A rolling ball comes this much further for each metre per second, as trials show. */

@@ -1,10 +1,10 @@
 package org.robonewbie.learning.objective;
 
 import java.util.List;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.simulator.world.Robot;
-import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
  * Adds up the work with which a robot lifts and speeds up its limbs: each cycle counts by how much the energy of height and
@@ -27,7 +27,7 @@ final class LimbWork {
         this.energy = energy(places);
     }
 
-    /** Counts what has happened since the last call. */
+    /** Adds the work since the last call. */
     void add() {
         Vector3[] now = places();
         double energyNow = energy(now);
@@ -36,7 +36,7 @@ final class LimbWork {
         energy = energyNow;
     }
 
-    /** Tells the work so far. */
+    /** The work so far. */
     double joules() {
         return joules;
     }
@@ -44,7 +44,7 @@ final class LimbWork {
     private double energy(Vector3[] now) {
         double sum = 0;
         for (int i = 0; i < now.length; i++) {
-            double speed = now[i].distanceTo(places[i]) / SoccerWorld.STEP_SECONDS;
+            double speed = now[i].distanceTo(places[i]) / Cycle.SECONDS;
             sum += links.get(i).massKg() * (GRAVITY * now[i].z() + speed * speed / 2);
         }
         return sum;

@@ -1,7 +1,7 @@
 package org.robonewbie.learning.objective;
 
 /**
- * A question to which each trial gives a number as answer, such as "how far did it walk?".
+ * A measure of a trial, such as "how far did it walk?".
  *
  * <pre>{@code
  * Gauge gauge = StandardObjective.WALK_SPEED.gauge();
@@ -13,25 +13,13 @@ package org.robonewbie.learning.objective;
  */
 public interface Objective {
 
-    /**
-     * Names the objective as on the command line.
-     *
-     * @return a name such as {@code walk-speed}
-     */
+    /** {@return the objective's name on the command line, such as {@code walk-speed}} */
     String label();
 
-    /**
-     * Tells in what it is measured.
-     *
-     * @return a unit such as {@code m/s}
-     */
+    /** {@return the unit of the value, such as {@code m/s}} */
     String unit();
 
-    /**
-     * Tells which way is better.
-     *
-     * @return whether a larger value is better than a smaller one
-     */
+    /** {@return whether larger values are better} */
     boolean isLargerBetter();
 
     /**

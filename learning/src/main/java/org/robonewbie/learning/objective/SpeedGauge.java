@@ -1,6 +1,6 @@
 package org.robonewbie.learning.objective;
 
-/** Measures how fast the robot gets along its first heading; the time of a trial goes on after a fall. */
+/** Measures the speed of the robot along its first heading; the time of a trial continues after a fall. */
 final class SpeedGauge extends RememberingGauge {
 
     private double metres;

@@ -34,7 +34,7 @@ public enum StandardObjective implements Objective {
     }
 
     /**
-     * Finds an objective by its name.
+     * Looks up an objective.
      *
      * @param label a name such as {@code walk-speed}
      * @return the objective
@@ -48,11 +48,7 @@ public enum StandardObjective implements Objective {
                         "There is no objective \"" + label + "\". There are: " + labels() + "."));
     }
 
-    /**
-     * Lists all objectives.
-     *
-     * @return their names, separated by commas
-     */
+    /** {@return the names of all objectives, separated by commas} */
     public static String labels() {
         return Arrays.stream(values()).map(StandardObjective::label).collect(Collectors.joining(", "));
     }

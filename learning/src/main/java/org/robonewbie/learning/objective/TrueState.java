@@ -1,22 +1,23 @@
 package org.robonewbie.learning.objective;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * What is true of one robot and the ball after a cycle, without noise and delay. Places and speeds are in the world frame, in
- * metres and metres per second; the robot plays towards the goal at the right end unless its eye was told otherwise.
+ * The true state of one robot and the ball after a cycle, without noise and delay. Positions and velocities are in the world
+ * frame, in metres and metres per second; the robot plays towards the goal at the right end unless configured otherwise.
  *
- * @param seconds simulated time since its eye was opened
+ * @param seconds simulated time since the observation began
  * @param torso centre of the torso
- * @param velocity speed of the torso
- * @param headingDegrees direction of the torso's forward axis, -180 to 180, 0 along the world's x axis, positive to the left
+ * @param velocity velocity of the torso
+ * @param headingDegrees heading of the torso, -180 to 180, 0 along the world's x axis, positive to the left
  * @param uprightness cosine of the torso's tilt: 1 upright, 0 lying, -1 upside down
- * @param turning how fast the torso turns about its own axes, degrees per second
+ * @param turning angular velocity of the torso about its own axes, degrees per second
  * @param joints the angles of all joints
  * @param workJoules energy that its motors have put into lifting and moving its limbs so far
  * @param ball centre of the ball
- * @param ballVelocity speed of the ball
+ * @param ballVelocity velocity of the ball
  * @param ballToGoal metres from the ball to the line of the opponents' goal, 0 when it is in
  * @param isScored whether the ball is in the opponents' goal or has been there before
  */
@@ -34,34 +35,20 @@ public record TrueState(
         double ballToGoal,
         boolean isScored) {
 
-    /** Cosine of the tilt at which a robot counts as fallen, that of 60°. */
-    public static final double FALLEN_UPRIGHTNESS = 0.5;
-
-    /** Height of the torso's centre in metres below which a robot counts as fallen. */
-    public static final double FALLEN_HEIGHT = 0.2;
-
-    /**
-     * Tells whether the robot lies or sits on the ground.
-     *
-     * @return whether its torso is tilted over 60° or its centre is lower than 0.2 m
-     */
+    /** {@return whether the robot has fallen: its torso is tilted by more than 60° or its centre is lower than 0.2 m} */
     public boolean isFallen() {
-        return uprightness < FALLEN_UPRIGHTNESS || torso.z() < FALLEN_HEIGHT;
+        return BodyState.isFallen(tiltDegrees(), torso.z());
     }
 
-    /**
-     * Tells how far the torso leans to any side.
-     *
-     * @return degrees from the vertical, 0 to 180
-     */
+    /** {@return the tilt of the torso in degrees from the vertical, 0 to 180} */
     public double tiltDegrees() {
         return Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, uprightness))));
     }
 
     /**
-     * Tells how far a place is ahead of the robot.
+     * Returns the distance of a point ahead of the robot.
      *
-     * @param place somewhere in the world frame
+     * @param place a point in the world frame
      * @return metres along the robot's heading, negative behind it
      */
     public double ahead(Vector3 place) {
@@ -71,9 +58,9 @@ public record TrueState(
     }
 
     /**
-     * Tells how far a place is to the left of the robot.
+     * Returns the distance of a point to the left of the robot.
      *
-     * @param place somewhere in the world frame
+     * @param place a point in the world frame
      * @return metres across the robot's heading, negative to the right
      */
     public double left(Vector3 place) {

@@ -1,5 +1,6 @@
 package org.robonewbie.learning.objective;
 
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
@@ -57,12 +58,11 @@ public final class TrueStateEye {
         }
         scored |= world.isBallInGoal(goal);
         Ball ball = world.ball();
-        Vector3 forward = robot.torso().rotation().axisY();
         return new TrueState(
-                looks++ * SoccerWorld.STEP_SECONDS,
+                looks++ * Cycle.SECONDS,
                 robot.torso().position(),
                 robot.torsoVelocity(),
-                Math.toDegrees(Math.atan2(forward.y(), forward.x())),
+                robot.headingDegrees(),
                 robot.torso().rotation().zz(),
                 robot.gyroDegreesPerSecond(),
                 joints(),

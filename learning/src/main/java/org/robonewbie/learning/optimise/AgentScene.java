@@ -11,13 +11,13 @@ import org.robonewbie.learning.trial.AgentTrial;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Where and how long a program is tried. Each seed is a scene of its own: robot and ball lie a little elsewhere, and the noise is
- * another one.
+ * Where and how long a program is tried. Each seed is a scene of its own: the places of robot and ball vary a little, and so
+ * does the noise.
  *
  * @param place where the robot stands, in metres from the centre
- * @param degrees where it looks to; 0 is towards the opponents' goal, positive is left
+ * @param degrees its heading; 0 is towards the opponents' goal, positive is left
  * @param ball where the ball lies
- * @param spreadMetres how far robot and ball may lie elsewhere; the robot also looks elsewhere by 60 degrees for each metre of it
+ * @param spreadMetres how much the places of robot and ball vary; the robot's heading varies by 60 degrees for each metre of it
  * @param seconds how long a trial lasts at most
  */
 public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spreadMetres, double seconds) {
@@ -34,7 +34,7 @@ public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spr
         }
     }
 
-    /** Says what stands on the command line for this scene. */
+    /** The command line of this scene. */
     String words() {
         return String.format(
                 Locale.ROOT,

@@ -3,10 +3,7 @@ package org.robonewbie.learning.optimise;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,9 +11,11 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.TunableNumber;
 import org.robonewbie.agent.TunableNumbers;
 import org.robonewbie.learning.objective.Objective;
+import org.robonewbie.nao.file.AtomicFile;
 
 /** The numbers that a robot's program declares by {@code number(...)}. */
 public final class AgentSubject implements Subject {
@@ -44,7 +43,7 @@ public final class AgentSubject implements Subject {
         this.maker = maker;
         this.objective = objective;
         this.scene = scene;
-        this.numbers = maker.get().numbers();
+        this.numbers = new AgentDriver(maker.get()).numbers();
         if (numbers.isEmpty()) {
             throw new IllegalArgumentException(
                     name + " declares no number that could be improved. Declare one as a field of"
@@ -98,9 +97,7 @@ public final class AgentSubject implements Subject {
         String lines = values(coordinates).entrySet().stream()
                 .map(number -> key(number.getKey()) + " = " + number.getValue() + "\n")
                 .collect(Collectors.joining());
-        Path temporary = file.resolveSibling(file.getFileName() + ".part");
-        Files.writeString(temporary, comments + lines, StandardCharsets.UTF_8);
-        Files.move(temporary, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+        AtomicFile.write(file, comments + lines);
     }
 
     @Override

@@ -5,18 +5,18 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.robonewbie.learning.optimise.Generation.Score;
+import org.robonewbie.nao.file.AtomicFile;
 
 /**
- * The memory of an optimisation: what it searches for, and in each line the costs of all candidates of a generation and, after a
- * bar, its score for people. Since the same costs lead to the same candidates, this is all it takes to go on exactly where it was
- * interrupted. The file is written anew after each generation, all at once.
+ * The memory of an optimisation: what it searches for, and in each line the costs of all candidates of a generation and, after
+ * a bar, its score for people. Since the same costs lead to the same candidates, this is all it takes to continue exactly where
+ * it was interrupted. The file is rewritten after each generation, atomically.
  */
 final class Checkpoint {
 
@@ -57,7 +57,7 @@ final class Checkpoint {
         return checkpoint;
     }
 
-    /** Lists all generations so far. */
+    /** All generations so far. */
     List<Line> generations() {
         return List.copyOf(generations);
     }
@@ -67,9 +67,7 @@ final class Checkpoint {
         generations.add(new Line(costs.clone(), score));
         String text = generations.stream().map(Line::toString).collect(Collectors.joining("\n", question + "\n", "\n"));
         try {
-            Path temporary = file.resolveSibling(file.getFileName() + ".part");
-            Files.writeString(temporary, text);
-            Files.move(temporary, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+            AtomicFile.write(file, text);
         } catch (IOException e) {
             throw new UncheckedIOException("Cannot write " + file + ".", e);
         }

@@ -1,16 +1,17 @@
 package org.robonewbie.learning.optimise;
 
 /**
- * What a motion is for: where it brings robot and ball. A motion that shall cost less energy or rock less must go on doing it.
+ * The effect of a motion: where it brings robot and ball. A motion that is to cost less energy or rock less must keep this
+ * effect.
  *
- * @param forward metres that the robot has come forward
- * @param left metres that it has come to the left
- * @param turnedDegrees how far it has turned to the left
- * @param ballForward metres that the ball has come forward
+ * @param forward metres that the robot has moved forward
+ * @param left metres that it has moved to the left
+ * @param turnedDegrees degrees that it has turned to the left
+ * @param ballForward metres that the ball has moved forward
  */
 record Deed(double forward, double left, double turnedDegrees, double ballForward) {
 
-    /** Tells how different another deed is, about 1 for something quite different. */
+    /** The difference from another effect, about 1 for something quite different. */
     double difference(Deed other) {
         return part(forward, other.forward, 0.2)
                 + part(left, other.left, 0.2)

@@ -1,62 +1,28 @@
 package org.robonewbie.learning.optimise;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.robonewbie.agent.motion.PostureFollower;
 import org.robonewbie.agent.walk.WalkEngine;
+import org.robonewbie.agent.walk.WalkParameter;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.objective.Objective;
 import org.robonewbie.learning.trial.Course;
 import org.robonewbie.learning.trial.WalkTrial;
+import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.motion.PostureFollower;
 
 /** The numbers of the walk engine: it walks straight on as fast as it can, and must also stand what makes no sense. */
 public final class EngineSubject implements Subject {
 
     /** What the walk engine is called on the command line. */
     public static final String NAME = "walk-engine";
-
-    /** What the coordinates of {@link WalkStyle#of} change, in their order. */
-    private static final List<String> NAMES = List.of(
-            "gait: height of the torso",
-            "gait: lean",
-            "gait: feet behind the hips",
-            "gait: sway",
-            "gait: phase of the sway",
-            "gait: lift of the foot",
-            "gait: time on both feet",
-            "gait: roll",
-            "gait: hip of the swinging leg",
-            "gait: toes",
-            "gait: bounce",
-            "gait: phase of the bounce",
-            "gait: distance of the feet",
-            "gait: skew of the lift",
-            "balance: ankle against bowing",
-            "balance: ankle against the speed of bowing",
-            "balance: hip against bowing",
-            "balance: hip against the speed of bowing",
-            "balance: ankle against leaning aside",
-            "balance: ankle against the speed of leaning aside",
-            "balance: hip against leaning aside",
-            "balance: hip against the speed of leaning aside",
-            "balance: step against bowing",
-            "balance: step against the speed of bowing",
-            "balance: step against leaning aside",
-            "balance: step against the speed of leaning aside",
-            "style: change of speed in a step",
-            "style: lean for speed",
-            "style: feet ahead for speed",
-            "style: lean for a change of speed");
 
     private static final double SIZE = 0.5;
     private static final double SECONDS = 7;
@@ -89,7 +55,7 @@ public final class EngineSubject implements Subject {
     public List<SubjectNumber> numbers(double[] coordinates) {
         double[] numbers = shifted(coordinates);
         return IntStream.range(0, numbers.length)
-                .mapToObj(i -> new SubjectNumber(NAMES.get(i), "", numbers[i], SIZE))
+                .mapToObj(i -> new SubjectNumber(WalkParameter.values()[i].description(), "", numbers[i], SIZE))
                 .toList();
     }
 
@@ -116,9 +82,7 @@ public final class EngineSubject implements Subject {
         String text = facts.entrySet().stream()
                 .map(fact -> "// " + fact.getKey() + ": " + fact.getValue() + "\n")
                 .collect(Collectors.joining("", "", text(shifted(coordinates)) + "\n"));
-        Path temporary = file.resolveSibling(file.getFileName() + ".part");
-        Files.writeString(temporary, text, StandardCharsets.UTF_8);
-        Files.move(temporary, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+        AtomicFile.write(file, text);
     }
 
     private static boolean walk(Course course, WalkStyle style, MeasuringEye eye) {

@@ -32,11 +32,7 @@ public record Generation(int number, int of, Score score, Cloud cloud, Pace pace
         public static final Pace UNKNOWN = new Pace(0, 0);
     }
 
-    /**
-     * Tells whether this generation was tried before an interruption.
-     *
-     * @return whether it comes from the checkpoint
-     */
+    /** {@return whether this generation comes from the checkpoint, since it was tried before an interruption} */
     public boolean isRemembered() {
         return pace.equals(Pace.UNKNOWN);
     }

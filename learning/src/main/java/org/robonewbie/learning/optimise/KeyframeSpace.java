@@ -10,9 +10,9 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * The changes that can be made to a motion: each keyframe's time and the angles of its joints, the head left out. What is
- * symmetrical stays so: a posture that is its own mirror image, and a walk whose second half is the mirror image of its first. The
- * last keyframe of any other motion stays as it is, since the next motion begins there.
+ * The changes that can be made to a motion: each keyframe's time and the angles of its joints, the head excluded. What is
+ * symmetrical remains so: a posture that is its own mirror image, and a walk whose second half is the mirror image of its
+ * first. The last keyframe of any other motion does not change, since the next motion begins there.
  */
 final class KeyframeSpace {
 
@@ -40,12 +40,12 @@ final class KeyframeSpace {
         }
     }
 
-    /** Tells how many coordinates there are. */
+    /** The number of coordinates. */
     int dimension() {
         return joints.size() + joints.stream().mapToInt(List::size).sum();
     }
 
-    /** Makes the motion that belongs to coordinates; with all of them 0 it is the motion itself. */
+    /** The motion that belongs to coordinates; with all of them 0 it is the motion itself. */
     Motion motion(double[] coordinates) {
         List<Keyframe> keyframes = new ArrayList<>(motion.keyframes());
         int at = 0;

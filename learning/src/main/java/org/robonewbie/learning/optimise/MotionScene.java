@@ -7,17 +7,17 @@ import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.design.Costs;
 import org.robonewbie.learning.objective.Objective;
 import org.robonewbie.learning.objective.StandardObjective;
-import org.robonewbie.learning.trial.BallPlace;
 import org.robonewbie.learning.trial.Course;
-import org.robonewbie.learning.trial.Library;
 import org.robonewbie.learning.trial.Lying;
 import org.robonewbie.learning.trial.TrialObserver;
 import org.robonewbie.learning.trial.TrialRobot;
 import org.robonewbie.learning.trial.Watch;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /**
  * How a motion is tried, from what its file says: {@code // start: stance} or {@code // start: lying on back} is how the robot
@@ -49,7 +49,7 @@ final class MotionScene {
         this.motion = file.motion();
         String start = file.property("start").orElse("stance");
         String end = file.property("end").orElse("");
-        this.ball = file.property("ball").map(BallPlace::of);
+        this.ball = file.ball();
         this.lyingStart = lying(start);
         this.lyingEnd = lying(end);
         this.loop = start.contains("walking") && end.contains("walking");
@@ -83,12 +83,12 @@ final class MotionScene {
         Course course = new Course(start(), seed, PUSH_NEWTONS, eye);
         place(course, seed);
         if (loop) {
-            course.play(Library.motion("start-walking"));
+            course.play(ShippedMotions.motion("start-walking"));
             while (course.watch().seconds() < WALK_SECONDS && course.play(candidate)) {
                 // one cycle after the other
             }
             eye.close();
-            course.play(Library.motion("stop-walking"));
+            course.play(ShippedMotions.motion("stop-walking"));
         } else {
             course.play(candidate);
         }

@@ -10,6 +10,7 @@ import org.robonewbie.learning.objective.Objective;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
 
 /** A motion whose keyframes are changed: any motion of the library or of a file. */
 public final class MotionSubject implements Subject {
@@ -63,7 +64,7 @@ public final class MotionSubject implements Subject {
     }
 
     /**
-     * Makes a candidate.
+     * Creates a candidate.
      *
      * @param coordinates how far each number is changed
      * @return the changed motion
@@ -91,7 +92,7 @@ public final class MotionSubject implements Subject {
         for (Map.Entry<String, String> fact : facts.entrySet()) {
             changed = changed.withProperty(fact.getKey(), fact.getValue());
         }
-        changed.save(target);
+        MotionFiles.save(changed, target);
     }
 
     /** Leaves out what the file says about the motion as it was before. */

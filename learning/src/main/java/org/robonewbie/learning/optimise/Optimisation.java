@@ -16,9 +16,9 @@ import org.robonewbie.learning.optimise.Generation.Score;
 import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
 
 /**
- * Makes a subject better at an objective: candidates around the present state are tried under several circumstances, and the
- * cloud from which they are drawn moves to the better ones. At the end start and result are compared in trials that the search
- * has never seen.
+ * Improves a subject with respect to an objective: candidates around the present state are tried under several circumstances,
+ * and the distribution from which they are drawn moves towards the better ones. At the end start and result are compared in
+ * trials that the search has never seen.
  *
  * <pre>{@code
  * Subject kick = new MotionSubject(file, StandardObjective.KICK_DISTANCE);
@@ -42,10 +42,10 @@ public final class Optimisation {
     /**
      * Prepares an optimisation.
      *
-     * @param subject what shall become better
-     * @param objective at what
-     * @param plan how it goes about it
-     * @param output where the result is written; the checkpoint lies beside it
+     * @param subject what is to be improved
+     * @param objective what is measured
+     * @param plan the plan of the search
+     * @param output where the result is written; the checkpoint lies next to it
      */
     public Optimisation(Subject subject, Objective objective, OptimisationPlan plan, Path output) {
         this.subject = subject;
@@ -57,8 +57,8 @@ public final class Optimisation {
     /**
      * Searches, compares, and writes the result if it is better than the start.
      *
-     * @param resume whether an interrupted run goes on; the result is that of a run that was never interrupted
-     * @param listener is told about each generation, also about those from before the interruption
+     * @param resume whether to continue an interrupted run; the result is that of a run that was never interrupted
+     * @param listener called for each generation, including those from before the interruption
      * @return how much better it has become
      * @throws IOException if a file cannot be read or written
      */
@@ -82,19 +82,13 @@ public final class Optimisation {
         }
     }
 
-    /**
-     * Tells where the memory of this optimisation is kept.
-     *
-     * @return the file beside the output
-     */
+    /** {@return the checkpoint file, next to the output} */
     public Path checkpointFile() {
         return output.resolveSibling(output.getFileName() + ".checkpoint");
     }
 
     /**
-     * Tells where the present state of the search can be looked at while it goes on.
-     *
-     * @return the file beside the output, which is there from the first generation to the end
+     * {@return the file that holds the present state of the search, next to the output, from the first generation to the end}
      */
     public Path fileSoFar() {
         String name = String.valueOf(output.getFileName());

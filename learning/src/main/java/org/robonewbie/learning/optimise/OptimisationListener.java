@@ -1,6 +1,6 @@
 package org.robonewbie.learning.optimise;
 
-/** Is told how an optimisation goes on; one call at a time. */
+/** Receives the progress of an optimisation; one call at a time. */
 @FunctionalInterface
 public interface OptimisationListener {
 
@@ -12,7 +12,7 @@ public interface OptimisationListener {
     default void begins(Attempt before) {}
 
     /**
-     * Hears about each generation. After an interruption it is first told once more what it has been told before.
+     * Called for each generation. After an interruption it is first called again for the earlier ones.
      *
      * @param generation what it has reached
      */

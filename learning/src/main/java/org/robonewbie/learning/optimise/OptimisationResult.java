@@ -14,18 +14,14 @@ import org.robonewbie.learning.objective.Objective;
  */
 public record OptimisationResult(Objective objective, Attempt before, Attempt after, int trials, String advice) {
 
-    /**
-     * Tells whether it was worth it.
-     *
-     * @return whether the result does better without failing more often
-     */
+    /** {@return whether the result does better without failing more often} */
     public boolean isBetter() {
         double gain = after.value() - before.value();
         return after.success() >= before.success() && (objective.isLargerBetter() ? gain > 0 : gain < 0);
     }
 
     /**
-     * Says how well something did.
+     * Describes an attempt in words.
      *
      * @param attempt {@link #before} or {@link #after}
      * @return such as {@code kick-distance 5.612 m, 20 of 20 trials succeed}

@@ -4,11 +4,11 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Pattern;
-import org.robonewbie.learning.trial.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
 
-/** Makes the left-hand file of a right-hand motion and the other way round. */
+/** Makes the left-hand file of a right-hand motion and vice versa. */
 public final class OtherSide {
 
     private static final Pattern SIDE = Pattern.compile("\\b(left|right)\\b");
@@ -17,10 +17,10 @@ public final class OtherSide {
     private OtherSide() {}
 
     /**
-     * Finds where the mirror image of a motion belongs.
+     * Returns where the mirror image of a motion belongs.
      *
      * @param file a motion file such as {@code kick-right.txt}
-     * @return the file beside it with the other side in its name, such as {@code kick-left.txt}
+     * @return the file next to it with the other side in its name, such as {@code kick-left.txt}
      * @throws IllegalArgumentException if the name does not say which side it is
      */
     public static Path of(Path file) {
@@ -33,13 +33,13 @@ public final class OtherSide {
     }
 
     /**
-     * Writes the mirror image of a motion beside it.
+     * Writes the mirror image of a motion next to it.
      *
      * @param file a motion file such as {@code kick-right.txt}
      * @throws IOException if a file cannot be read or written
      */
     public static void write(Path file) throws IOException {
-        MotionFile mirrored = MotionFile.load(file);
+        MotionFile mirrored = MotionFiles.load(file);
         int index = 0;
         for (Keyframe keyframe : mirrored.keyframes()) {
             mirrored = mirrored.withKeyframe(
@@ -52,15 +52,15 @@ public final class OtherSide {
                         key, exchanged(mirrored.property(key).get()));
             }
         }
-        if (mirrored.property("ball").isPresent()) {
-            BallPlace ball = BallPlace.of(mirrored.property("ball").get()).mirrored();
-            mirrored = mirrored.withProperty("ball", ball.toString());
+        if (mirrored.ball().isPresent()) {
+            mirrored = mirrored.withProperty(
+                    "ball", mirrored.ball().get().mirrored().toString());
         }
         if (mirrored.property("made by").isPresent()) {
             mirrored = mirrored.withProperty(
                     "made by", mirrored.property("made by").get() + " --both-sides");
         }
-        mirrored.save(of(file));
+        MotionFiles.save(mirrored, of(file));
     }
 
     private static String exchanged(String text) {

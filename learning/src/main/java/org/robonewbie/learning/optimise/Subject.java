@@ -6,36 +6,27 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Something that can be improved by changing numbers. Each number is a coordinate: how far it is from where it is now, in steps
- * that are noticeable but small. So all coordinates begin at 0. Used by several threads at once.
+ * Something that can be improved by changing numbers. Each number is a coordinate: its distance from the present value, in
+ * steps that are noticeable but small. So all coordinates start at 0. Thread-safe.
  */
 public interface Subject {
 
-    /**
-     * Names the subject as on the command line.
-     *
-     * @return such as {@code kick-right} or {@code my-walk.txt}
-     */
+    /** {@return the subject's name on the command line, such as {@code kick-right} or {@code my-walk.txt}} */
     String name();
 
     /**
-     * Says what stands on the command line for this subject.
-     *
-     * @return the words between {@code optimise} and {@code --objective}; the name if nothing else is needed
+     * {@return the words between {@code optimise} and {@code --objective} on the command line; the name if nothing else is
+     * needed}
      */
     default String words() {
         return name();
     }
 
-    /**
-     * Tells how many numbers there are.
-     *
-     * @return number of coordinates, at least 1
-     */
+    /** {@return the number of coordinates, at least 1} */
     int dimension();
 
     /**
-     * Explains a candidate to people.
+     * Describes a candidate.
      *
      * @param coordinates how far each number is changed
      * @return its numbers, in the order of the coordinates
@@ -54,25 +45,25 @@ public interface Subject {
      *
      * @param coordinates how far each number is changed
      * @param seed chooses the circumstances; the same seed gives the same result
-     * @return what came out
+     * @return the outcome
      */
     Attempt attempt(double[] coordinates, long seed);
 
     /**
-     * Says what else people can do with a candidate than to use its file.
+     * Returns how else a candidate can be used than by its file.
      *
      * @param coordinates how far each number is changed
-     * @return some lines, or nothing
+     * @return some lines, possibly none
      */
     default String advice(double[] coordinates) {
         return "";
     }
 
     /**
-     * Writes a candidate to a file, all at once or not at all.
+     * Writes a candidate to a file, atomically.
      *
      * @param coordinates how far each number is changed
-     * @param facts what the file says about how it was made, in this order
+     * @param facts what the file records about how it was made, in this order
      * @param file where it goes
      * @throws IOException if the file cannot be written
      */

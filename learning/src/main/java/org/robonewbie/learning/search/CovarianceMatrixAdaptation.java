@@ -8,7 +8,7 @@ import java.util.Random;
 import java.util.stream.IntStream;
 
 /**
- * Finds numbers for which a cost is small by drawing candidates from a cloud that moves, stretches and turns towards the
+ * Finds numbers with a small cost by drawing candidates from a distribution that moves, stretches and rotates towards the
  * better ones (CMA-ES). It needs no derivatives and copes with noisy, bumpy costs such as "how far did the robot walk".
  *
  * <p>Source: N. Hansen, The CMA Evolution Strategy: A Tutorial (2016), with its default constants.
@@ -125,47 +125,27 @@ public final class CovarianceMatrixAdaptation {
         decomposed = SymmetricMatrix.decompose(covariance);
     }
 
-    /**
-     * Tells the centre of the cloud; with noisy costs it is a better answer than {@link #best}.
-     *
-     * @return a copy of the mean
-     */
+    /** {@return a copy of the mean of the distribution; with noisy costs it is a better answer than {@link #best}} */
     public double[] mean() {
         return mean.clone();
     }
 
-    /**
-     * Tells the candidate with the smallest cost so far.
-     *
-     * @return a copy of it; the start before the first {@link #tell}
-     */
+    /** {@return a copy of the candidate with the smallest cost so far; the start before the first {@link #tell}} */
     public double[] best() {
         return best.clone();
     }
 
-    /**
-     * Tells the smallest cost so far.
-     *
-     * @return the cost of {@link #best}; infinite before the first {@link #tell}
-     */
+    /** {@return the smallest cost so far, that of {@link #best}; infinite before the first {@link #tell}} */
     public double bestCost() {
         return bestCost;
     }
 
-    /**
-     * Tells how large the cloud is.
-     *
-     * @return the present spread; the search is over when it is tiny
-     */
+    /** {@return the present step size; the search is over when it is tiny} */
     public double step() {
         return step;
     }
 
-    /**
-     * Tells how far the next candidates will lie apart in each coordinate.
-     *
-     * @return standard deviations, all greater than 0
-     */
+    /** {@return the standard deviation of the next candidates in each coordinate, all greater than 0} */
     public double[] spread() {
         return IntStream.range(0, dimension)
                 .mapToDouble(i -> step * Math.sqrt(covariance[i][i]))

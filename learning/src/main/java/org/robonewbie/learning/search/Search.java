@@ -30,10 +30,10 @@ public final class Search {
     }
 
     /**
-     * Searches.
+     * Runs the search.
      *
-     * @param start where the search begins
-     * @param listener is told about each generation
+     * @param start where the search starts
+     * @param listener called for each generation
      * @return the centre of the last candidates
      */
     public double[] run(double[] start, Consumer<SearchProgress> listener) {

@@ -25,9 +25,9 @@ final class SymmetricMatrix {
     }
 
     /**
-     * Takes a symmetric matrix apart.
+     * Decomposes a symmetric matrix.
      *
-     * @param source the matrix, rows first; it is left as it is
+     * @param source the matrix in row-major order; it is not changed
      * @return the decomposed matrix
      */
     static SymmetricMatrix decompose(double[][] source) {
@@ -39,7 +39,7 @@ final class SymmetricMatrix {
     }
 
     /**
-     * Tells how far the matrix stretches along an axis.
+     * Returns the eigenvalue of an axis.
      *
      * @param column number of the axis
      * @return the eigenvalue
@@ -49,7 +49,7 @@ final class SymmetricMatrix {
     }
 
     /**
-     * Tells where an axis points.
+     * Returns a component of an axis.
      *
      * @param row component of the axis
      * @param column number of the axis

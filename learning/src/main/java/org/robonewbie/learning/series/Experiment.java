@@ -21,11 +21,7 @@ import java.util.Map;
  */
 public interface Experiment {
 
-    /**
-     * Names what a trial measures.
-     *
-     * @return names of the columns of the table, with units
-     */
+    /** {@return the names of the table's columns, with units: what a trial measures} */
     List<String> columns();
 
     /**
@@ -39,7 +35,7 @@ public interface Experiment {
     double[] run(Map<String, Double> parameters, long seed) throws Exception;
 
     /**
-     * Makes an experiment from the name of its class.
+     * Creates an experiment from the name of its class.
      *
      * @param className full name of a class that the current thread's class loader knows
      * @return the experiment

@@ -10,11 +10,11 @@ import java.util.Map;
 import java.util.SplittableRandom;
 
 /**
- * Which experiment is carried out how often and with which parameters: all combinations of the values, one after the other,
- * as often as needed.
+ * Which experiment is run how often and with which parameters: all combinations of the values in order, repeated as often as
+ * needed.
  *
  * @param experiment full name of a class that implements {@link Experiment}
- * @param trials how many trials
+ * @param trials the number of trials
  * @param seed chooses the seeds of all trials
  * @param values for each parameter the values to be tried, in the order of the file
  */
@@ -76,11 +76,7 @@ public record ExperimentPlan(String experiment, int trials, long seed, LinkedHas
         return List.copyOf(numbers);
     }
 
-    /**
-     * Lists the trials. The seed of a trial depends on the plan's seed and the trial's number only.
-     *
-     * @return all trials in their order
-     */
+    /** {@return all trials in order; the seed of a trial depends on the plan's seed and the trial's number only} */
     public List<PlannedTrial> all() {
         SplittableRandom seeds = new SplittableRandom(seed);
         List<PlannedTrial> all = new ArrayList<>(trials);

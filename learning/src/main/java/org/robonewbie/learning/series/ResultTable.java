@@ -3,11 +3,10 @@ package org.robonewbie.learning.series;
 import com.google.gson.stream.JsonWriter;
 import java.io.IOException;
 import java.io.StringWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import org.robonewbie.nao.file.AtomicFile;
 
 /**
  * What a series has measured: for each trial its number, its seed, its parameters and its results.
@@ -25,16 +24,10 @@ public record ResultTable(List<String> columns, List<PlannedTrial> trials, List<
      * @throws IOException if that fails
      */
     public void write(Path file) throws IOException {
-        Path part = file.resolveSibling(file.getFileName() + ".part");
-        Files.writeString(part, file.toString().endsWith(".json") ? json() : csv());
-        Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+        AtomicFile.write(file, file.toString().endsWith(".json") ? json() : csv());
     }
 
-    /**
-     * Gives the table as comma-separated values.
-     *
-     * @return a line of names and a line for each trial
-     */
+    /** {@return the table as comma-separated values: a line of names and a line for each trial} */
     public String csv() {
         StringBuilder text = new StringBuilder(String.join(",", names())).append('\n');
         for (int i = 0; i < trials.size(); i++) {
@@ -63,7 +56,7 @@ public record ResultTable(List<String> columns, List<PlannedTrial> trials, List<
     }
 
     /**
-     * Gives the table as JSON.
+     * Returns the table as JSON.
      *
      * @return a list with an object for each trial
      * @throws IOException never

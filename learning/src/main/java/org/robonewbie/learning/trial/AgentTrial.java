@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
 import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.Options;
 import org.robonewbie.learning.objective.TrueState;
 import org.robonewbie.learning.objective.TrueStateEye;
@@ -16,14 +17,14 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
-import org.robonewbie.simulator.server.Console;
-import org.robonewbie.simulator.server.SimulatorSettings;
-import org.robonewbie.simulator.server.SteppedSimulator;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.SteppedSimulator;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * A program of a student alone on the beginners' pitch, with noise and delay as in a game, while somebody looks at the truth. The
- * same seed and the same program give the same trial. The program's {@code main} and {@code defaults} have no say.
+ * A student's program alone on the beginners' pitch, with noise and delay as in a game, while the true state is observed. The
+ * same seed and the same program give the same trial. The program's {@code main} and {@code defaults} have no effect.
  *
  * <pre>{@code
  * try (AgentTrial trial = new AgentTrial(new MyAgent(), seed)) {
@@ -41,7 +42,7 @@ public final class AgentTrial implements AutoCloseable {
     private static final int CYCLES_TO_APPEAR = 3;
     private static final int CYCLES_TO_SETTLE = 25;
 
-    private final Agent agent;
+    private final AgentDriver agent;
     private final SteppedSimulator simulator;
     private final AgentLink link;
     private final PerceptorMessageReader reader = new PerceptorMessageReader();
@@ -58,29 +59,24 @@ public final class AgentTrial implements AutoCloseable {
      * @param seed start of all noise
      */
     public AgentTrial(Agent agent, long seed) {
-        this.agent = agent;
-        SimulatorSettings settings = SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .seed(seed)
-                .build();
+        this.agent = new AgentDriver(agent);
+        simulator = SteppedSimulator.start(WorldSettings.beginner().withSeed(seed), Console.silent());
+        link = simulator.connect();
         try {
-            simulator = SteppedSimulator.start(settings, Console.silent());
-            link = simulator.connect();
             message = join();
         } catch (IOException impossible) {
             throw new UncheckedIOException("The simulator of the trial does not answer.", impossible);
         }
-        agent.introduce(Options.none().withTeam("Trial").withNumber(1), TeamSide.LEFT);
+        this.agent.introduce(Options.none().withTeam("Trial").withNumber(1), TeamSide.LEFT);
         simulator.match().setPlayMode(PlayMode.PLAY_ON);
         eye = new TrueStateEye(simulator.world(), robot());
     }
 
     /**
-     * Puts robot and ball to their places; the robot stands with all joints at 0.
+     * Moves robot and ball to their places; the robot stands with all joints at 0.
      *
      * @param place where the robot stands; its height does not matter
-     * @param degrees where it looks to; 0 is towards the opponents' goal, positive is left
+     * @param degrees its heading; 0 is towards the opponents' goal, positive is left
      * @param ball where the ball lies; its height does not matter
      */
     public void begin(Vector3 place, double degrees, Vector3 ball) {
@@ -103,9 +99,9 @@ public final class AgentTrial implements AutoCloseable {
     }
 
     /**
-     * Lets the program think once and the world go on for a cycle.
+     * Runs the program and the world for one cycle.
      *
-     * @return what is true then
+     * @return the true state afterwards
      */
     public TrueState step() {
         exchange(agent.respond(message));

@@ -1,10 +1,10 @@
 package org.robonewbie.learning.trial;
 
-import org.robonewbie.agent.motion.PostureFollower;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.PostureFollower;
 
 /**
  * A trial on foot: a robot that stands in the stance, somewhat disturbed, and plays one motion after the other. What it does is
@@ -33,7 +33,7 @@ public final class Course {
     private double turnedDegrees;
 
     /**
-     * Puts a robot into the stance by way of a posture near it.
+     * Brings a robot into the stance by way of a nearby posture.
      *
      * @param seed chooses the disturbances
      * @param newtons strength of the pushes
@@ -43,23 +43,23 @@ public final class Course {
     }
 
     /**
-     * Puts a robot into the stance by way of a posture near it and lets someone look on.
+     * Brings a robot into the stance by way of a nearby posture, with an observer.
      *
      * @param seed chooses the disturbances
      * @param newtons strength of the pushes
-     * @param guest sees each cycle from now on
+     * @param guest observes each cycle from now on
      */
     public Course(long seed, double newtons, TrialObserver guest) {
         this(TrialRobot.START, seed, newtons, guest);
     }
 
     /**
-     * Puts a robot somewhere into the stance by way of a posture near it and lets someone look on.
+     * Brings a robot into the stance at a given place by way of a nearby posture, with an observer.
      *
-     * @param place where the centre of its torso is at first, in metres in the world frame
+     * @param place initial position of the torso's centre, in metres in the world frame
      * @param seed chooses the disturbances
      * @param newtons strength of the pushes
-     * @param guest sees each cycle from now on
+     * @param guest observes each cycle from now on
      */
     public Course(Vector3 place, long seed, double newtons, TrialObserver guest) {
         robot = new TrialRobot(place);
@@ -107,53 +107,33 @@ public final class Course {
                 && robot.posture().largestDifference(Stance.POSTURE) < POSTURE_DEGREES;
     }
 
-    /**
-     * Gives access to the robot.
-     *
-     * @return the robot on this course
-     */
+    /** {@return the robot on this course} */
     public TrialRobot robot() {
         return robot;
     }
 
-    /**
-     * Tells how the robot keeps on its feet.
-     *
-     * @return what has been watched since the beginning
-     */
+    /** {@return the stability of the robot as watched since the beginning} */
     public Watch watch() {
         return watch;
     }
 
-    /**
-     * Tells how far the robot has come along its first heading.
-     *
-     * @return metres
-     */
+    /** {@return metres that the robot has moved along its first heading} */
     public double forward() {
         return inFirstHeading().x();
     }
 
-    /**
-     * Tells how far the robot has come to the left of its first heading.
-     *
-     * @return metres
-     */
+    /** {@return metres that the robot has moved to the left of its first heading} */
     public double left() {
         return inFirstHeading().y();
     }
 
-    /**
-     * Tells how far the robot has turned.
-     *
-     * @return degrees, positive to the left, whole turns included
-     */
+    /** {@return degrees that the robot has turned, positive to the left, whole turns included} */
     public double turnedDegrees() {
         return turnedDegrees;
     }
 
     /**
-     * Finds a place on the ground as seen from the robot at the beginning.
+     * Returns a place as seen from the robot at the beginning.
      *
      * @param forwardMetres ahead of the torso
      * @param leftMetres to the left of the torso
@@ -170,7 +150,7 @@ public final class Course {
     }
 
     /**
-     * Finds where something is as seen from the robot at the beginning.
+     * Returns a place relative to the robot at the beginning.
      *
      * @param world a place in the world frame
      * @return metres forward, to the left and up from the torso

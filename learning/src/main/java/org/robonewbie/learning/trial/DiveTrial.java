@@ -55,7 +55,7 @@ public record DiveTrial(boolean blocked, double passesAt, double reachInTime, do
         course.robot().ball().setVelocity(way.times(SPEED / way.length()));
     }
 
-    /** Sees whether the ball gets behind the robot, and how far the robot reaches when the ball arrives. */
+    /** Observes whether the ball passes the robot, and how far the robot reaches when the ball arrives. */
     private static final class Goal implements TrialObserver {
 
         private final Course course;

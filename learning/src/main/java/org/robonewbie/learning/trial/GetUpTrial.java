@@ -6,7 +6,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Motion;
 
 /**
- * A robot that lies and shall get up: success is to stand in the stance one second after the end of the motions, upright and at
+ * A lying robot that has to get up: success is to stand in the stance one second after the end of the motions, upright and at
  * rest.
  *
  * @param success whether it stands

@@ -2,12 +2,13 @@ package org.robonewbie.learning.trial;
 
 import java.util.Random;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Motion;
 
 /**
- * A kick against a ball that lies up to 1 cm beside its place along each axis.
+ * A kick against a ball that lies up to 1 cm away from its place along each axis.
  *
- * @param metres how far the ball rolls along the robot's heading
+ * @param metres distance that the ball rolls along the robot's heading
  * @param degreesAside direction in which it rolls, positive to the left
  * @param standing whether the robot ends in the stance
  * @param fallCost 0 if it stands, up to 1 the earlier it falls
@@ -36,12 +37,12 @@ public record KickTrial(double metres, double degreesAside, boolean standing, do
     }
 
     /**
-     * Carries out a trial until the robot has come to rest, and estimates how far the ball rolls on.
+     * Runs a trial until the robot has come to rest, and estimates how far the ball rolls on.
      *
      * @param kick the motion
-     * @param ball where the ball should lie
+     * @param ball the nominal place of the ball
      * @param seed chooses the ball's place and the disturbances
-     * @return what happened
+     * @return the outcome
      */
     public static KickTrial quick(Motion kick, BallPlace ball, long seed) {
         return run(kick, ball, seed, 0);

@@ -28,17 +28,13 @@ public enum Lying {
         this.words = words;
     }
 
-    /**
-     * Names the posture as motion files do.
-     *
-     * @return such as {@code lying on back}
-     */
+    /** {@return the posture as motion files name it, such as {@code lying on back}} */
     public String words() {
         return words;
     }
 
     /**
-     * Finds out how a robot lies.
+     * Returns whether a robot lies this way.
      *
      * @param robot a robot
      * @return whether it lies on this side
@@ -55,8 +51,8 @@ public enum Lying {
     }
 
     /**
-     * Lets robots fall until one lies on this side: it stands with its arms wherever they happen to be, is pushed over, and
-     * comes to rest with its motors holding.
+     * Makes robots fall until one lies on this side: it stands with its arms in random positions, is pushed over, and comes to
+     * rest with its motors holding.
      *
      * @param seed chooses the fall
      * @return a robot that lies on this side

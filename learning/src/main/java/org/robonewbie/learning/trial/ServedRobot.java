@@ -5,8 +5,10 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.walk.Walk;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
@@ -16,9 +18,9 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
-import org.robonewbie.simulator.server.Console;
-import org.robonewbie.simulator.server.SimulatorSettings;
-import org.robonewbie.simulator.server.SteppedSimulator;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.SteppedSimulator;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
@@ -35,7 +37,6 @@ import org.robonewbie.simulator.world.Robot;
  */
 public final class ServedRobot implements AutoCloseable {
 
-    private static final double CYCLE_SECONDS = 0.02;
     private static final double START_X = -4.5;
     private static final double START_Y = 1.5;
     private static final int CYCLES_TO_SETTLE = 25;
@@ -43,11 +44,10 @@ public final class ServedRobot implements AutoCloseable {
     /** The first two cycles bring no message, since the robot appears in the first one. */
     private static final int CYCLES_TO_APPEAR = 3;
 
-    private static final double FALLEN = 0.5;
-
     private final SteppedSimulator simulator;
     private final AgentLink link;
     private final Puppet puppet = new Puppet();
+    private final AgentDriver driver = new AgentDriver(puppet);
     private final PerceptorMessageReader reader = new PerceptorMessageReader();
     private final MessageBuffer received = new MessageBuffer();
     private final MessageBuffer answer = new MessageBuffer();
@@ -74,17 +74,8 @@ public final class ServedRobot implements AutoCloseable {
      * @param type how the robot is built
      */
     public ServedRobot(long seed, RobotType type) {
-        try {
-            SimulatorSettings settings = SimulatorSettings.beginner()
-                    .agentPort(0)
-                    .synchronous(true)
-                    .seed(seed)
-                    .build();
-            simulator = SteppedSimulator.start(settings, Console.silent());
-            link = simulator.connect();
-        } catch (IOException e) {
-            throw new UncheckedIOException("The simulator of the trial cannot start.", e);
-        }
+        simulator = SteppedSimulator.start(WorldSettings.beginner().withSeed(seed), Console.silent());
+        link = simulator.connect();
         join(type);
         perform("stand");
         hold(0.3);
@@ -134,72 +125,48 @@ public final class ServedRobot implements AutoCloseable {
      * @param seconds how long
      */
     public void hold(double seconds) {
-        double end = seconds() + seconds - CYCLE_SECONDS / 2;
+        double end = seconds() + seconds - Cycle.SECONDS / 2;
         goOn(() -> seconds() > end, seconds + 1);
     }
 
-    /**
-     * Tells whether the robot stands upright and at rest after a moment.
-     *
-     * @return whether it stands and has never fallen
-     */
+    /** {@return whether the robot stands upright and at rest after a moment, and has never fallen} */
     public boolean endsStanding() {
         hold(0.8);
         return !fallen && uprightness() > 0.98 && robot().torsoVelocity().length() < 0.05;
     }
 
-    /** Counts from now on as never fallen. */
+    /** Forgets that the robot has fallen. */
     public void forgetFall() {
         fallen = false;
     }
 
-    /**
-     * Tells how upright the torso is.
-     *
-     * @return the cosine of its tilt
-     */
+    /** {@return the uprightness of the torso: the cosine of its tilt} */
     public double uprightness() {
         return robot().torso().rotation().zz();
     }
 
-    /**
-     * Tells how long the trial has been going on.
-     *
-     * @return simulated seconds
-     */
+    /** {@return the duration of the trial so far in simulated seconds} */
     public double seconds() {
-        return cycles * CYCLE_SECONDS;
+        return cycles * Cycle.SECONDS;
     }
 
-    /**
-     * Tells how far the robot has come along its first heading, which is that of the world's x axis.
-     *
-     * @return metres
-     */
+    /** {@return metres that the robot has moved along its first heading, which is that of the world's x axis} */
     public double forward() {
         return robot().torso().position().x() - start.x();
     }
 
-    /**
-     * Tells how far the robot has turned.
-     *
-     * @return degrees, positive to the left, whole turns included
-     */
+    /** {@return degrees that the robot has turned, positive to the left, whole turns included} */
     public double turnedDegrees() {
         return turnedDegrees;
     }
 
-    /**
-     * Gives access to the ball.
-     *
-     * @return the ball of this robot's pitch
-     */
+    /** {@return the ball of this robot's pitch} */
     public Ball ball() {
         return simulator.world().ball();
     }
 
     /**
-     * Finds a place on the ground as seen from where the robot stands at first.
+     * Returns a place as seen from where the robot first stands.
      *
      * @param ahead metres ahead of the torso
      * @param left metres to the left of it
@@ -235,7 +202,7 @@ public final class ServedRobot implements AutoCloseable {
     private void goOn(BooleanSupplier end, double mostSeconds) {
         double latest = seconds() + mostSeconds;
         while (!end.getAsBoolean() && seconds() < latest) {
-            puppet.respond(exchange()).forEach(this::write);
+            driver.respond(exchange()).forEach(this::write);
             watch();
         }
     }
@@ -280,12 +247,11 @@ public final class ServedRobot implements AutoCloseable {
         double degrees = headingDegrees();
         turnedDegrees += Math.IEEEremainder(degrees - lastDegrees, 360);
         lastDegrees = degrees;
-        fallen |= uprightness() < FALLEN;
+        fallen |= robot().isFallen();
     }
 
     private double headingDegrees() {
-        Vector3 forward = robot().torso().rotation().axisY();
-        return Math.toDegrees(Math.atan2(forward.y(), forward.x()));
+        return robot().headingDegrees();
     }
 
     private Robot robot() {

@@ -4,22 +4,22 @@ package org.robonewbie.learning.trial;
 @FunctionalInterface
 public interface TrialObserver {
 
-    /** Lets everything go on. */
+    /** The observer that never ends a trial. */
     TrialObserver NONE = robot -> true;
 
     /**
-     * Looks at the robot.
+     * Observes the robot.
      *
      * @param robot the robot after a cycle; it may be pushed
-     * @return whether the trial shall go on
+     * @return whether the trial is to continue
      */
     boolean goOn(TrialRobot robot);
 
     /**
-     * Lets another observer look as well.
+     * Combines two observers.
      *
-     * @param other looks after this one
-     * @return an observer that goes on while both want to
+     * @param other called after this one
+     * @return an observer that continues while both want to
      */
     default TrialObserver and(TrialObserver other) {
         return robot -> {

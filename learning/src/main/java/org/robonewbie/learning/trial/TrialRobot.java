@@ -1,23 +1,26 @@
 package org.robonewbie.learning.trial;
 
 import java.util.List;
-import org.robonewbie.agent.motion.MotionPlayer;
-import org.robonewbie.agent.motion.Motors;
-import org.robonewbie.agent.motion.PostureFollower;
 import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.learning.experiment.RobotStart;
 import org.robonewbie.learning.experiment.SoccerTrial;
 import org.robonewbie.learning.experiment.TrialSetting;
 import org.robonewbie.learning.objective.TrueStateEye;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.motion.Interpolation;
+import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.MotionPlayer;
+import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
-import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.nao.motion.PostureFollower;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
@@ -49,19 +52,19 @@ public final class TrialRobot {
 
     private final SoccerTrial trial;
     private final Robot robot;
-    private final Motors motors = new Motors();
-    private final TorsoMotion torso = new TorsoMotion();
+    private final JointStates joints = new JointStates();
+    private final Motors motors = new Motors(joints);
     private long cycles;
 
-    /** Puts a robot down at {@link #START} with all joints at 0. */
+    /** Places a robot at {@link #START} with all joints at 0. */
     public TrialRobot() {
         this(START);
     }
 
     /**
-     * Puts a robot down with all joints at 0.
+     * Places a robot with all joints at 0.
      *
-     * @param start where the centre of its torso is, in metres in the world frame; the height does not matter
+     * @param start position of the torso's centre, in metres in the world frame; the height does not matter
      */
     public TrialRobot(Vector3 start) {
         trial = new SoccerTrial(SETTING.withRobots(List.of(RobotStart.at(start.x(), start.y()))));
@@ -108,7 +111,7 @@ public final class TrialRobot {
      */
     public boolean hold(double seconds, TrialObserver observer) {
         MotionPlayer nothing = new MotionPlayer(new Motion("hold", List.of()), Interpolation.LINEAR);
-        for (long i = Math.round(seconds / Motors.CYCLE_SECONDS); i > 0; i--) {
+        for (long i = Math.round(seconds / Cycle.SECONDS); i > 0; i--) {
             nothing.step(motors);
             if (!cycle(observer)) {
                 return false;
@@ -128,15 +131,13 @@ public final class TrialRobot {
     public boolean walk(WalkEngine engine, PostureFollower follower, TrialObserver observer) {
         Vector3 gyro = forwardLeftUp(robot.gyroDegreesPerSecond());
         Vector3 acceleration = forwardLeftUp(robot.acceleration());
-        torso.setGyro(gyro.x(), gyro.y(), gyro.z());
-        torso.setAcceleration(acceleration.x(), acceleration.y(), acceleration.z());
-        engine.feel(torso);
+        engine.feel(new TorsoMotion(gyro, acceleration));
         follower.follow(engine.next());
         return cycle(observer);
     }
 
     /**
-     * Makes something that leads this robot from posture to posture.
+     * Creates a follower that leads this robot from posture to posture.
      *
      * @return a follower that begins where the robot is
      */
@@ -153,11 +154,7 @@ public final class TrialRobot {
         robot.push(newtons);
     }
 
-    /**
-     * Gives access to the ball.
-     *
-     * @return the ball of this robot's world
-     */
+    /** {@return the ball of this robot's world} */
     public Ball ball() {
         return trial.world().ball();
     }
@@ -171,86 +168,61 @@ public final class TrialRobot {
         return new TrueStateEye(trial.world(), robot);
     }
 
-    /**
-     * Tells how long the robot lives.
-     *
-     * @return simulated seconds since it was put down
-     */
+    /** {@return simulated seconds since the robot was placed} */
     public double seconds() {
-        return cycles * Motors.CYCLE_SECONDS;
+        return cycles * Cycle.SECONDS;
     }
 
-    /**
-     * Tells where the torso is.
-     *
-     * @return its centre in the world frame, metres
-     */
+    /** {@return the position of the torso's centre in the world frame, metres} */
     public Vector3 torso() {
         return robot.torso().position();
     }
 
-    /**
-     * Tells how upright the torso is.
-     *
-     * @return the cosine of its tilt: 1 upright, 0 lying, -1 upside down
-     */
+    /** {@return whether the torso is tilted by more than 60 degrees or its centre is lower than 0.2 m} */
+    public boolean isFallen() {
+        return robot.isFallen();
+    }
+
+    /** {@return the uprightness of the torso, the cosine of its tilt: 1 upright, 0 lying, -1 upside down} */
     public double uprightness() {
         return robot.torso().rotation().zz();
     }
 
-    /**
-     * Tells where the chest points.
-     *
-     * @return 1 straight up, as when it lies on its back, -1 straight down
-     */
+    /** {@return the upward component of the chest's direction: 1 straight up, as when lying on the back, -1 straight down} */
     public double chestUp() {
         return robot.torso().rotation().axisY().z();
     }
 
     /**
-     * Tells where the robot's left side points.
-     *
-     * @return 1 straight up, as when it lies on its right side, -1 straight down
+     * {@return the upward component of the left side's direction: 1 straight up, as when lying on the right side, -1 straight
+     * down}
      */
     public double leftSideUp() {
         return -robot.torso().rotation().axisX().z();
     }
 
-    /**
-     * Tells where the robot looks.
-     *
-     * @return angle of the torso's forward axis in the world frame, degrees, -180 to 180; 0 at first, positive to the left
-     */
+    /** {@return the heading of the torso in the world frame, degrees, -180 to 180; 0 at first, positive to the left} */
     public double headingDegrees() {
-        Vector3 forward = robot.torso().rotation().axisY();
-        return Math.toDegrees(Math.atan2(forward.y(), forward.x()));
+        return robot.headingDegrees();
     }
 
-    /**
-     * Tells how fast the torso moves.
-     *
-     * @return metres per second in the world frame
-     */
+    /** {@return the velocity of the torso in the world frame, metres per second} */
     public Vector3 velocity() {
         return robot.torsoVelocity();
     }
 
-    /**
-     * Tells how fast the torso turns.
-     *
-     * @return degrees per second about its own axes
-     */
+    /** {@return the angular velocity of the torso in degrees per second about its own axes} */
     public Vector3 turning() {
         return robot.gyroDegreesPerSecond();
     }
 
     /**
-     * Tells where a limb is.
+     * Returns the pose of a link.
      *
      * @param link name of a link of the robot's model
      * @return its pose in the world frame
      */
-    public Pose link(String link) {
+    public BodyPose link(String link) {
         return robot.linkPose(robot.model().linkIndex(link));
     }
 
@@ -271,7 +243,7 @@ public final class TrialRobot {
     }
 
     /**
-     * Tells what the last cycle asked of a joint.
+     * Returns the speed that the last cycle asked of a joint.
      *
      * @param joint a joint
      * @return its commanded speed in degrees per second
@@ -280,17 +252,9 @@ public final class TrialRobot {
         return motors.sentDegreesPerSecond(joint);
     }
 
-    /**
-     * Tells where the joints are.
-     *
-     * @return the sensed angles
-     */
+    /** {@return the sensed joint angles} */
     public Posture posture() {
-        double[] degrees = new double[Joint.COUNT];
-        for (Joint joint : JOINTS) {
-            degrees[joint.ordinal()] = motors.degrees(joint);
-        }
-        return Posture.of(degrees);
+        return joints.posture();
     }
 
     private boolean cycle(TrialObserver observer) {
@@ -307,7 +271,8 @@ public final class TrialRobot {
 
     /** A reading in the frame of agents, in the hundredths that messages carry. */
     private static Vector3 forwardLeftUp(Vector3 reading) {
-        return new Vector3(hundredths(reading.y()), hundredths(-reading.x()), hundredths(reading.z()));
+        Vector3 body = SimSparkFrame.toBody(reading);
+        return new Vector3(hundredths(body.x()), hundredths(body.y()), hundredths(body.z()));
     }
 
     private static double hundredths(double value) {
@@ -316,7 +281,7 @@ public final class TrialRobot {
 
     private void sense() {
         for (Joint joint : JOINTS) {
-            motors.sense(joint, hundredths(robot.jointDegrees(joint)));
+            joints.sense(joint, hundredths(robot.jointDegrees(joint)));
         }
     }
 }

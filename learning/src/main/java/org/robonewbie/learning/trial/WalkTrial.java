@@ -1,21 +1,21 @@
 package org.robonewbie.learning.trial;
 
 import java.util.Random;
-import org.robonewbie.agent.motion.PostureFollower;
 import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.motion.PostureFollower;
 
 /**
- * A robot that walks with the walk engine from the stance, while a hand pushes it, and stops.
+ * A robot that walks with the walk engine from the stance, while it is pushed, and stops.
  *
  * @param stood whether it ended in the stance
  * @param seconds how long it was on its feet before the stop
  * @param planned how long it should have been
  * @param forward metres along its first heading
  * @param left metres to the left of its first heading
- * @param turnedDegrees how far it turned to the left
- * @param watch how it kept on its feet
+ * @param turnedDegrees degrees that it turned to the left
+ * @param watch its stability
  */
 public record WalkTrial(
         boolean stood, double seconds, double planned, double forward, double left, double turnedDegrees, Watch watch) {
@@ -91,7 +91,7 @@ public record WalkTrial(
         return new WalkTrial(stood, lasted, seconds, forward, left, turned, course.watch());
     }
 
-    /** Tells the engine where to walk, in each cycle. */
+    /** Commands the engine in each cycle. */
     private interface Command {
         void give(WalkEngine engine);
     }

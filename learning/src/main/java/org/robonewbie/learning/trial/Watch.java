@@ -1,5 +1,6 @@
 package org.robonewbie.learning.trial;
 
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 
@@ -8,11 +9,6 @@ import org.robonewbie.nao.Vector3;
  * tilted over 60° or its centre below 0.2 m.
  */
 public final class Watch implements TrialObserver {
-
-    /** Cosine of the tilt at which a robot counts as fallen. */
-    public static final double FALLEN = 0.5;
-
-    private static final double LOWEST_TORSO = 0.2;
 
     private int cycles;
     private boolean fallen;
@@ -37,60 +33,36 @@ public final class Watch implements TrialObserver {
                 overSpeed++;
             }
         }
-        fallen |= upright < FALLEN || robot.torso().z() < LOWEST_TORSO;
+        fallen |= robot.isFallen();
         return !fallen;
     }
 
-    /**
-     * Tells whether the robot has fallen.
-     *
-     * @return true from the moment of the fall
-     */
+    /** {@return whether the robot has fallen; true from the moment of the fall} */
     public boolean hasFallen() {
         return fallen;
     }
 
-    /**
-     * Tells how long the robot was watched.
-     *
-     * @return seconds
-     */
+    /** {@return how long the robot was watched, in seconds} */
     public double seconds() {
-        return cycles * 0.02;
+        return cycles * Cycle.SECONDS;
     }
 
-    /**
-     * Tells how much the torso leaned to any side.
-     *
-     * @return mean sine of the tilt
-     */
+    /** {@return the mean sine of the torso's tilt} */
     public double meanTilt() {
         return tilt / Math.max(1, cycles);
     }
 
-    /**
-     * Tells how much the torso leaned in the worst moment.
-     *
-     * @return degrees
-     */
+    /** {@return the largest tilt of the torso in degrees} */
     public double largestTiltDegrees() {
         return Math.toDegrees(Math.acos(Math.max(-1, leastUpright)));
     }
 
-    /**
-     * Tells how quickly the torso rocked.
-     *
-     * @return mean of its speed about the horizontal axes, degrees per second
-     */
+    /** {@return the mean speed of the torso about the horizontal axes, degrees per second} */
     public double meanRocking() {
         return turning / Math.max(1, cycles);
     }
 
-    /**
-     * Tells how often motors were asked for all they can do.
-     *
-     * @return mean number of joints at their speed limit
-     */
+    /** {@return the mean number of joints at their speed limit} */
     public double meanJointsAtLimit() {
         return overSpeed / Math.max(1, cycles);
     }

@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.robonewbie.learning.trial.Library;
-import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /** The shipped files come out again, byte for byte; of those that are quickly made. */
 class RepeatedDesignTest {
@@ -32,11 +32,11 @@ class RepeatedDesignTest {
     }
 
     private String made(String name) throws IOException {
-        return MotionFile.load(folder.resolve(name + ".txt")).text();
+        return MotionFiles.load(folder.resolve(name + ".txt")).text();
     }
 
     /** What was measured is added afterwards. */
     private static String shipped(String name) {
-        return Library.file(name).text().replaceFirst("(?m)^// measured:.*\\R", "");
+        return ShippedMotions.file(name).text().replaceFirst("(?m)^// measured:.*\\R", "");
     }
 }

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.agent.Agent;
@@ -33,6 +34,7 @@ class AgentSubjectTest {
         assertThat(walker.attempt(new double[2], 4)).isNotEqualTo(one);
     }
 
+    @Tag("slow")
     @Test
     void programGetsFurther() throws IOException {
         Path file = folder.resolve("Walker.numbers");

@@ -7,17 +7,17 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.robonewbie.learning.trial.Library;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 class KeyframeSpaceTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"kick-right", "walk-forward", "stand-up-from-back", "wave"})
     void nothingChangedIsTheMotionItself(String name) {
-        Motion motion = Library.motion(name);
+        Motion motion = ShippedMotions.motion(name);
         KeyframeSpace space = new KeyframeSpace(motion);
 
         assertThat(space.motion(new double[space.dimension()])).isEqualTo(motion);
@@ -37,7 +37,7 @@ class KeyframeSpaceTest {
 
     @Test
     void theLastKeyframeStays() {
-        Motion motion = Library.motion("kick-right");
+        Motion motion = ShippedMotions.motion("kick-right");
         int last = motion.keyframes().size() - 1;
 
         assertThat(changed("kick-right", 1).keyframes().get(last))
@@ -55,7 +55,7 @@ class KeyframeSpaceTest {
             assertThat(steps.get(i + half).posture())
                     .isEqualTo(steps.get(i).posture().mirrored());
         }
-        assertThat(steps).isNotEqualTo(Library.motion("walk-forward").keyframes());
+        assertThat(steps).isNotEqualTo(ShippedMotions.motion("walk-forward").keyframes());
     }
 
     @Test
@@ -73,7 +73,7 @@ class KeyframeSpaceTest {
     }
 
     private static Motion changed(String name, double by) {
-        KeyframeSpace space = new KeyframeSpace(Library.motion(name));
+        KeyframeSpace space = new KeyframeSpace(ShippedMotions.motion(name));
         double[] coordinates = new double[space.dimension()];
         Arrays.fill(coordinates, by);
         return space.motion(coordinates);

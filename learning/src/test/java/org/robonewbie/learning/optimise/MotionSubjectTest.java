@@ -13,8 +13,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.robonewbie.learning.objective.StandardObjective;
-import org.robonewbie.learning.trial.Library;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 class MotionSubjectTest {
 
@@ -82,7 +83,7 @@ class MotionSubjectTest {
         MotionFile file = MotionFile.parse(
                 "mine.txt",
                 "// measured: long ago\n// my kick\n"
-                        + Library.file("kick-right").text().replace("// measured", "// once measured"));
+                        + ShippedMotions.file("kick-right").text().replace("// measured", "// once measured"));
         MotionSubject subject = new MotionSubject("mine.txt", file, StandardObjective.KICK_DISTANCE);
         Path target = folder.resolve("new.txt");
 
@@ -92,20 +93,21 @@ class MotionSubjectTest {
                 .contains("// my kick")
                 .contains("// made by: test")
                 .doesNotContain("long ago");
-        assertThat(MotionFile.load(target).keyframes()).isEqualTo(file.keyframes());
+        assertThat(MotionFiles.load(target).keyframes()).isEqualTo(file.keyframes());
     }
 
     @Test
     void writesTheOtherSideToo() throws IOException {
         Path right = folder.resolve("kick-right.txt");
-        Library.file("kick-right").save(right);
+        MotionFiles.save(ShippedMotions.file("kick-right"), right);
 
         OtherSide.write(right);
 
-        MotionFile left = MotionFile.load(folder.resolve("kick-left.txt"));
+        MotionFile left = MotionFiles.load(folder.resolve("kick-left.txt"));
         assertThat(left.keyframes())
-                .isEqualTo(Library.motion("kick-right").mirrored().keyframes());
-        assertThat(left.property("ball")).isEqualTo(Library.file("kick-left").property("ball"));
+                .isEqualTo(ShippedMotions.motion("kick-right").mirrored().keyframes());
+        assertThat(left.property("ball"))
+                .isEqualTo(ShippedMotions.file("kick-left").property("ball"));
         assertThat(left.property("does")).contains("kicks the ball hard with the left foot");
     }
 
@@ -117,6 +119,6 @@ class MotionSubjectTest {
     }
 
     private static MotionSubject subject(String name, StandardObjective objective) {
-        return new MotionSubject(name, Library.file(name), objective);
+        return new MotionSubject(name, ShippedMotions.file(name), objective);
     }
 }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 class CourseTest {
 
@@ -44,7 +45,7 @@ class CourseTest {
 
     private static Course walked(long seed) {
         Course course = new Course(seed, 5);
-        Motion walk = Library.motion("walk-forward");
+        Motion walk = ShippedMotions.motion("walk-forward");
         course.play(walk);
         course.play(walk);
         return course;

@@ -1,15 +1,22 @@
 package org.robonewbie.nao.kinematics;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.Shape;
 
-/** Where the links of a robot are in one posture, as seen from the torso in the body frame. Unmodifiable. */
+/**
+ * Where the links of a robot are in one posture: as seen from the torso in the body frame, or in the world frame if they come from
+ * a {@link BodyState}. Unmodifiable.
+ */
 public final class BodyPoses {
 
     static final String HEAD = "head";
+
+    /** A corner that is not higher than this touches the ground; soles of a robot that stands are a little uneven. */
+    private static final double TOUCH_METRES = 0.012;
 
     private final NaoModel model;
     private final List<Pose> poses;
@@ -19,21 +26,21 @@ public final class BodyPoses {
         this.poses = List.copyOf(poses);
     }
 
-    /**
-     * Lists the poses of all links.
-     *
-     * @return the centre and turn of each link in the order of {@link NaoModel#links()}; no link is turned in the construction
-     *     pose
-     */
+    /** The same links as seen from where the torso has this pose. */
+    BodyPoses seenFrom(Pose torso) {
+        return new BodyPoses(model, poses.stream().map(torso::times).toList());
+    }
+
+    /** {@return the pose of each link in the order of {@link NaoModel#links()}; in the construction pose no link is rotated} */
     public List<Pose> links() {
         return poses;
     }
 
     /**
-     * Looks up a link.
+     * Returns the pose of a link.
      *
      * @param name the link's name in {@link NaoModel}, such as {@code lfoot}
-     * @return its centre and turn
+     * @return its centre and orientation
      * @throws IllegalArgumentException if the robot has no such link
      */
     public Pose link(String name) {
@@ -41,28 +48,24 @@ public final class BodyPoses {
     }
 
     /**
-     * Looks up a foot.
+     * Returns the pose of a foot.
      *
-     * @param leg which leg's
-     * @return centre and turn of the foot's box; the sole is 1 cm below the centre
+     * @param leg the leg
+     * @return centre and orientation of the foot's box; the sole is 1 cm below the centre
      */
     public Pose foot(Leg leg) {
         return link(leg.footLink());
     }
 
-    /**
-     * Looks up the camera, which sits in the centre of the head and looks along the head's x axis.
-     *
-     * @return its place and turn
-     */
+    /** {@return the pose of the camera, which sits in the centre of the head and looks along the head's x axis} */
     public Pose camera() {
         return link(HEAD);
     }
 
     /**
-     * Finds the corners of a sole, for a look at the balance.
+     * Returns the corners of a sole, from which the support polygon is made.
      *
-     * @param leg which leg's foot
+     * @param leg the leg of the foot
      * @return front left, front right, rear right and rear left corner, in metres
      */
     public List<Vector3> soleCorners(Leg leg) {
@@ -76,11 +79,7 @@ public final class BodyPoses {
                 pose.transform(new Vector3(-half.y(), half.x(), -half.z())));
     }
 
-    /**
-     * Calculates the point in which the robot would balance on a needle.
-     *
-     * @return the centre of mass of all links in metres
-     */
+    /** {@return the centre of mass of all links in metres} */
     public Vector3 centreOfMass() {
         Vector3 sum = Vector3.ZERO;
         double mass = 0;
@@ -90,5 +89,30 @@ public final class BodyPoses {
             mass += linkMass;
         }
         return sum.times(1 / mass);
+    }
+
+    /** The convex hull of all corners of solid links that touch the ground. */
+    List<Vector3> supportPolygon() {
+        List<Vector3> touching = new ArrayList<>();
+        for (int i = 0; i < poses.size(); i++) {
+            Link link = model.links().get(i);
+            if (link.collides()) {
+                addTouching(link.shape().size(), poses.get(i), touching);
+            }
+        }
+        return ConvexHull.of(touching);
+    }
+
+    /** Adds those corners of a link's bounding box that touch the ground; sizes are in SimSpark's axes. */
+    private static void addTouching(Vector3 size, Pose pose, List<Vector3> touching) {
+        for (int i = 0; i < 8; i++) {
+            double right = (i & 1) == 0 ? size.x() : -size.x();
+            double forward = (i & 2) == 0 ? size.y() : -size.y();
+            double up = (i & 4) == 0 ? size.z() : -size.z();
+            Vector3 corner = pose.transform(SimSparkFrame.toBody(new Vector3(right, forward, up).times(0.5)));
+            if (corner.z() < TOUCH_METRES) {
+                touching.add(new Vector3(corner.x(), corner.y(), 0));
+            }
+        }
     }
 }

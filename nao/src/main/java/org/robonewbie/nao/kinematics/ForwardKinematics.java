@@ -11,8 +11,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Calculates from the joint angles where each link of the robot is: from the torso outwards, each hinge turns its child link
- * about its axis.
+ * Calculates the pose of each link from the joint angles: from the torso outwards, each hinge rotates its child link about its
+ * axis.
  *
  * <pre>{@code
  * BodyPoses body = ForwardKinematics.of(RobotType.TYPE_0).poses(posture);
@@ -23,14 +23,15 @@ public final class ForwardKinematics {
 
     private static final List<ForwardKinematics> ALL =
             Arrays.stream(RobotType.values()).map(ForwardKinematics::new).toList();
-    private static final int NO_JOINT = -1;
     private static final Joint[] JOINTS = Joint.values();
 
     private final NaoModel model;
     private final List<Turn> turns = new ArrayList<>();
 
-    /** One hinge: its child moves with its parent and turns about the axis, in construction pose coordinates. */
-    private record Turn(int parent, int child, int joint, Vector3 anchor, Vector3 axis) {}
+    /**
+     * One hinge: its child moves with its parent and rotates about the axis, given in the coordinates of the construction pose.
+     */
+    private record Turn(int parent, int child, Vector3 anchor, Vector3 axis) {}
 
     private ForwardKinematics(RobotType type) {
         model = NaoModel.of(type);
@@ -38,14 +39,13 @@ public final class ForwardKinematics {
             turns.add(new Turn(
                     model.linkIndex(hinge.parent()),
                     model.linkIndex(hinge.child()),
-                    jointIndex(hinge),
                     SimSparkFrame.toBody(hinge.anchor()),
                     SimSparkFrame.toBody(hinge.axis())));
         }
     }
 
     /**
-     * Looks up the kinematics of a robot type.
+     * Returns the kinematics of a robot type.
      *
      * @param type the robot type
      * @return its kinematics
@@ -55,17 +55,23 @@ public final class ForwardKinematics {
     }
 
     /**
-     * Calculates where all links are. Toes of robot type 4 are taken as straight.
+     * Calculates the poses of all links. The toes of robot type 4 are taken as straight.
      *
      * @param posture the joint angles
      * @return the poses of all links
      */
     public BodyPoses poses(Posture posture) {
-        // Each entry maps the construction pose to where the link is now.
+        return poses(hingeDegrees(posture));
+    }
+
+    /** The poses of all links for angles in the order of the model's hinges. */
+    BodyPoses poses(double[] hingeDegrees) {
+        // Each entry maps a point of the construction pose to its present position.
         Pose[] moved = new Pose[model.links().size()];
         moved[0] = Pose.ORIGIN;
-        for (Turn turn : turns) {
-            moved[turn.child] = moved[turn.parent].times(turned(turn, posture));
+        for (int i = 0; i < hingeDegrees.length; i++) {
+            Turn turn = turns.get(i);
+            moved[turn.child] = moved[turn.parent].times(turned(turn, hingeDegrees[i]));
         }
         List<Pose> poses = new ArrayList<>(moved.length);
         for (int i = 0; i < moved.length; i++) {
@@ -74,22 +80,27 @@ public final class ForwardKinematics {
         return new BodyPoses(model, poses);
     }
 
+    /** The angles of a posture in the order of the model's hinges, with straight toes. */
+    double[] hingeDegrees(Posture posture) {
+        double[] degrees = new double[model.hinges().size()];
+        for (Joint joint : JOINTS) {
+            degrees[model.hingeIndex(joint)] = posture.degrees(joint);
+        }
+        return degrees;
+    }
+
     /**
-     * Calculates where the camera is, which sits in the centre of the head and looks along the head's x axis.
+     * Calculates the pose of the camera, which sits in the centre of the head and looks along the head's x axis.
      *
      * @param neckYawDegrees angle of {@link Joint#NECK_YAW} in degrees
      * @param neckPitchDegrees angle of {@link Joint#NECK_PITCH} in degrees
-     * @return the camera as seen from the torso
+     * @return the camera's pose relative to the torso
      */
     public Pose camera(double neckYawDegrees, double neckPitchDegrees) {
         Pose yaw = turned(turns.get(model.hingeIndex(Joint.NECK_YAW)), neckYawDegrees);
         Pose pitch = turned(turns.get(model.hingeIndex(Joint.NECK_PITCH)), neckPitchDegrees);
         Pose moved = yaw.times(pitch);
         return new Pose(moved.transform(constructionPosition(model.linkIndex(BodyPoses.HEAD))), moved.rotation());
-    }
-
-    private static Pose turned(Turn turn, Posture posture) {
-        return turn.joint == NO_JOINT ? Pose.ORIGIN : turned(turn, posture.degrees(JOINTS[turn.joint]));
     }
 
     private static Pose turned(Turn turn, double degrees) {
@@ -99,14 +110,5 @@ public final class ForwardKinematics {
 
     private Vector3 constructionPosition(int link) {
         return SimSparkFrame.toBody(model.links().get(link).position());
-    }
-
-    private static int jointIndex(Hinge hinge) {
-        for (Joint joint : Joint.values()) {
-            if (joint.effectorName().equals(hinge.effectorName())) {
-                return joint.ordinal();
-            }
-        }
-        return NO_JOINT;
     }
 }

@@ -1,14 +1,11 @@
 package org.robonewbie.nao.kinematics;
 
-import java.util.List;
-import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.nao.motion.MutablePosture;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Finds the angles of a leg's six joints that bring its foot to a wanted pose as seen from the torso.
+ * Finds the angles of a leg's six joints that bring its foot to a wanted pose relative to the torso.
  *
  * <pre>{@code
  * InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
@@ -18,14 +15,14 @@ import org.robonewbie.nao.motion.Posture;
  * }</pre>
  *
  * <p>Method: damped least squares (Levenberg 1944, Marquardt 1963) within the joints' ranges; a joint at its stop is left out
- * as long as it wants to go further. A reachable pose takes some microseconds, one out of reach up to a millisecond, since
- * the search then begins at several places. One object serves one thread at a time.
+ * as long as it would have to move further. A reachable pose takes some microseconds, an unreachable one up to a millisecond,
+ * since the search is then repeated from several starting points. Instances are not thread-safe.
  */
 public final class InverseKinematics {
 
     private static final double[] BENT_KNEES = {0, 0, 30, -60, 30, 0};
 
-    /** Legs all over their ranges, tried one after the other if the search from the given start fails. */
+    /** Leg postures spread over the joints' ranges, tried one after the other if the search from the given start fails. */
     private static final double[][] OTHER_STARTS = {
         {-30, 0, 60, -100, 40, 0},
         {0, 0, -10, -20, 10, 0},
@@ -42,8 +39,6 @@ public final class InverseKinematics {
     };
 
     private final LegSolver[] solvers = new LegSolver[Leg.values().length];
-    private final MutablePose target = new MutablePose();
-    private final double[] start = new double[LegChain.JOINTS];
 
     /**
      * Creates the inverse kinematics of a robot type.
@@ -57,64 +52,51 @@ public final class InverseKinematics {
     }
 
     /**
-     * Finds the angles, beginning the search with bent knees.
+     * Finds the angles, starting the search with bent knees.
      *
-     * @param leg which leg
-     * @param foot wanted centre and turn of the foot's box as seen from the torso; the sole is 1 cm below the centre
+     * @param leg the leg
+     * @param foot wanted centre and orientation of the foot's box relative to the torso; the sole is 1 cm below the centre
      * @return the angles; if the pose cannot be reached, those that come nearest
      */
     public LegSolution solve(Leg leg, Pose foot) {
-        return search(leg, foot, BENT_KNEES);
+        return search(leg, CoordinateFrame.of(foot), BENT_KNEES);
     }
 
     /**
-     * Finds the angles, beginning the search with a posture that is near, such as the one before.
+     * Finds the angles, starting the search at a nearby posture, such as that of the previous cycle.
      *
-     * @param leg which leg
-     * @param foot wanted centre and turn of the foot's box as seen from the torso; the sole is 1 cm below the centre
-     * @param near where the search begins
+     * @param leg the leg
+     * @param foot wanted centre and orientation of the foot's box relative to the torso; the sole is 1 cm below the centre
+     * @param near where the search starts
      * @return the angles; if the pose cannot be reached, those that come nearest
      */
     public LegSolution solve(Leg leg, Pose foot, Posture near) {
-        List<Joint> joints = leg.joints();
-        for (int i = 0; i < start.length; i++) {
-            start[i] = near.degrees(joints.get(i));
-        }
-        return search(leg, foot, start);
+        return solve(leg, CoordinateFrame.of(foot), near);
     }
 
     /**
-     * Puts a foot to a wanted place, or as near as it comes; makes no garbage.
+     * Finds the angles for a foot whose frame is known, beginning the search with a posture that is near.
      *
      * @param leg which leg
-     * @param foot wanted centre and turn of the foot's box as seen from the torso; the sole is 1 cm below the centre
-     * @param posture where the search begins; takes the angles of this leg
+     * @param foot wanted frame of the foot's box as seen from the torso; the sole is 1 cm below its origin
+     * @param near where the search begins
+     * @return the angles; if the frame cannot be reached, those that come nearest
      */
-    public void place(Leg leg, MutablePose foot, MutablePosture posture) {
-        List<Joint> joints = leg.joints();
-        for (int i = 0; i < start.length; i++) {
-            start[i] = posture.degrees(joints.get(i));
+    public LegSolution solve(Leg leg, CoordinateFrame foot, Posture near) {
+        double[] begin = new double[LegChain.JOINTS];
+        for (int i = 0; i < begin.length; i++) {
+            begin[i] = near.degrees(leg.joints().get(i));
         }
+        return search(leg, foot, begin);
+    }
+
+    private LegSolution search(Leg leg, CoordinateFrame foot, double[] begin) {
         LegSolver solver = solvers[leg.ordinal()];
         solver.setTarget(foot);
-        solveFrom(solver, start);
-        for (int i = 0; i < start.length; i++) {
-            posture.set(joints.get(i), solver.bestDegrees(i));
-        }
-    }
-
-    private LegSolution search(Leg leg, Pose foot, double[] begin) {
-        LegSolver solver = solvers[leg.ordinal()];
-        target.set(foot);
-        solver.setTarget(target);
-        solveFrom(solver, begin);
-        return solver.best();
-    }
-
-    private static void solveFrom(LegSolver solver, double[] begin) {
         solver.solve(begin);
         for (int i = 0; i < OTHER_STARTS.length && !solver.isReached(); i++) {
             solver.solve(OTHER_STARTS[i]);
         }
+        return solver.best();
     }
 }

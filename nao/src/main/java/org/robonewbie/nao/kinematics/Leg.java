@@ -27,29 +27,17 @@ public enum Leg {
         footLink = prefix + "foot";
     }
 
-    /**
-     * Lists the leg's joints from the hip to the foot.
-     *
-     * @return hip yaw-pitch, hip roll, hip pitch, knee pitch, foot pitch, foot roll
-     */
+    /** {@return the leg's joints from hip to foot: hip yaw-pitch, hip roll, hip pitch, knee pitch, foot pitch, foot roll} */
     public List<Joint> joints() {
         return this == LEFT ? LEFT_JOINTS : RIGHT_JOINTS;
     }
 
-    /**
-     * Names the leg's foot.
-     *
-     * @return the name of the link in {@link org.robonewbie.nao.model.NaoModel}
-     */
+    /** {@return the name of the leg's foot in {@link org.robonewbie.nao.model.NaoModel}} */
     public String footLink() {
         return footLink;
     }
 
-    /**
-     * Names the other leg.
-     *
-     * @return the leg on the other side
-     */
+    /** {@return the leg on the other side} */
     public Leg other() {
         return this == LEFT ? RIGHT : LEFT;
     }

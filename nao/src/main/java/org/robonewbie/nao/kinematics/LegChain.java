@@ -1,12 +1,13 @@
 package org.robonewbie.nao.kinematics;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.NaoModel;
 
 /**
- * The six hinges from torso to foot as plain numbers, for quick repeated calculation: foot pose and Jacobian matrix. Matrices
- * are row by row.
+ * The six hinges from torso to foot as plain numbers, for fast repeated evaluation of foot pose and Jacobian. Matrices are in
+ * row-major order.
  */
 final class LegChain {
 
@@ -37,7 +38,7 @@ final class LegChain {
                         model.links().get(model.linkIndex(leg.footLink())).position()));
     }
 
-    /** Moves the chain to six angles in radians. */
+    /** Sets the six joint angles in radians. */
     void update(double[] radians) {
         setIdentity();
         for (int i = 0; i < JOINTS; i++) {
@@ -69,8 +70,8 @@ final class LegChain {
     }
 
     /**
-     * Fills one column: how the foot moves (three rows, metres) and turns (three rows, multiplied by a weight) per radian of the
-     * joint.
+     * Fills one column of the Jacobian: how the foot moves (three rows, metres) and rotates (three rows, multiplied by a
+     * weight) per radian of the joint.
      */
     void jacobianColumn(int joint, double rotationWeight, double[] column) {
         int at = 3 * joint;
@@ -94,10 +95,10 @@ final class LegChain {
         offset[2] = 0;
     }
 
-    /** Multiplies the rotation by the turn of a joint (Rodrigues' formula). */
+    /** Multiplies the rotation by the rotation of a joint (Rodrigues' formula). */
     private void appendTurn(int joint, double radians) {
-        double sine = Math.sin(radians);
-        double cosine = Math.cos(radians);
+        double sine = PortableMath.sin(radians);
+        double cosine = PortableMath.cos(radians);
         double x = axes[3 * joint];
         double y = axes[3 * joint + 1];
         double z = axes[3 * joint + 2];

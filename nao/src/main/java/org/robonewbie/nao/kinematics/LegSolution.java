@@ -3,7 +3,7 @@ package org.robonewbie.nao.kinematics;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Posture;
 
-/** The angles of one leg that bring its foot to a wanted pose, or as near as the joints' ranges allow. Unmodifiable. */
+/** The angles of one leg that bring its foot to a wanted pose, or as close as the joints' ranges allow. Immutable. */
 public final class LegSolution {
 
     private static final double REACHED_METRES = 1e-4;
@@ -16,45 +16,33 @@ public final class LegSolution {
 
     LegSolution(Leg leg, double[] degrees, double positionErrorMetres, double rotationErrorDegrees) {
         this.leg = leg;
-        this.degrees = degrees.clone();
+        this.degrees = degrees;
         this.positionErrorMetres = positionErrorMetres;
         this.rotationErrorDegrees = rotationErrorDegrees;
     }
 
-    /**
-     * Tells whether the foot gets there.
-     *
-     * @return true if the foot is less than 0.1 mm and 0.05° away from the wanted pose
-     */
+    /** {@return whether the wanted pose is reached, to less than 0.1 mm and 0.05°} */
     public boolean isReachable() {
         return isReached(positionErrorMetres, rotationErrorDegrees);
     }
 
-    /** Whether what is missing is so little. */
+    /** Whether the remaining error is small enough to count as reached. */
     static boolean isReached(double errorMetres, double errorDegrees) {
         return errorMetres < REACHED_METRES && errorDegrees < REACHED_DEGREES;
     }
 
-    /**
-     * Tells how far the foot stays away.
-     *
-     * @return the distance to the wanted position in metres
-     */
+    /** {@return the distance between the foot and the wanted position in metres} */
     public double positionErrorMetres() {
         return positionErrorMetres;
     }
 
-    /**
-     * Tells how wrongly the foot is turned.
-     *
-     * @return the angle to the wanted rotation in degrees
-     */
+    /** {@return the angle between the foot and the wanted orientation in degrees} */
     public double rotationErrorDegrees() {
         return rotationErrorDegrees;
     }
 
     /**
-     * Looks up an angle.
+     * Returns the angle of a joint.
      *
      * @param joint a joint of this leg
      * @return its angle in degrees, within its range
@@ -75,10 +63,6 @@ public final class LegSolution {
      * @return the posture with the six angles of this leg replaced
      */
     public Posture applyTo(Posture posture) {
-        double[] all = posture.toArray();
-        for (int i = 0; i < degrees.length; i++) {
-            all[leg.joints().get(i).ordinal()] = degrees[i];
-        }
-        return Posture.of(all);
+        return posture.with(leg.joints(), degrees);
     }
 }

@@ -1,15 +1,17 @@
 package org.robonewbie.nao.kinematics;
 
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.NaoModel;
 
 /**
- * The search for one leg's angles: Levenberg-Marquardt with stops. It keeps the best angles of all searches for the same target,
- * and makes no garbage.
+ * The search for one leg's angles: Levenberg-Marquardt with joint limits. It keeps the best angles of all searches for the same
+ * target.
  */
 final class LegSolver {
 
-    /** How many metres of wrong position count as much as one radian of wrong rotation. */
+    /** How many metres of position error weigh as much as one radian of rotation error. */
     private static final double ROTATION_WEIGHT = 0.2;
 
     private static final int JOINTS = LegChain.JOINTS;
@@ -45,15 +47,15 @@ final class LegSolver {
         chain = new LegChain(model, leg);
         for (int i = 0; i < JOINTS; i++) {
             Joint joint = leg.joints().get(i);
-            lower[i] = Math.toRadians(joint.minDegrees());
-            upper[i] = Math.toRadians(joint.maxDegrees());
+            lower[i] = PortableMath.toRadians(joint.minDegrees());
+            upper[i] = PortableMath.toRadians(joint.maxDegrees());
         }
     }
 
-    /** Searches from a start; what is nearer to the target than anything before becomes the best. */
+    /** Searches from a start; a result closer to the target than any before becomes the best. */
     void solve(double[] startDegrees) {
         for (int i = 0; i < JOINTS; i++) {
-            angles[i] = clamp(i, Math.toRadians(startDegrees[i]));
+            angles[i] = clamp(i, PortableMath.toRadians(startDegrees[i]));
         }
         double cost = evaluate(angles);
         linearise();
@@ -80,7 +82,7 @@ final class LegSolver {
         if (square < bestSquare) {
             bestSquare = square;
             bestMetres = length(0);
-            bestRotationDegrees = Math.toDegrees(length(3) / ROTATION_WEIGHT);
+            bestRotationDegrees = PortableMath.toDegrees(length(3) / ROTATION_WEIGHT);
             System.arraycopy(angles, 0, best, 0, JOINTS);
         }
     }
@@ -90,9 +92,9 @@ final class LegSolver {
         return LegSolution.isReached(bestMetres, bestRotationDegrees);
     }
 
-    /** The best angle for a joint of the leg, counted from the hip. */
+    /** The best angle of a joint of the leg, counted from the hip. */
     double bestDegrees(int joint) {
-        return leg.joints().get(joint).clampDegrees(Math.toDegrees(best[joint]));
+        return leg.joints().get(joint).clampDegrees(PortableMath.toDegrees(best[joint]));
     }
 
     /** The best angles. */
@@ -109,18 +111,24 @@ final class LegSolver {
                 error[from] * error[from] + error[from + 1] * error[from + 1] + error[from + 2] * error[from + 2]);
     }
 
-    /** Begins anew with another target. */
-    void setTarget(MutablePose foot) {
+    /** Forgets what was found and takes another target. */
+    void setTarget(CoordinateFrame foot) {
         bestSquare = Double.POSITIVE_INFINITY;
-        for (int row = 0; row < 3; row++) {
-            target[row] = foot.position(row);
-            for (int column = 0; column < 3; column++) {
-                targetRotation[3 * row + column] = foot.rotation(row, column);
-            }
-        }
+        target[0] = foot.origin().x();
+        target[1] = foot.origin().y();
+        target[2] = foot.origin().z();
+        setTargetAxis(0, foot.forward());
+        setTargetAxis(1, foot.left());
+        setTargetAxis(2, foot.up());
     }
 
-    /** Moves the chain to the angles, fills in the error and returns its square. */
+    private void setTargetAxis(int column, Vector3 axis) {
+        targetRotation[column] = axis.x();
+        targetRotation[3 + column] = axis.y();
+        targetRotation[6 + column] = axis.z();
+    }
+
+    /** Sets the angles, calculates the error and returns its square. */
     private double evaluate(double[] radians) {
         chain.update(radians);
         for (int k = 0; k < 3; k++) {
@@ -134,14 +142,14 @@ final class LegSolver {
         return square;
     }
 
-    /** The rotation that is still missing as a vector along its axis, as long as its angle in radians times the weight. */
+    /** The remaining rotation as a vector along its axis whose length is its angle in radians times the weight. */
     private void evaluateRotation(double[] rotation) {
         double x = (missing(rotation, 2, 1) - missing(rotation, 1, 2)) / 2;
         double y = (missing(rotation, 0, 2) - missing(rotation, 2, 0)) / 2;
         double z = (missing(rotation, 1, 0) - missing(rotation, 0, 1)) / 2;
         double cosine = (missing(rotation, 0, 0) + missing(rotation, 1, 1) + missing(rotation, 2, 2) - 1) / 2;
         double sine = Math.sqrt(x * x + y * y + z * z);
-        double factor = sine > TINY ? Math.atan2(sine, cosine) / sine : 1;
+        double factor = sine > TINY ? PortableMath.atan2(sine, cosine) / sine : 1;
         error[3] = ROTATION_WEIGHT * factor * x;
         error[4] = ROTATION_WEIGHT * factor * y;
         error[5] = ROTATION_WEIGHT * factor * z;
@@ -150,7 +158,7 @@ final class LegSolver {
         }
     }
 
-    /** An element of the target's rotation times the inverse of the present one. */
+    /** An element of the target's rotation times the inverse of the current one. */
     private double missing(double[] rotation, int row, int column) {
         return targetRotation[3 * row] * rotation[3 * column]
                 + targetRotation[3 * row + 1] * rotation[3 * column + 1]

@@ -3,41 +3,37 @@ package org.robonewbie.nao.kinematics;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Where something is and how it is turned, as seen from something else.
+ * Position and orientation of one frame relative to another.
  *
- * @param position place of its origin in metres
- * @param rotation how its axes are turned
+ * @param position the frame's origin in metres
+ * @param rotation the frame's orientation
  */
 public record Pose(Vector3 position, Rotation rotation) {
 
-    /** At the origin and not turned. */
+    /** The identity: at the origin and not rotated. */
     public static final Pose ORIGIN = new Pose(Vector3.ZERO, Rotation.NONE);
 
     /**
-     * Says where a point of this thing is.
+     * Transforms a point from this frame to the reference frame.
      *
-     * @param point a point as seen from this thing, in metres
-     * @return the same point as seen from where this pose is seen
+     * @param point a point in this frame, in metres
+     * @return the same point in the reference frame
      */
     public Vector3 transform(Vector3 point) {
         return position.plus(rotation.apply(point));
     }
 
     /**
-     * Says where another thing is that is known relative to this one.
+     * Composes two poses.
      *
-     * @param inner the other thing as seen from this one
-     * @return the other thing as seen from where this pose is seen
+     * @param inner the pose of another frame relative to this one
+     * @return the pose of the other frame relative to this pose's reference frame
      */
     public Pose times(Pose inner) {
         return new Pose(transform(inner.position), rotation.times(inner.rotation));
     }
 
-    /**
-     * Exchanges observer and observed.
-     *
-     * @return how the observer is seen from this thing
-     */
+    /** {@return the inverse: the pose of the reference frame relative to this frame} */
     public Pose inverse() {
         Rotation back = rotation.inverse();
         return new Pose(back.apply(position).times(-1), back);

@@ -1,9 +1,10 @@
 package org.robonewbie.nao.kinematics;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
- * A turn in space by the right-hand rule, kept as a quaternion of length 1.
+ * A rotation in space by the right-hand rule, kept as a unit quaternion.
  *
  * <pre>{@code
  * Vector3 left = Rotation.about(new Vector3(0, 0, 1), 90).apply(new Vector3(1, 0, 0));   // (0, 1, 0)
@@ -16,29 +17,29 @@ import org.robonewbie.nao.Vector3;
  */
 public record Rotation(double w, double x, double y, double z) {
 
-    /** No turn at all. */
+    /** The identity rotation. */
     public static final Rotation NONE = new Rotation(1, 0, 0, 0);
 
     /**
-     * Creates a turn about an axis.
+     * Creates a rotation about an axis.
      *
      * @param axis direction of the axis, of any length but 0
-     * @param degrees angle in degrees; positive is anticlockwise when the axis points at the observer
-     * @return the turn
+     * @param degrees angle in degrees; positive is counter-clockwise when the axis points at the viewer
+     * @return the rotation
      */
     public static Rotation about(Vector3 axis, double degrees) {
-        double half = Math.toRadians(degrees) / 2;
-        double factor = Math.sin(half) / axis.length();
-        return new Rotation(Math.cos(half), factor * axis.x(), factor * axis.y(), factor * axis.z());
+        double half = PortableMath.toRadians(degrees) / 2;
+        double factor = PortableMath.sin(half) / axis.length();
+        return new Rotation(PortableMath.cos(half), factor * axis.x(), factor * axis.y(), factor * axis.z());
     }
 
     /**
-     * Creates the turn of something that looks along x with z up: first about z, then about its own y, then about its own x.
+     * Creates the rotation of a body that looks along x with z up: first about z, then about its own y, then about its own x.
      *
-     * @param yawDegrees turn about z in degrees; positive is to the left
-     * @param pitchDegrees turn about y in degrees; positive bows down
-     * @param rollDegrees turn about x in degrees; positive leans to the right
-     * @return the turn
+     * @param yawDegrees rotation about z in degrees; positive is to the left
+     * @param pitchDegrees rotation about y in degrees; positive leans forward
+     * @param rollDegrees rotation about x in degrees; positive leans to the right
+     * @return the rotation
      */
     public static Rotation ofYawPitchRoll(double yawDegrees, double pitchDegrees, double rollDegrees) {
         return about(new Vector3(0, 0, 1), yawDegrees)
@@ -47,10 +48,10 @@ public record Rotation(double w, double x, double y, double z) {
     }
 
     /**
-     * Turns a vector.
+     * Rotates a vector.
      *
      * @param vector the vector
-     * @return the turned vector, of the same length
+     * @return the rotated vector, of the same length
      */
     public Vector3 apply(Vector3 vector) {
         double twiceX = 2 * (y * vector.z() - z * vector.y()); // twice the cross product of axis and vector
@@ -63,10 +64,10 @@ public record Rotation(double w, double x, double y, double z) {
     }
 
     /**
-     * Joins two turns.
+     * Composes two rotations.
      *
-     * @param first the turn that is made first
-     * @return the turn that has the effect of both
+     * @param first the rotation that is applied first
+     * @return the rotation with the effect of both
      */
     public Rotation times(Rotation first) {
         return new Rotation(
@@ -76,30 +77,21 @@ public record Rotation(double w, double x, double y, double z) {
                 w * first.z + x * first.y - y * first.x + z * first.w);
     }
 
-    /**
-     * Turns back.
-     *
-     * @return the opposite turn
-     */
+    /** {@return the inverse rotation} */
     public Rotation inverse() {
         return new Rotation(w, -x, -y, -z);
     }
 
-    /**
-     * Measures the turn.
-     *
-     * @return the angle in degrees, 0 to 180
-     */
+    /** {@return the angle of the rotation in degrees, 0 to 180} */
     public double angleDegrees() {
-        return Math.toDegrees(2 * Math.atan2(Math.sqrt(x * x + y * y + z * z), Math.abs(w)));
+        return PortableMath.toDegrees(2 * PortableMath.atan2(Math.sqrt(x * x + y * y + z * z), Math.abs(w)));
     }
 
     /**
-     * Tells to which side the turned x axis points.
-     *
-     * @return the angle about z in degrees, -180 to 180; positive is to the left
+     * {@return the direction of the rotated x axis as an angle about z in degrees, -180 to 180; positive is to the left} ## Jba
+     * ## J0ba06189f
      */
     public double yawDegrees() {
-        return Math.toDegrees(Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)));
+        return PortableMath.toDegrees(PortableMath.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)));
     }
 }

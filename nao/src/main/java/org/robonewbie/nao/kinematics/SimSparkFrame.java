@@ -4,34 +4,37 @@ import org.robonewbie.nao.Vector3;
 
 /**
  * Converts between the body frame of this framework (x forward, y to the left, z up) and SimSpark's (x to the right, y forward,
- * z up). Both have the same origin, the centre of the torso.
+ * z up). Both have the same origin, the centre of the torso. Components change their sign by {@code 0 - x}, which unlike {@code -x}
+ * never gives a negative zero: readings that are 0 print as 0.
  */
 public final class SimSparkFrame {
+
+    private static final Rotation LEFT_TURN = Rotation.about(new Vector3(0, 0, 1), 90);
 
     private SimSparkFrame() {}
 
     /**
-     * Converts a vector of SimSpark.
+     * Converts a vector from SimSpark's frame to the body frame.
      *
      * @param vector x right, y forward, z up
      * @return the same vector with x forward, y left, z up
      */
     public static Vector3 toBody(Vector3 vector) {
-        return new Vector3(vector.y(), -vector.x(), vector.z());
+        return new Vector3(vector.y(), 0 - vector.x(), vector.z());
     }
 
     /**
-     * Converts a vector to SimSpark.
+     * Converts a vector from the body frame to SimSpark's frame.
      *
      * @param vector x forward, y left, z up
      * @return the same vector with x right, y forward, z up
      */
     public static Vector3 fromBody(Vector3 vector) {
-        return new Vector3(-vector.y(), vector.x(), vector.z());
+        return new Vector3(0 - vector.y(), vector.x(), vector.z());
     }
 
     /**
-     * Converts a pose of SimSpark.
+     * Converts a pose from SimSpark's frame to the body frame.
      *
      * @param pose with x right, y forward, z up inside and outside
      * @return the same pose with x forward, y left, z up inside and outside
@@ -42,7 +45,7 @@ public final class SimSparkFrame {
     }
 
     /**
-     * Converts a pose to SimSpark.
+     * Converts a pose from the body frame to SimSpark's frame.
      *
      * @param pose with x forward, y left, z up inside and outside
      * @return the same pose with x right, y forward, z up inside and outside
@@ -50,5 +53,25 @@ public final class SimSparkFrame {
     public static Pose fromBody(Pose pose) {
         Rotation turn = pose.rotation();
         return new Pose(fromBody(pose.position()), new Rotation(turn.w(), -turn.y(), turn.x(), turn.z()));
+    }
+
+    /**
+     * Renames the axes of a link whose place is given in the world frame, which both conventions share.
+     *
+     * @param link pose of a link with x right, y forward, z up
+     * @return the same pose of the link with x forward, y left, z up
+     */
+    public static Pose linkToBody(Pose link) {
+        return new Pose(link.position(), link.rotation().times(LEFT_TURN));
+    }
+
+    /**
+     * Renames the axes of a link whose place is given in the world frame, which both conventions share.
+     *
+     * @param link pose of a link with x forward, y left, z up
+     * @return the same pose of the link with x right, y forward, z up
+     */
+    public static Pose linkFromBody(Pose link) {
+        return new Pose(link.position(), link.rotation().times(LEFT_TURN.inverse()));
     }
 }

@@ -16,7 +16,7 @@ import org.robonewbie.nao.Vector3;
  */
 public final class NaoModel {
 
-    /** The first link and root of the tree. */
+    /** The first link, the root of the tree. */
     public static final String TORSO = "body";
 
     private static final double MAX_RADIANS_PER_SECOND = 6.13954;
@@ -31,6 +31,7 @@ public final class NaoModel {
     private final RobotType type;
     private final List<Link> links = new ArrayList<>();
     private final List<Hinge> hinges = new ArrayList<>();
+    private final int[] hingeOfJoint;
 
     private NaoModel(RobotType type) {
         this.type = type;
@@ -40,10 +41,11 @@ public final class NaoModel {
         addArm(-1);
         addLeg(1);
         addLeg(-1);
+        hingeOfJoint = Arrays.stream(Joint.values()).mapToInt(this::findHinge).toArray();
     }
 
     /**
-     * Looks up the body of a robot type.
+     * Returns the body of a robot type.
      *
      * @param type the robot type
      * @return its body
@@ -52,36 +54,26 @@ public final class NaoModel {
         return MODELS.get(type.ordinal());
     }
 
-    /**
-     * Names the robot type.
-     *
-     * @return the type of which this is the body
-     */
+    /** {@return the robot type of this body} */
     public RobotType type() {
         return type;
     }
 
-    /**
-     * Lists the rigid bodies; the torso is the first and each parent stands before its children.
-     *
-     * @return the links in SimSpark's order
-     */
+    /** {@return the rigid bodies in SimSpark's order; the torso comes first and each parent before its children} */
     public List<Link> links() {
         return Collections.unmodifiableList(links);
     }
 
     /**
-     * Lists the hinges in the order in which a perceptor message reports them: head, right arm, left arm, right leg,
-     * left leg.
-     *
-     * @return the hinges in SimSpark's order
+     * {@return the hinges in SimSpark's order, in which a perceptor message reports them: head, right arm, left arm, right leg,
+     * left leg}
      */
     public List<Hinge> hinges() {
         return Collections.unmodifiableList(hinges);
     }
 
     /**
-     * Finds the place of a link.
+     * Returns the index of a link.
      *
      * @param name a link's name
      * @return its index in {@link #links()}
@@ -97,12 +89,16 @@ public final class NaoModel {
     }
 
     /**
-     * Finds the place of a joint.
+     * Returns the index of a joint's hinge.
      *
      * @param joint a joint
      * @return its index in {@link #hinges()}
      */
     public int hingeIndex(Joint joint) {
+        return hingeOfJoint[joint.ordinal()];
+    }
+
+    private int findHinge(Joint joint) {
         for (int i = 0; i < hinges.size(); i++) {
             if (hinges.get(i).effectorName().equals(joint.effectorName())) {
                 return i;

@@ -44,11 +44,7 @@ public enum RobotType {
         this.toeLength = toeLength;
     }
 
-    /**
-     * Tells whether the feet have toes on a hinge.
-     *
-     * @return true for type 4 only
-     */
+    /** {@return whether the feet have hinged toes; true for type 4 only} */
     public boolean hasToes() {
         return toeLength > 0;
     }

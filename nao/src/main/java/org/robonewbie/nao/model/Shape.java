@@ -2,8 +2,11 @@ package org.robonewbie.nao.model;
 
 import org.robonewbie.nao.Vector3;
 
-/** The solid form of a link, in metres; its centre is the link's origin and its mass is spread evenly. */
+/** The solid shape of a link, in metres; its centre is the link's origin and its mass is distributed evenly. */
 public sealed interface Shape {
+
+    /** {@return the edge lengths of the smallest box around the form along x, y and z, in metres} */
+    Vector3 size();
 
     /**
      * A box.
@@ -17,13 +20,25 @@ public sealed interface Shape {
      *
      * @param radius in metres
      */
-    record Sphere(double radius) implements Shape {}
+    record Sphere(double radius) implements Shape {
+
+        @Override
+        public Vector3 size() {
+            return new Vector3(2 * radius, 2 * radius, 2 * radius);
+        }
+    }
 
     /**
-     * A cylinder along z with half a sphere at each end.
+     * A cylinder along z with a hemisphere at each end.
      *
-     * @param radius of cylinder and half spheres in metres
-     * @param length of the cylinder without the half spheres in metres
+     * @param radius of cylinder and hemispheres in metres
+     * @param length of the cylinder without the hemispheres in metres
      */
-    record Capsule(double radius, double length) implements Shape {}
+    record Capsule(double radius, double length) implements Shape {
+
+        @Override
+        public Vector3 size() {
+            return new Vector3(2 * radius, 2 * radius, length + 2 * radius);
+        }
+    }
 }

@@ -3,7 +3,7 @@ package org.robonewbie.nao.motion;
 import org.robonewbie.nao.Joint;
 
 /**
- * The way that a joint takes between two keyframes. Write your own to make motions smoother.
+ * The path of a joint between two keyframes. Implement it to make motions smoother.
  *
  * <pre>{@code
  * Interpolation smooth = (section, joint, fraction) -> {
@@ -15,16 +15,16 @@ import org.robonewbie.nao.Joint;
 @FunctionalInterface
 public interface Interpolation {
 
-    /** At the same speed all the way. */
+    /** Constant speed from one keyframe to the next. */
     Interpolation LINEAR = new LinearInterpolation();
 
     /**
-     * Finds where a joint shall be.
+     * Returns the angle of a joint on its way.
      *
-     * @param section the way between two keyframes, with its neighbours
+     * @param section the interval between two keyframes, with its neighbours
      * @param joint the joint
-     * @param fraction which part of the time is over, from 0 at the section's start to 1 at its end
+     * @param fraction elapsed fraction of the time, from 0 at the interval's start to 1 at its end
      * @return the joint's angle in degrees
      */
-    double degrees(MotionSection section, Joint joint, double fraction);
+    double degrees(KeyframeInterval section, Joint joint, double fraction);
 }

@@ -7,7 +7,7 @@ import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Left and right exchanged, as in a mirror that stands lengthwise in the middle of the robot.
+ * Exchanges left and right, as a mirror does that stands lengthwise in the middle of the robot.
  *
  * <p>A mirror turns a rotation by an angle about an axis into one by the opposite angle about the mirrored axis. Where the
  * partner joint's axis in {@link NaoModel} is the mirrored one, the angle changes its sign; where it points the other way, the
@@ -32,17 +32,17 @@ public final class Mirror {
     private Mirror() {}
 
     /**
-     * Finds the joint on the other side.
+     * Returns the corresponding joint of the other side.
      *
      * @param joint a joint
-     * @return the same joint of the other arm or leg; a joint of the neck itself
+     * @return the same joint of the other arm or leg; a joint of the neck is its own partner
      */
     public static Joint partner(Joint joint) {
         return PARTNERS[joint.ordinal()];
     }
 
     /**
-     * Tells which angle the partner takes in the mirror.
+     * Returns the mirrored angle.
      *
      * @param joint a joint
      * @param degrees its angle in degrees

@@ -2,12 +2,13 @@ package org.robonewbie.nao.motion;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
  * A movement of the whole body, given by keyframes as in an animated film. Unmodifiable.
  *
  * <pre>{@code
- * Motion wave = MotionFile.load(Path.of("wave.txt")).motion();
+ * Motion wave = MotionFiles.load(Path.of("wave.txt")).motion();
  * Motion waveWithTheOtherHand = wave.mirrored();
  * }</pre>
  *
@@ -21,20 +22,16 @@ public record Motion(String name, List<Keyframe> keyframes) {
         keyframes = List.copyOf(keyframes);
     }
 
-    /**
-     * Tells how long the motion takes.
-     *
-     * @return the sum of the durations in milliseconds
-     */
+    /** {@return the duration of the motion, the sum of its keyframes' durations, in milliseconds} */
     public int durationMillis() {
         return keyframes.stream().mapToInt(Keyframe::durationMillis).sum();
     }
 
     /**
-     * Gives the motion another name.
+     * Renames the motion.
      *
      * @param newName the new name
-     * @return the same movement
+     * @return the same movement under the new name
      */
     public Motion named(String newName) {
         return new Motion(newName, keyframes);
@@ -57,8 +54,7 @@ public record Motion(String name, List<Keyframe> keyframes) {
     /**
      * Makes the motion slower or faster.
      *
-     * @param factor what each duration is multiplied by; above 1 is slower; results are rounded to whole cycles of 20 ms, at least
-     *     one
+     * @param factor the factor for each duration; above 1 is slower; results are rounded to whole cycles of 20 ms, at least one
      * @return the same postures with other durations
      * @throws IllegalArgumentException if the factor is not a positive finite number
      */
@@ -76,8 +72,8 @@ public record Motion(String name, List<Keyframe> keyframes) {
     }
 
     /**
-     * Plays the motion backwards: the postures in the opposite order, each way with the duration that it had. The first keyframe
-     * keeps its place in time, since from where the robot comes is not part of a motion.
+     * Reverses the motion: the postures in the opposite order, each reached in the time that it had. The first keyframe keeps
+     * its duration, since the posture before it is not part of the motion.
      *
      * @return the reversed motion, which ends in this motion's first posture
      */
@@ -92,6 +88,6 @@ public record Motion(String name, List<Keyframe> keyframes) {
     }
 
     private static int wholeCycles(double millis) {
-        return (int) Math.max(1, Math.round(millis / 20)) * 20;
+        return (int) Math.max(1, PortableMath.round(millis / 20)) * 20;
     }
 }

@@ -1,16 +1,10 @@
 package org.robonewbie.nao.motion;
 
-import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import java.util.UUID;
 import org.robonewbie.nao.motion.MotionLine.Frame;
 import org.robonewbie.nao.motion.MotionLine.Note;
 import org.robonewbie.nao.motion.MotionLine.Unreadable;
@@ -22,7 +16,7 @@ import org.robonewbie.nao.motion.MotionLine.Unreadable;
  * RoboNewbie framework. Unmodifiable: changes give a new file in which all other lines are kept to the letter.
  *
  * <pre>{@code
- * MotionFile file = MotionFile.load(Path.of("wave.txt"));
+ * MotionFile file = MotionFiles.load(Path.of("wave.txt"));
  * file.warnings().forEach(System.out::println);
  * Motion wave = file.motion();
  * }</pre>
@@ -40,41 +34,30 @@ public final class MotionFile {
     }
 
     /**
-     * Loads a file.
-     *
-     * @param path the file
-     * @return its content; lines that cannot be understood are kept, see {@link #errors}
-     * @throws IOException if the file cannot be read
-     */
-    public static MotionFile load(Path path) throws IOException {
-        return of(String.valueOf(path.getFileName()), Files.readAllBytes(path));
-    }
-
-    /**
-     * Reads a file from a stream, such as one in the class path.
-     *
-     * @param name the file's name for messages, such as {@code wave.txt}
-     * @param stream its bytes; not closed
-     * @return its content; lines that cannot be understood are kept, see {@link #errors}
-     * @throws IOException if the stream cannot be read
-     */
-    public static MotionFile read(String name, InputStream stream) throws IOException {
-        return of(name, stream.readAllBytes());
-    }
-
-    /**
-     * Understands the text of a file.
+     * Parses the text of a file.
      *
      * @param name the file's name for messages, such as {@code wave.txt}
      * @param text its lines
      * @return its content; lines that cannot be understood are kept, see {@link #errors}
      */
     public static MotionFile parse(String name, String text) {
-        return of(name, text.getBytes(StandardCharsets.UTF_8));
+        return parse(name, text.getBytes(StandardCharsets.UTF_8));
     }
 
     /**
-     * Makes a new file.
+     * Understands the bytes of a file.
+     *
+     * @param name the file's name for messages, such as {@code wave.txt}
+     * @param bytes UTF-8, or Latin-1 if they are not UTF-8
+     * @return its content; lines that cannot be understood are kept, see {@link #errors}
+     */
+    public static MotionFile parse(String name, byte[] bytes) {
+        MotionText text = MotionText.of(bytes);
+        return new MotionFile(name, text, text.parse());
+    }
+
+    /**
+     * Creates a new file.
      *
      * @param motion the motion that it holds
      * @return a file with one line for each keyframe
@@ -87,35 +70,26 @@ public final class MotionFile {
         return new MotionFile(motion.name() + ".txt", MotionText.EMPTY, lines);
     }
 
-    private static MotionFile of(String name, byte[] bytes) {
-        MotionText text = MotionText.of(bytes);
-        return new MotionFile(name, text, text.parse());
-    }
-
-    /**
-     * Tells the file's name.
-     *
-     * @return the name without folders, such as {@code wave.txt}
-     */
+    /** {@return the file's name without folders, such as {@code wave.txt}} */
     public String name() {
         return name;
     }
 
     /**
-     * Gives the motion that the file describes.
+     * Returns the motion that the file describes.
      *
-     * @return the motion, named as the file without its ending
-     * @throws MotionFormatException if a line cannot be understood or there is no keyframe at all
+     * @return the motion, named like the file without its extension
+     * @throws MotionFormatException if a line cannot be understood or there is no keyframe
      */
     public Motion motion() {
-        for (MotionFinding error : errors()) {
+        for (MotionProblem error : errors()) {
             throw new MotionFormatException(name, error);
         }
         List<Keyframe> keyframes = keyframes();
         if (keyframes.isEmpty()) {
             throw new MotionFormatException(
                     name,
-                    new MotionFinding(
+                    new MotionProblem(
                             lines.size() + 1,
                             1,
                             "no keyframe, expected at least one line with a time in milliseconds and 22 angles"));
@@ -123,11 +97,7 @@ public final class MotionFile {
         return new Motion(name.replaceFirst("\\.[^.]*$", ""), keyframes);
     }
 
-    /**
-     * Lists the keyframes of all lines that can be understood.
-     *
-     * @return the keyframes in their order
-     */
+    /** {@return the keyframes of all lines that can be understood, in their order} */
     public List<Keyframe> keyframes() {
         return lines.stream()
                 .filter(Frame.class::isInstance)
@@ -135,28 +105,23 @@ public final class MotionFile {
                 .toList();
     }
 
-    /**
-     * Lists what cannot be understood.
-     *
-     * @return one finding for each line that is neither keyframe nor comment
-     */
-    public List<MotionFinding> errors() {
-        List<MotionFinding> errors = new ArrayList<>();
+    /** {@return the lines that cannot be understood: one problem for each line that is neither keyframe nor comment} */
+    public List<MotionProblem> errors() {
+        List<MotionProblem> errors = new ArrayList<>();
         for (int i = 0; i < lines.size(); i++) {
             if (lines.get(i) instanceof Unreadable unreadable) {
-                errors.add(new MotionFinding(i + 1, unreadable.column(), unreadable.problem()));
+                errors.add(new MotionProblem(i + 1, unreadable.column(), unreadable.problem()));
             }
         }
         return Collections.unmodifiableList(errors);
     }
 
     /**
-     * Lists what a robot cannot do quite as it is written: angles beyond a joint's range and odd times.
-     *
-     * @return the findings in the order of the file
+     * {@return where a robot cannot quite follow what is written, angles beyond a joint's range and odd times, in the order of
+     * the file}
      */
-    public List<MotionFinding> warnings() {
-        List<MotionFinding> warnings = new ArrayList<>();
+    public List<MotionProblem> warnings() {
+        List<MotionProblem> warnings = new ArrayList<>();
         for (int i = 0; i < lines.size(); i++) {
             if (lines.get(i) instanceof Frame frame) {
                 warnings.addAll(MotionWarnings.of(i + 1, frame));
@@ -166,7 +131,7 @@ public final class MotionFile {
     }
 
     /**
-     * Looks up a fact that a comment {@code // key: value} states.
+     * Looks up a property, given by a comment {@code // key: value}.
      *
      * @param key the word before the colon
      * @return the value of the first such comment
@@ -178,8 +143,13 @@ public final class MotionFile {
                 .findFirst();
     }
 
+    /** {@return where the ball must lie for the motion to kick it, from the comment {@code // ball:}} */
+    public Optional<BallPlace> ball() {
+        return property("ball").flatMap(BallPlace::parse);
+    }
+
     /**
-     * States a fact in a comment {@code // key: value}: changes the first comment with this key, or puts a new one on top.
+     * Sets a property in a comment {@code // key: value}: changes the first comment with this key, or adds one at the top.
      *
      * @param key the word before the colon
      * @param value the text after it, on one line
@@ -200,7 +170,7 @@ public final class MotionFile {
     /**
      * Changes a keyframe; numbers that stay the same keep their digits.
      *
-     * @param index which keyframe, from 0
+     * @param index index of the keyframe, from 0
      * @param keyframe the new keyframe
      * @return the changed file
      * @throws IndexOutOfBoundsException if there is no such keyframe
@@ -214,12 +184,12 @@ public final class MotionFile {
     }
 
     /**
-     * Puts a keyframe in.
+     * Inserts a keyframe.
      *
-     * @param index which keyframe it becomes, from 0; the number of keyframes puts it at the end
+     * @param index index that it gets, from 0; the number of keyframes appends it
      * @param keyframe the new keyframe
      * @return the changed file
-     * @throws IndexOutOfBoundsException if the index is too large or negative
+     * @throws IndexOutOfBoundsException if the index is negative or too large
      */
     public MotionFile withInsertedKeyframe(int index, Keyframe keyframe) {
         List<MotionLine> changed = new ArrayList<>(lines);
@@ -237,9 +207,9 @@ public final class MotionFile {
     }
 
     /**
-     * Takes a keyframe out; comments stay.
+     * Removes a keyframe; comments stay.
      *
-     * @param index which keyframe, from 0
+     * @param index index of the keyframe, from 0
      * @return the changed file
      * @throws IndexOutOfBoundsException if there is no such keyframe
      */
@@ -250,9 +220,8 @@ public final class MotionFile {
     }
 
     /**
-     * Gives the text of the file.
-     *
-     * @return all lines with their ends as they were loaded, also a byte order mark if there was one
+     * {@return the text of the file: all lines with their line ends as they were loaded, and the byte order mark if there was
+     * one}
      */
     public String text() {
         StringBuilder all = new StringBuilder(text.byteOrderMark());
@@ -260,21 +229,30 @@ public final class MotionFile {
         return all.toString();
     }
 
+    /** {@return the bytes of the file in the encoding in which it was loaded, or in UTF-8 if that has not all characters} */
+    public byte[] bytes() {
+        return text.encode(text());
+    }
+
     /**
-     * Saves the file; nobody ever sees it half written.
+     * Exchanges left and right, also in the states {@code start} and {@code end}.
      *
-     * @param path where to
-     * @throws IOException if the file cannot be written
+     * @param newName the name of the mirror image, without {@code .txt}
+     * @return a file with the mirrored motion
+     * @throws MotionFormatException if the file cannot be understood
      */
-    public void save(Path path) throws IOException {
-        Path target = path.toAbsolutePath();
-        Path temporary = target.resolveSibling(target.getFileName() + "." + UUID.randomUUID() + ".tmp");
-        try {
-            Files.write(temporary, text.encode(text()));
-            Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
-        } finally {
-            Files.deleteIfExists(temporary);
+    public MotionFile mirrored(String newName) {
+        MotionFile mirrored = of(motion().mirrored().named(newName));
+        for (String key : List.of("start", "end")) {
+            Optional<String> value = property(key);
+            mirrored = value.isPresent() ? mirrored.withProperty(key, otherSide(value.get())) : mirrored;
         }
+        return mirrored;
+    }
+
+    /** Replaces each word left in a text by right, or if it has none, each right by left. */
+    static String otherSide(String text) {
+        return text.contains("left") ? text.replace("left", "right") : text.replace("right", "left");
     }
 
     private MotionFile with(List<MotionLine> changed) {

@@ -9,36 +9,24 @@ public final class MotionFormatException extends RuntimeException {
     private final int line;
     private final int column;
 
-    MotionFormatException(String fileName, MotionFinding finding) {
+    MotionFormatException(String fileName, MotionProblem finding) {
         super(fileName + " " + finding);
         this.fileName = fileName;
         this.line = finding.line();
         this.column = finding.column();
     }
 
-    /**
-     * Tells which file.
-     *
-     * @return the file's name
-     */
+    /** {@return the file's name} */
     public String fileName() {
         return fileName;
     }
 
-    /**
-     * Tells which line.
-     *
-     * @return the number of the line, from 1
-     */
+    /** {@return the number of the line, from 1} */
     public int line() {
         return line;
     }
 
-    /**
-     * Tells which column.
-     *
-     * @return the number of the character within the line, from 1
-     */
+    /** {@return the number of the character within the line, from 1} */
     public int column() {
         return column;
     }

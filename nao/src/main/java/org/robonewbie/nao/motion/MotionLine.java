@@ -8,7 +8,7 @@ sealed interface MotionLine {
     /** The characters of the line without its end. */
     String text();
 
-    /** The line's end as it was: {@code \n}, {@code \r\n}, {@code \r} or nothing. */
+    /** The line end as it was: {@code \n}, {@code \r\n}, {@code \r} or nothing. */
     String lineEnd();
 
     /** A line without a keyframe: empty or a comment. */
@@ -36,6 +36,6 @@ sealed interface MotionLine {
     /** A line that holds a keyframe. */
     record Frame(String text, String lineEnd, Keyframe keyframe) implements MotionLine {}
 
-    /** A line that should hold a keyframe and does not; kept as it is. */
+    /** A line that should hold a keyframe but does not; kept as it is. */
     record Unreadable(String text, String lineEnd, int column, String problem) implements MotionLine {}
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.MotionLineParser.Word;
 
-/** Writes keyframes as lines of a motion file and changes such lines as little as possible. */
+/** Writes keyframes as lines of a motion file, changing existing lines as little as possible. */
 final class MotionLineFormat {
 
     private MotionLineFormat() {}
@@ -19,7 +19,7 @@ final class MotionLineFormat {
         return text.toString();
     }
 
-    /** Puts new numbers into a line; numbers that stay the same keep their digits, and so do blanks and comments. */
+    /** Replaces the numbers of a line; numbers that stay the same keep their digits, and blanks and comments are kept. */
     static String replace(MotionLine.Frame line, Keyframe keyframe) {
         List<Word> words = MotionLineParser.words(line.text());
         StringBuilder text = new StringBuilder();

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.regex.Pattern;
 import org.robonewbie.nao.Joint;
 
-/** Splits a line of a motion file into its numbers and says where one is wrong. */
+/** Splits a line of a motion file into its numbers and reports where one is wrong. */
 final class MotionLineParser {
 
     private static final int NUMBERS = 1 + Joint.COUNT;

@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How the bytes of a motion file become text and text becomes the same bytes again: UTF-8, or Latin-1 for old files that are not
- * UTF-8, with or without a byte order mark.
+ * Converts the bytes of a motion file to text and back to the same bytes: UTF-8, or Latin-1 for old files that are not UTF-8,
+ * with or without a byte order mark.
  */
 record MotionText(Charset charset, String byteOrderMark, String content) {
 

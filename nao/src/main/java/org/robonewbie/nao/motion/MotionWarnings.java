@@ -5,7 +5,7 @@ import java.util.List;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.MotionLineParser.Word;
 
-/** Finds what a robot cannot do quite as a keyframe says. */
+/** Finds where a robot cannot quite follow a keyframe. */
 final class MotionWarnings {
 
     private static final int CYCLE_MILLIS = 20;
@@ -13,18 +13,18 @@ final class MotionWarnings {
 
     private MotionWarnings() {}
 
-    static List<MotionFinding> of(int line, MotionLine.Frame frame) {
+    static List<MotionProblem> of(int line, MotionLine.Frame frame) {
         List<Word> words = MotionLineParser.words(frame.text());
-        List<MotionFinding> findings = new ArrayList<>();
+        List<MotionProblem> findings = new ArrayList<>();
         String time = timeWarning(frame.keyframe().durationMillis());
         if (!time.isEmpty()) {
-            findings.add(new MotionFinding(line, words.get(0).column() + 1, time));
+            findings.add(new MotionProblem(line, words.get(0).column() + 1, time));
         }
         for (Joint joint : Joint.values()) {
             double degrees = frame.keyframe().posture().degrees(joint);
             if (joint.clampDegrees(degrees) != degrees) {
                 Word word = words.get(1 + joint.ordinal());
-                findings.add(new MotionFinding(line, word.column() + 1, angleWarning(joint, word.text())));
+                findings.add(new MotionProblem(line, word.column() + 1, angleWarning(joint, word.text())));
             }
         }
         return findings;

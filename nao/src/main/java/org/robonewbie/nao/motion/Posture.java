@@ -1,10 +1,11 @@
 package org.robonewbie.nao.motion;
 
 import java.util.Arrays;
+import java.util.List;
 import org.robonewbie.nao.Joint;
 
 /**
- * How a robot holds its limbs: one angle for each joint. Unmodifiable.
+ * The position of all limbs: one angle for each joint. Immutable.
  *
  * <pre>{@code
  * Posture raisedArm = Posture.ZERO.with(Joint.LEFT_SHOULDER_PITCH, 60);
@@ -32,7 +33,7 @@ public final class Posture {
      *
      * @param degrees 22 angles in degrees in the order of {@link Joint}; copied
      * @return the posture
-     * @throws IllegalArgumentException if there are not 22 angles or one is no finite number
+     * @throws IllegalArgumentException if there are not 22 angles or one is not finite
      */
     public static Posture of(double... degrees) {
         if (degrees.length != Joint.COUNT) {
@@ -61,7 +62,7 @@ public final class Posture {
      * @param joint the joint
      * @param newDegrees its new angle in degrees
      * @return a posture that differs in this joint only
-     * @throws IllegalArgumentException if the angle is no finite number
+     * @throws IllegalArgumentException if the angle is not finite
      */
     public Posture with(Joint joint, double newDegrees) {
         checkFinite(joint, newDegrees);
@@ -70,11 +71,7 @@ public final class Posture {
         return new Posture(changed);
     }
 
-    /**
-     * Exchanges left and right.
-     *
-     * @return the posture that this robot's reflection in a mirror takes
-     */
+    /** {@return the mirrored posture, with left and right exchanged} */
     public Posture mirrored() {
         double[] mirrored = new double[Joint.COUNT];
         for (Joint joint : JOINTS) {
@@ -83,11 +80,7 @@ public final class Posture {
         return new Posture(mirrored);
     }
 
-    /**
-     * Forces all angles into their joints' ranges.
-     *
-     * @return the nearest posture that the robot can take
-     */
+    /** {@return the nearest posture that the robot can take, with each angle clamped to its joint's range} */
     public Posture clamped() {
         double[] clamped = new double[Joint.COUNT];
         for (Joint joint : JOINTS) {
@@ -97,10 +90,45 @@ public final class Posture {
     }
 
     /**
-     * Measures how different another posture is.
+     * Changes several angles.
+     *
+     * @param joints the joints
+     * @param newDegrees their new angles in degrees, in the same order
+     * @return a posture that differs in these joints only
+     * @throws IllegalArgumentException if an angle is no finite number
+     */
+    public Posture with(List<Joint> joints, double... newDegrees) {
+        double[] changed = degrees.clone();
+        for (int i = 0; i < newDegrees.length; i++) {
+            checkFinite(joints.get(i), newDegrees[i]);
+            changed[joints.get(i).ordinal()] = newDegrees[i];
+        }
+        return new Posture(changed);
+    }
+
+    /**
+     * Goes a part of the way to another posture, each joint at a constant speed.
+     *
+     * @param end the other posture
+     * @param fraction 0 for this posture, 1 for the other
+     * @return the posture on the way
+     */
+    public Posture towards(Posture end, double fraction) {
+        if (fraction == 1) {
+            return end;
+        }
+        double[] between = new double[Joint.COUNT];
+        for (int i = 0; i < Joint.COUNT; i++) {
+            between[i] = degrees[i] + fraction * (end.degrees[i] - degrees[i]);
+        }
+        return new Posture(between);
+    }
+
+    /**
+     * Compares two postures.
      *
      * @param other the other posture
-     * @return the largest difference of a joint's angles in degrees, at least 0
+     * @return the largest difference between the angles of a joint in degrees, at least 0
      */
     public double largestDifference(Posture other) {
         double largest = 0;
@@ -110,11 +138,7 @@ public final class Posture {
         return largest;
     }
 
-    /**
-     * Lists the angles.
-     *
-     * @return a new array of 22 angles in degrees in the order of {@link Joint}
-     */
+    /** {@return a new array of the 22 angles in degrees in the order of {@link Joint}} */
     public double[] toArray() {
         return degrees.clone();
     }

@@ -1,5 +1,5 @@
 /**
- * Keyframe motions: postures that a robot takes one after the other, and the text files in which they are kept. Read {@link
+ * Keyframe motions: postures that a robot takes one after the other, and the text files that hold them. Read {@link
  * org.robonewbie.nao.motion.Motion} first.
  */
 @org.jspecify.annotations.NullMarked

@@ -69,7 +69,7 @@ class RotationTest {
         Pose pose = new Pose(vector, Rotation.ofYawPitchRoll(20, 30, 40));
         Vector3 point = new Vector3(-0.5, 0.7, 0.9);
 
-        assertThat(SimSparkFrame.fromBody(FORWARD)).isEqualTo(new Vector3(-0.0, 1, 0));
+        assertThat(SimSparkFrame.fromBody(FORWARD)).isEqualTo(new Vector3(0, 1, 0));
         assertThat(SimSparkFrame.fromBody(LEFT)).isEqualTo(new Vector3(-1, 0, 0));
         assertThat(SimSparkFrame.toBody(SimSparkFrame.fromBody(vector))).isEqualTo(vector);
         assertThat(SimSparkFrame.toBody(SimSparkFrame.fromBody(pose))).isEqualTo(pose);

@@ -42,7 +42,7 @@ class InterpolationTest {
         Motion motion = new Motion("bend", List.of(keyframe(60, 0.1)));
         Posture start = START.with(JOINT, -77.7);
 
-        assertThat(Interpolation.LINEAR.degrees(new MotionSection(start, motion, 0), JOINT, 1))
+        assertThat(Interpolation.LINEAR.degrees(new KeyframeInterval(start, motion, 0), JOINT, 1))
                 .isEqualTo(0.1);
     }
 
@@ -64,9 +64,9 @@ class InterpolationTest {
 
     @Test
     void showsTheNeighboursOfASection() {
-        MotionSection first = new MotionSection(START, MOTION, 0);
-        MotionSection second = new MotionSection(START, MOTION, 1);
-        MotionSection last = new MotionSection(START, MOTION, 2);
+        KeyframeInterval first = new KeyframeInterval(START, MOTION, 0);
+        KeyframeInterval second = new KeyframeInterval(START, MOTION, 1);
+        KeyframeInterval last = new KeyframeInterval(START, MOTION, 2);
 
         assertThat(List.of(first.before(), first.from(), first.to(), first.after()))
                 .extracting(posture -> posture.degrees(JOINT))
@@ -85,7 +85,7 @@ class InterpolationTest {
 
     @Test
     void refusesSectionsThatDoNotExist() {
-        assertThatThrownBy(() -> new MotionSection(START, MOTION, 3))
+        assertThatThrownBy(() -> new KeyframeInterval(START, MOTION, 3))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("Motion bend has 3 keyframes, so there is no keyframe 3.");
     }
@@ -110,7 +110,7 @@ class InterpolationTest {
     private static final class Spline implements Interpolation {
 
         @Override
-        public double degrees(MotionSection section, Joint joint, double fraction) {
+        public double degrees(KeyframeInterval section, Joint joint, double fraction) {
             double before = section.before().degrees(joint);
             double from = section.from().degrees(joint);
             double to = section.to().degrees(joint);

@@ -15,6 +15,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.lifecycle.AfterContainer;
 import net.jqwik.api.lifecycle.BeforeContainer;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.file.MotionFiles;
 
 class MotionFilePropertyTest {
 
@@ -50,7 +51,7 @@ class MotionFilePropertyTest {
     void allBytesAreKept(@ForAll byte[] bytes) throws Exception {
         Files.write(file, bytes);
 
-        MotionFile.load(file).save(file);
+        MotionFiles.save(MotionFiles.load(file), file);
 
         assertThat(Files.readAllBytes(file)).isEqualTo(bytes);
     }

@@ -2,7 +2,7 @@ package org.robonewbie.protocol.effector;
 
 import java.util.List;
 
-/** One command of an agent to the simulator, one of a closed family. */
+/** A command of an agent to the simulator, one of a closed family. */
 public sealed interface EffectorCommand {
 
     /**
@@ -22,23 +22,23 @@ public sealed interface EffectorCommand {
     /**
      * Joins a team: {@code (init (unum 1)(teamname Stars))}.
      *
-     * @param number the wanted number on the shirt, 1 to 11; 0 leaves the choice to the simulator
+     * @param number the wanted shirt number, 1 to 11; 0 leaves the choice to the simulator
      * @param team the team's name; empty if there is none
      */
     record JoinTeam(int number, String team) implements EffectorCommand {}
 
     /**
-     * Puts the robot somewhere on its own half before a kick-off: {@code (beam -1 0.5 90)}.
+     * Places the robot on its own half before a kick-off: {@code (beam -1 0.5 90)}.
      *
-     * @param xMetres along the field; the own half is negative
-     * @param yMetres across the field; positive is left as seen from the own goal
-     * @param headingDegrees where the robot looks; 0 is towards the opponents' goal, positive is left
+     * @param xMetres along the field; the team's own half is negative
+     * @param yMetres across the field; positive is left as seen from the team's own goal
+     * @param headingDegrees heading of the robot; 0 is towards the opponents' goal, positive is left
      */
     record Beam(double xMetres, double yMetres, double headingDegrees) implements EffectorCommand {}
 
     /**
-     * Sets the speed of a joint's motor: {@code (he1 0.5)}. It keeps turning until the next command. This is the one command in
-     * radians, as SimSpark wants it.
+     * Sets the speed of a joint's motor: {@code (he1 0.5)}. The motor keeps turning until the next command. This is the only
+     * command in radians, as SimSpark expects.
      *
      * @param effectorName the motor's name in SimSpark's messages
      * @param radiansPerSecond the speed
@@ -46,13 +46,13 @@ public sealed interface EffectorCommand {
     record SetHingeSpeed(String effectorName, double radiansPerSecond) implements EffectorCommand {}
 
     /**
-     * Calls a text over the field: {@code (say hello)}.
+     * Shouts a text across the field: {@code (say hello)}.
      *
-     * @param text 1 to 20 characters of ASCII without blanks and parentheses
+     * @param text 1 to 20 ASCII characters without blanks and parentheses
      */
     record Say(String text) implements EffectorCommand {
 
-        /** The longest text in characters. */
+        /** The maximum length of the text in characters. */
         public static final int MAX_LENGTH = 20;
 
         /**
@@ -78,9 +78,9 @@ public sealed interface EffectorCommand {
         }
     }
 
-    /** Asks the referee for the right to pass undisturbed: {@code (pass)}. */
+    /** Asks the referee for pass mode, in which opponents must keep away: {@code (pass)}. */
     record RequestPass() implements EffectorCommand {}
 
-    /** Tells that the agent's commands of this cycle are complete: {@code (syn)}. */
+    /** Marks the end of the agent's commands of this cycle: {@code (syn)}. */
     record Synchronise() implements EffectorCommand {}
 }

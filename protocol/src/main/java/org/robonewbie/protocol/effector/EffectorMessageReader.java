@@ -17,8 +17,8 @@ import org.robonewbie.protocol.sexp.Token;
 
 /**
  * Reads an agent's messages on the simulator's side by the rules of rcssserver3d: numbers as C's {@code atof} reads them,
- * unfinished commands are dropped, and nothing that an agent sends can do harm. What cannot be understood is reported in
- * words and skipped. One reader serves one thread at a time.
+ * unfinished commands are dropped, and no input can do harm. What cannot be understood is reported in words and skipped. Not
+ * thread-safe.
  */
 public final class EffectorMessageReader {
 
@@ -42,8 +42,8 @@ public final class EffectorMessageReader {
      * Reads a message.
      *
      * @param message the bytes as the agent sent them
-     * @param commandListener gets the commands in their order
-     * @param problemListener gets a sentence for each thing that was skipped, at most eleven per message
+     * @param commandListener receives the commands in order
+     * @param problemListener receives a sentence for each part that was skipped, at most eleven per message
      */
     public void read(
             MessageBuffer message,
@@ -152,7 +152,7 @@ public final class EffectorMessageReader {
         return true;
     }
 
-    /** Hands a command over if its list is complete; an unfinished one at the end of a message is dropped. */
+    /** Delivers a command if its list is complete; an unfinished one at the end of a message is dropped. */
     private void finish(EffectorCommand command) {
         reader.skipTo(0);
         if (reader.token() == Token.CLOSE) {
@@ -173,7 +173,7 @@ public final class EffectorMessageReader {
         return start.chars().allMatch(character -> character > ' ') ? start : "(unprintable)";
     }
 
-    /** Finds the hinge that the current atom names; begins with the one after the last, since agents keep an order. */
+    /** Finds the hinge that the current atom names, starting after the previous one, since agents keep the order. */
     private String findHinge() {
         for (int i = 0; i < HINGES.length; i++) {
             int candidate = (expectedHinge + i) % HINGES.length;

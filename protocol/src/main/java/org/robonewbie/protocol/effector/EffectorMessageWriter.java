@@ -12,8 +12,8 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Writes an agent's commands. Numbers are plain decimals, never with an exponent, so that every server understands them;
- * nine decimals of a speed are exact to the billionth part of a radian. Writing makes no garbage.
+ * Writes an agent's commands. Numbers are plain decimals, never with an exponent, so that every server understands them; nine
+ * decimals of a speed are exact to a billionth of a radian. Writing does not allocate.
  *
  * <pre>{@code
  * new EffectorMessageWriter(buffer).hingeSpeed(Joint.NECK_YAW, 0.5).synchronise();
@@ -32,6 +32,16 @@ public final class EffectorMessageWriter {
      */
     public EffectorMessageWriter(MessageBuffer message) {
         writer = new SexpWriter(message);
+    }
+
+    /**
+     * Rounds a number as messages to a simulator do.
+     *
+     * @param value a number of a command
+     * @return the number that the simulator reads
+     */
+    public static double rounded(double value) {
+        return SexpWriter.rounded(value, DECIMALS);
     }
 
     /**
@@ -78,7 +88,7 @@ public final class EffectorMessageWriter {
     /**
      * Writes the command that joins a team.
      *
-     * @param number the wanted number on the shirt, 1 to 11; 0 leaves the choice to the simulator
+     * @param number the wanted shirt number, 1 to 11; 0 leaves the choice to the simulator
      * @param team the team's name
      * @return this writer
      * @throws IllegalArgumentException if the name contains blanks, parentheses or quotation marks
@@ -91,11 +101,11 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes the command that puts the robot somewhere on its own half.
+     * Writes the command that places the robot on its own half.
      *
-     * @param xMetres along the field; the own half is negative
-     * @param yMetres across the field; positive is left as seen from the own goal
-     * @param headingDegrees where the robot looks; 0 is towards the opponents' goal, positive is left
+     * @param xMetres along the field; the team's own half is negative
+     * @param yMetres across the field; positive is left as seen from the team's own goal
+     * @param headingDegrees heading of the robot; 0 is towards the opponents' goal, positive is left
      * @return this writer
      * @throws IllegalArgumentException if a number is not finite
      */
@@ -138,9 +148,9 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes the command that calls a text over the field.
+     * Writes the command that shouts a text across the field.
      *
-     * @param text 1 to 20 characters of ASCII without blanks, parentheses, semicolon and quotation marks
+     * @param text 1 to 20 ASCII characters without blanks, parentheses, semicolon and quotation marks
      * @return this writer
      * @throws IllegalArgumentException if a simulator would not transmit the text
      */
@@ -151,7 +161,7 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes the command that asks for the right to pass undisturbed.
+     * Writes the command that asks the referee for pass mode.
      *
      * @return this writer
      */

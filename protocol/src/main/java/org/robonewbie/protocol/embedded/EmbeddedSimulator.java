@@ -1,6 +1,5 @@
 package org.robonewbie.protocol.embedded;
 
-import java.net.URI;
 import java.util.Optional;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
@@ -15,24 +14,15 @@ public interface EmbeddedSimulator extends AutoCloseable {
      */
     AgentLink connect();
 
-    /**
-     * Tells where agents of other processes can join.
-     *
-     * @return the TCP port on 127.0.0.1
-     */
+    /** {@return the TCP port on 127.0.0.1 at which agents of other processes can join} */
     int agentPort();
 
-    /**
-     * Tells where the studio can be seen.
-     *
-     * @return the address for a browser, or empty when headless
-     */
-    Optional<URI> studioAddress();
+    /** {@return the address of the studio for a browser, or empty when headless} */
+    Optional<String> studioAddress();
 
     /**
-     * Tells who is interested in what the robots of this process think.
-     *
-     * @return takes their log lines, beliefs and drawings; {@link TelemetrySink#NONE} if nobody watches
+     * {@return the sink for log lines, beliefs and drawings of this process's robots; {@link TelemetrySink#NONE} if none is
+     * attached}
      */
     default TelemetrySink telemetry() {
         return TelemetrySink.NONE;

@@ -2,13 +2,13 @@ package org.robonewbie.protocol.embedded;
 
 import org.robonewbie.nao.Joint;
 
-/** A robot that a person steers by hand instead of a program. All calls return at once, from any thread. */
+/** A robot steered by hand instead of by a program. All methods return at once and may be called from any thread. */
 public interface Puppet extends AutoCloseable {
 
     /**
-     * Walks with a velocity until another one is given; zero stops.
+     * Walks with a velocity until another one is set; zero stops.
      *
-     * @param forward -1 to 1, as part of what the robot can do
+     * @param forward -1 to 1, as a fraction of what the robot can do
      * @param left -1 to 1; negative is to the right
      * @param turn -1 to 1; positive is to the left
      */
@@ -33,14 +33,14 @@ public interface Puppet extends AutoCloseable {
      * Moves a joint and holds it; walking and motions end.
      *
      * @param joint the joint
-     * @param degrees its angle, which is cut to the joint's range
+     * @param degrees its angle, clamped to the joint's range
      */
     void hold(Joint joint, double degrees);
 
-    /** Lets all joints go and stands. */
+    /** Releases all joints and stands. */
     void stand();
 
-    /** Takes the robot off the pitch. */
+    /** Removes the robot from the pitch. */
     @Override
     void close();
 }

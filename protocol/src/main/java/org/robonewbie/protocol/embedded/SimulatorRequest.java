@@ -1,12 +1,11 @@
 package org.robonewbie.protocol.embedded;
 
-import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
 
 /**
- * What an embedded simulator shall do.
+ * How to run an embedded simulator.
  *
  * @param agentPort TCP port for agents of other processes; 0 takes any free one
  * @param seed start of all random numbers; empty draws one
@@ -15,8 +14,8 @@ import java.util.OptionalLong;
  * @param headless whether to do without the studio
  * @param openBrowser whether to open the studio in the user's browser
  * @param truth whether cameras also tell the true places of their robot and the ball, for experiments
- * @param report file for the true results as JSON, written at the end
- * @param recording file for the recording of the run
+ * @param report name of the file for the true results as JSON, written at the end
+ * @param recording name of the file for the recording of the run
  * @param awaitedAgents how many agents must be connected before the clock starts, at least 1
  */
 public record SimulatorRequest(
@@ -27,6 +26,6 @@ public record SimulatorRequest(
         boolean headless,
         boolean openBrowser,
         boolean truth,
-        Optional<Path> report,
-        Optional<Path> recording,
+        Optional<String> report,
+        Optional<String> recording,
         int awaitedAgents) {}

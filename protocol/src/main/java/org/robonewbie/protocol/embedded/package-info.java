@@ -1,5 +1,5 @@
 /**
- * How an agent finds a simulator inside its own process without knowing it. Read {@link
+ * How an agent finds a simulator in its own process without depending on it. Read {@link
  * org.robonewbie.protocol.embedded.SimulatorProvider} first.
  */
 @org.jspecify.annotations.NullMarked

@@ -3,15 +3,15 @@ package org.robonewbie.protocol.frame;
 import java.io.IOException;
 
 /**
- * An agent's connection to a simulator: one message goes each way per cycle of 20 ms, in the same words over TCP and
- * within one process.
+ * An agent's connection to a simulator: one message travels each way per cycle of 20 ms, with the same text over TCP and within
+ * one process.
  */
 public interface AgentLink extends AutoCloseable {
 
     /**
      * Sends one message.
      *
-     * @param message the message; it may be changed as soon as this method returns
+     * @param message the message; it may be changed once this method has returned
      * @throws IOException if the connection is broken
      */
     void send(MessageBuffer message) throws IOException;
@@ -19,14 +19,14 @@ public interface AgentLink extends AutoCloseable {
     /**
      * Waits for the next message of the simulator.
      *
-     * @param message takes the message
-     * @return false if the simulator has ended and no message will come any more
+     * @param message receives the message
+     * @return false if the simulator has ended and no more messages will come
      * @throws IOException if the connection is broken
      */
     boolean receive(MessageBuffer message) throws IOException;
 
     /**
-     * Tells whether the simulator has gone on without waiting for this agent.
+     * Returns whether the simulator has continued without waiting for this agent.
      *
      * @return whether a message can be received at once; always false for a simulator that waits for its agents
      * @throws IOException if the connection is broken

@@ -3,10 +3,7 @@ package org.robonewbie.protocol.frame;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/**
- * The bytes of one message without its length prefix; it grows as needed and is used again for each cycle, so that a
- * running robot makes no garbage.
- */
+/** The bytes of one message without its length prefix. It grows as needed and is reused in each cycle. */
 public final class MessageBuffer {
 
     private static final char LAST_ASCII = 0x7F;
@@ -29,19 +26,14 @@ public final class MessageBuffer {
     }
 
     /**
-     * Gives access to the bytes themselves; they change with the next message.
-     *
-     * @return the array, of which the first {@link #length()} bytes are the message
+     * {@return the underlying array, of which the first {@link #length()} bytes are the message; it changes with the next
+     * message}
      */
     public byte[] bytes() {
         return bytes;
     }
 
-    /**
-     * Tells how long the message is.
-     *
-     * @return the number of bytes, at least 0
-     */
+    /** {@return the length of the message in bytes, at least 0} */
     public int length() {
         return length;
     }
@@ -74,7 +66,7 @@ public final class MessageBuffer {
     }
 
     /**
-     * Appends a text in UTF-8, so that no letter of a foreign alphabet can pass for a parenthesis.
+     * Appends a text in UTF-8, in which no letter of a foreign alphabet can be mistaken for a parenthesis.
      *
      * @param text the text, mostly ASCII
      */
@@ -95,12 +87,23 @@ public final class MessageBuffer {
     /**
      * Appends another message.
      *
-     * @param other the message, left as it is
+     * @param other the message, left unchanged
      */
     public void append(MessageBuffer other) {
         int start = length;
         resize(length + other.length);
         System.arraycopy(other.bytes, 0, bytes, start, other.length);
+    }
+
+    /**
+     * Replaces the message.
+     *
+     * @param message the bytes of the new message, which are copied
+     */
+    public void set(byte[] message) {
+        length = 0;
+        resize(message.length);
+        System.arraycopy(message, 0, bytes, 0, message.length);
     }
 
     private void appendEncoded(byte[] encoded) {
@@ -109,11 +112,7 @@ public final class MessageBuffer {
         System.arraycopy(encoded, 0, bytes, start, encoded.length);
     }
 
-    /**
-     * Shows the message as text.
-     *
-     * @return the message, read as UTF-8
-     */
+    /** {@return the message, decoded as UTF-8} */
     @Override
     public String toString() {
         return new String(bytes, 0, length, StandardCharsets.UTF_8);

@@ -1,3 +1,3 @@
-/** How messages travel: length-prefixed frames over TCP, or the same bytes inside one process. */
+/** What travels between agent and simulator: the bytes of one message, and the connection that carries it. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.protocol.frame;

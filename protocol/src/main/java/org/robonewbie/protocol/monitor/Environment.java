@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * What does not change during a match: measures of the pitch and numbers of the rules.
+ * What stays constant during a match: dimensions of the pitch and parameters of the rules.
  *
  * @param measures the numbers in the order in which they are sent
- * @param playModes names of all play modes; messages name a play mode by its place in this list
+ * @param playModes names of all play modes; messages refer to a play mode by its index in this list
  */
 public record Environment(List<Measure> measures, List<String> playModes) {
 
-    /** The environment before any was told. */
+    /** The environment before any was received. */
     public static final Environment UNKNOWN = new Environment(List.of(), List.of());
 
     /**
@@ -37,7 +37,7 @@ public record Environment(List<Measure> measures, List<String> playModes) {
      * Looks up a number.
      *
      * @param name SimSpark's name of it, such as {@code FieldLength}
-     * @return metres, seconds or kilograms; empty if the server did not tell
+     * @return metres, seconds or kilograms; empty if the server did not send it
      */
     public OptionalDouble measure(String name) {
         return measures.stream()

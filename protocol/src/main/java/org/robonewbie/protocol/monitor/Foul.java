@@ -1,7 +1,9 @@
 package org.robonewbie.protocol.monitor;
 
+import org.robonewbie.protocol.order.PlayerNumber;
+
 /**
- * A foul that the referee has seen.
+ * A foul called by the referee.
  *
  * @param index counts the fouls of a match from 1
  * @param type what was done

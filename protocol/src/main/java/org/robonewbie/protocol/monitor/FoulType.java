@@ -10,11 +10,11 @@ public enum FoulType {
     TOUCHING,
     /** Too many defenders in their own penalty area. */
     ILLEGAL_DEFENCE,
-    /** Too many attackers in the opponents' penalty area; the original never gives it. */
+    /** Too many attackers in the opponents' penalty area; rcssserver3d never calls it. */
     ILLEGAL_ATTACK,
-    /** A robot lies on the ground for too long. */
+    /** A robot stays on the ground for too long. */
     INCAPABLE,
-    /** A mistake at the kick-off; the original never gives it. */
+    /** An infringement at the kick-off; rcssserver3d never calls it. */
     ILLEGAL_KICK_OFF,
     /** A robot runs into an opponent. */
     CHARGING,
@@ -27,11 +27,7 @@ public enum FoulType {
     /** A robot plays the ball with an arm; newer servers only. */
     HAND_FOUL;
 
-    /**
-     * Tells the foul's number in SimSpark's messages.
-     *
-     * @return 0 to 10
-     */
+    /** {@return the foul's number in SimSpark's messages, 0 to 10} */
     public int simSparkNumber() {
         return ordinal();
     }
@@ -40,7 +36,7 @@ public enum FoulType {
      * Finds a foul by its number in SimSpark's messages.
      *
      * @param simSparkNumber the number
-     * @return the foul, or empty for a number of a newer server
+     * @return the foul; empty for a number of a newer server
      */
     public static Optional<FoulType> ofSimSparkNumber(int simSparkNumber) {
         return simSparkNumber >= 0 && simSparkNumber < values().length

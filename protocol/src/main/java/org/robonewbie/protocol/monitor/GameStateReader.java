@@ -7,10 +7,11 @@ import java.util.Map;
 import java.util.Optional;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
-/** Reads the first list of a monitor message into what is known of the match. */
+/** Reads the first list of a monitor message into the state of the match. */
 final class GameStateReader {
 
     private final SexpReader in;
@@ -94,7 +95,7 @@ final class GameStateReader {
                 : Optional.empty();
     }
 
-    /** Newer servers tell index, type, team and number; those before 0.7 leave out the index. */
+    /** Newer servers send index, type, team and number; those before 0.7 omit the index. */
     private void readFoul(List<Word> words) {
         int start = words.size() == 3 ? -1 : 0;
         if (words.size() < 3) {

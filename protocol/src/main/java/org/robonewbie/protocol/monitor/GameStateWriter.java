@@ -6,8 +6,8 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Writes the first list of a monitor message: the environment and the state of the match, the latter only as far as it has
- * changed since it was written last.
+ * Writes the first list of a monitor message: the environment and the state of the match, the latter only where it has changed
+ * since it was last written.
  *
  * <p>Source of the format: SimSpark's {@code gamestateitem.cpp} and {@code soccerruleitem.cpp}.
  */
@@ -23,7 +23,7 @@ final class GameStateWriter {
         this.out = out;
     }
 
-    /** Writes everything; it counts as told only if all monitors get it. */
+    /** Writes everything; it counts as known only if all monitors receive it. */
     void writeFull(MonitoredGame state, List<Foul> fouls, boolean toAll) {
         out.text("(");
         writeEnvironment();

@@ -1,9 +1,9 @@
 package org.robonewbie.protocol.monitor;
 
 /**
- * A lamp; its place is that of the transform around it.
+ * A light; its position is that of the transform around it.
  *
- * @param diffuse colour of the light that comes from the lamp's direction
+ * @param diffuse colour of the light that comes from the light's direction
  * @param ambient colour of the light that comes from everywhere
  * @param specular colour of highlights
  */
@@ -20,7 +20,7 @@ public record LightNode(Colour diffuse, Colour ambient, Colour specular) impleme
     public record Colour(float red, float green, float blue, float alpha) {
 
         /**
-         * Mixes a grey.
+         * Creates a grey.
          *
          * @param brightness from 0 to 1
          * @return the opaque grey

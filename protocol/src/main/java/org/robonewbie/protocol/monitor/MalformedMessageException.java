@@ -1,6 +1,6 @@
 package org.robonewbie.protocol.monitor;
 
-/** A monitor message does not say what it should; carries no text because the reader drops such messages silently. */
+/** A monitor message is malformed. It carries no text because the reader drops such messages silently. */
 final class MalformedMessageException extends Exception {
 
     MalformedMessageException() {

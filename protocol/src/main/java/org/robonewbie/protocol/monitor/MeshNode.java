@@ -2,7 +2,7 @@ package org.robonewbie.protocol.monitor;
 
 import java.util.List;
 
-/** A surface to draw: a mesh from a file, or one of the standard shapes of SimSpark. */
+/** A surface to draw: a mesh from a file, or one of SimSpark's standard shapes. */
 public final class MeshNode implements SceneNode {
 
     private final Form form;
@@ -17,13 +17,13 @@ public final class MeshNode implements SceneNode {
     /**
      * Creates a surface.
      *
-     * @param form what it looks like
-     * @param scaleX stretches it along x
-     * @param scaleY stretches it along y
-     * @param scaleZ stretches it along z
+     * @param form its form
+     * @param scaleX scale along x
+     * @param scaleY scale along y
+     * @param scaleZ scale along z
      * @param materials names of its materials; a standard shape has one
-     * @param transparent whether one can look through it
-     * @param visible whether it can be seen
+     * @param transparent whether it is transparent
+     * @param visible whether it is visible
      */
     public MeshNode(
             Form form,
@@ -42,21 +42,13 @@ public final class MeshNode implements SceneNode {
         this.visible = visible;
     }
 
-    /** What a surface looks like. */
+    /** The form of a surface. */
     public sealed interface Form {
 
-        /**
-         * Names the form in messages.
-         *
-         * @return path of a mesh file or name of a standard shape
-         */
+        /** {@return the form's name in messages: path of a mesh file or name of a standard shape} */
         String name();
 
-        /**
-         * Lists what makes the form special.
-         *
-         * @return the words after the name, such as radius and length
-         */
+        /** {@return the words after the name, such as radius and length} */
         List<String> parameters();
     }
 
@@ -76,62 +68,38 @@ public final class MeshNode implements SceneNode {
      */
     public record StandardShape(String name, List<String> parameters) implements Form {}
 
-    /**
-     * Tells what the surface looks like.
-     *
-     * @return the form
-     */
+    /** {@return the form of the surface} */
     public Form form() {
         return form;
     }
 
-    /**
-     * Tells how far it is stretched along x.
-     *
-     * @return the factor
-     */
+    /** {@return the scale along x} */
     public float scaleX() {
         return scaleX;
     }
 
-    /**
-     * Tells how far it is stretched along y.
-     *
-     * @return the factor
-     */
+    /** {@return the scale along y} */
     public float scaleY() {
         return scaleY;
     }
 
-    /**
-     * Tells how far it is stretched along z.
-     *
-     * @return the factor
-     */
+    /** {@return the scale along z} */
     public float scaleZ() {
         return scaleZ;
     }
 
-    /**
-     * Tells whether one can look through it.
-     *
-     * @return whether it is transparent
-     */
+    /** {@return whether it is transparent} */
     public boolean isTransparent() {
         return transparent;
     }
 
-    /**
-     * Names the materials.
-     *
-     * @return the names in the order of the mesh file
-     */
+    /** {@return the names of the materials in the order of the mesh file} */
     public List<String> materials() {
         return materials;
     }
 
     /**
-     * Gives it other materials; monitors learn of it with the next full message.
+     * Replaces the materials; monitors receive them with the next full message.
      *
      * @param names the new names
      */
@@ -139,17 +107,13 @@ public final class MeshNode implements SceneNode {
         materials = List.copyOf(names);
     }
 
-    /**
-     * Tells whether it can be seen.
-     *
-     * @return whether it is drawn
-     */
+    /** {@return whether it is drawn} */
     public boolean isVisible() {
         return visible;
     }
 
     /**
-     * Shows or hides it.
+     * Sets whether it is visible.
      *
      * @param shown whether it is drawn
      */
@@ -158,7 +122,7 @@ public final class MeshNode implements SceneNode {
         visible = shown;
     }
 
-    /** Tells once whether the visibility was changed since the last call, and also the first time. */
+    /** Returns once whether the visibility has changed since the last call; true the first time. */
     boolean takeVisibilityNews() {
         boolean news = visibilityIsNews;
         visibilityIsNews = false;

@@ -7,8 +7,8 @@ import org.robonewbie.protocol.sexp.SexpWriter;
 /**
  * Writes the messages of a server to its monitors, byte for byte as rcssserver3d does.
  *
- * <p>It remembers what all monitors know, so that changes can be told without the rest. One writer therefore serves all
- * monitors of a server, and a log has its own.
+ * <p>It remembers what all monitors know, so that only changes need to be sent. One writer therefore serves all monitors of a
+ * server, and a log has its own.
  */
 public final class MonitorMessageWriter {
 
@@ -17,9 +17,9 @@ public final class MonitorMessageWriter {
     private final GameStateWriter gameState;
 
     /**
-     * Creates a writer that has told nothing yet.
+     * Creates a writer that has sent nothing yet.
      *
-     * @param environment what does not change during the match
+     * @param environment what stays constant during the match
      */
     public MonitorMessageWriter(Environment environment) {
         SexpWriter out = new SexpWriter(buffer);
@@ -28,10 +28,10 @@ public final class MonitorMessageWriter {
     }
 
     /**
-     * Writes everything, for all monitors: what it says counts as known from now on.
+     * Writes everything, for all monitors, and from then on treats it as known.
      *
      * @param state the state of the match
-     * @param fouls fouls of the match in order; those that were told before are left out
+     * @param fouls fouls of the match in order; those sent before are omitted
      * @param nodes the scene
      * @return the message; it changes with the next one
      */
@@ -40,7 +40,7 @@ public final class MonitorMessageWriter {
     }
 
     /**
-     * Writes everything, for a monitor that has just come while others know it already.
+     * Writes everything, for a monitor that has just connected while others know it already.
      *
      * @param state the state of the match
      * @param nodes the scene
@@ -54,8 +54,8 @@ public final class MonitorMessageWriter {
      * Writes what has changed.
      *
      * @param state the state of the match
-     * @param fouls fouls of the match in order; those that were told before are left out
-     * @param nodes the scene, which must have the same shape as in the last full message
+     * @param fouls fouls of the match in order; those sent before are omitted
+     * @param nodes the scene, which must have the same structure as in the last full message
      * @return the message; it changes with the next one
      */
     public MessageBuffer writePartial(MonitoredGame state, List<Foul> fouls, List<? extends SceneNode> nodes) {

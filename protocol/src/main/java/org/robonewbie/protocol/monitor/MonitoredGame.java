@@ -12,7 +12,7 @@ import org.robonewbie.nao.PlayMode;
  * @param half 1 or 2
  * @param scoreLeft goals of the left team
  * @param scoreRight goals of the right team
- * @param playMode what the referee has decided; empty before it was told, and for a play mode of a newer server
+ * @param playMode the play mode; empty before it is known, and for a play mode of a newer server
  * @param passWaitLeftSeconds how long the left team still must not score after its pass mode; 0 if it may
  * @param passWaitRightSeconds the same for the right team
  */
@@ -27,7 +27,7 @@ public record MonitoredGame(
         double passWaitLeftSeconds,
         double passWaitRightSeconds) {
 
-    /** The state before any was told. */
+    /** The state before any was received. */
     public static final MonitoredGame UNKNOWN =
             new MonitoredGame(0, Optional.empty(), Optional.empty(), 1, 0, 0, Optional.empty(), 0, 0);
 }

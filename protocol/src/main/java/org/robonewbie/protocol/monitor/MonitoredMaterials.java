@@ -5,13 +5,14 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.order.PlayerNumber;
 
 /**
- * What the materials of a node tell about a robot: {@code matNum7} its number, {@code matLeft} its team, {@code matType1}
- * its build.
+ * What the materials of a node reveal about a robot: {@code matNum7} its number, {@code matLeft} its team, {@code matType1} its
+ * robot type.
  *
  * @param player team and number, if one mesh carries both
- * @param type the build; type 0 if no mesh tells
+ * @param type the robot type; type 0 if no mesh shows it
  */
 record MonitoredMaterials(Optional<PlayerNumber> player, RobotType type) {
 
@@ -33,7 +34,7 @@ record MonitoredMaterials(Optional<PlayerNumber> player, RobotType type) {
         return new MonitoredMaterials(player, RobotType.values()[type]);
     }
 
-    /** Lists the mesh files of a node and all in it. */
+    /** Lists the mesh files of a node and of all nodes in it. */
     static Stream<String> meshNames(TransformNode root) {
         return meshes(root)
                 .map(MeshNode::form)

@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.order.PlayerNumber;
 
 /** A robot as a monitor sees it; its links move with each message that is read. */
 public final class MonitoredRobot {
@@ -21,7 +22,7 @@ public final class MonitoredRobot {
         this.links = links;
     }
 
-    /** Recognises a robot by the number and the team's colour on its body. */
+    /** Recognises a robot by its number and its team's colour. */
     static Optional<MonitoredRobot> of(TransformNode root) {
         return MonitoredMaterials.of(root)
                 .player()
@@ -31,29 +32,21 @@ public final class MonitoredRobot {
                         links(root, MonitoredMaterials.of(root).type())));
     }
 
-    /**
-     * Tells which robot it is.
-     *
-     * @return its team and number
-     */
+    /** {@return the robot's team and number} */
     public PlayerNumber player() {
         return player;
     }
 
-    /**
-     * Tells its build.
-     *
-     * @return the robot type
-     */
+    /** {@return the robot type} */
     public RobotType type() {
         return type;
     }
 
     /**
-     * Finds the place of a part of its body in the world frame.
+     * Finds the pose of a link in the world frame.
      *
      * @param name a link's name in {@link NaoModel}, such as {@link NaoModel#TORSO}
-     * @return its place; empty for a part that this server's robots do not have
+     * @return its transform; empty for a link that this server's robots do not have
      */
     public Optional<TransformNode> link(String name) {
         return Optional.ofNullable(links.get(name));
@@ -75,7 +68,7 @@ public final class MonitoredRobot {
         return found;
     }
 
-    /** In a robot of another build only the parts with a mesh of their own can be told apart. */
+    /** In a robot of another type only the links with a mesh of their own can be told apart. */
     private static Optional<String> nameByMesh(TransformNode part, List<Link> expected) {
         return MonitoredMaterials.meshNames(part)
                 .findFirst()

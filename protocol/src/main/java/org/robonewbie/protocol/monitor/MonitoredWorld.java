@@ -3,6 +3,8 @@ package org.robonewbie.protocol.monitor;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
@@ -11,7 +13,7 @@ import org.robonewbie.protocol.sexp.Token;
  *
  * <p>It begins with the first full message, which a server sends to each new monitor unasked. When a message does not fit
  * to what is known, the world is no longer {@link #isCurrent() current} until the next full message; {@link
- * TrainerCommand.RequestFullState} asks for one.
+ * Order.RequestFullState} asks for one.
  *
  * <pre>{@code
  * MonitoredWorld world = new MonitoredWorld();
@@ -38,7 +40,7 @@ public final class MonitoredWorld {
     public MonitoredWorld() {}
 
     /**
-     * Takes the next message of the server. A message that cannot be understood does no harm.
+     * Applies the next message of the server. A malformed message does no harm.
      *
      * @param message the message
      * @return whether the world is current afterwards
@@ -54,46 +56,29 @@ public final class MonitoredWorld {
     }
 
     /**
-     * Tells whether the scene is known as of the last message.
-     *
-     * @return false before the first full message and after a message that did not fit
+     * {@return whether the scene is known as of the last message; false before the first full message and after one that did
+     * not fit}
      */
     public boolean isCurrent() {
         return current;
     }
 
-    /**
-     * Tells the measures of pitch and rules.
-     *
-     * @return what the last full message said
-     */
+    /** {@return dimensions of the pitch and parameters of the rules, as of the last full message} */
     public Environment environment() {
         return environment;
     }
 
-    /**
-     * Tells the state of the match.
-     *
-     * @return the newest state
-     */
+    /** {@return the latest state of the match} */
     public MonitoredGame gameState() {
         return gameReader.gameState();
     }
 
-    /**
-     * Lists the fouls that the last message reported.
-     *
-     * @return the fouls, mostly none
-     */
+    /** {@return the fouls that the last message reported, mostly none} */
     public List<Foul> newFouls() {
         return gameReader.fouls();
     }
 
-    /**
-     * Lists the robots that belong to a team.
-     *
-     * @return the robots in the order in which they connected
-     */
+    /** {@return the robots that belong to a team, in the order in which they connected} */
     public List<MonitoredRobot> robots() {
         return robots;
     }
@@ -102,26 +87,18 @@ public final class MonitoredWorld {
      * Finds a robot.
      *
      * @param player its team and number
-     * @return the robot, or empty if it does not play
+     * @return the robot; empty if it does not play
      */
     public Optional<MonitoredRobot> robot(PlayerNumber player) {
         return robots.stream().filter(robot -> robot.player().equals(player)).findFirst();
     }
 
-    /**
-     * Tells where the ball is.
-     *
-     * @return its place in the world frame, moving with each message; empty before it is known
-     */
+    /** {@return the ball's transform in the world frame, updated with each message; empty before it is known} */
     public Optional<TransformNode> ball() {
         return ball;
     }
 
-    /**
-     * Shows the whole scene.
-     *
-     * @return the outermost nodes, as of the last full message
-     */
+    /** {@return the outermost nodes of the scene, as of the last full message} */
     public List<SceneNode> scene() {
         return scene;
     }

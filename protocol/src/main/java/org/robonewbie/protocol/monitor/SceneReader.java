@@ -6,10 +6,10 @@ import org.robonewbie.protocol.monitor.LightNode.Colour;
 import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
-/** Reads the scene of a monitor message; when a method begins, the list that it reads has just been opened. */
+/** Reads the scene of a monitor message; each method starts just after the opening parenthesis of the list that it reads. */
 final class SceneReader {
 
-    /** The soccer scene is four levels deep; a deeper one than this is an attack. */
+    /** The soccer scene is four levels deep; anything deeper than this is an attack. */
     private static final int MAX_DEPTH = 64;
 
     private final SexpReader in;
@@ -30,7 +30,7 @@ final class SceneReader {
         return List.copyOf(nodes);
     }
 
-    /** Reads changes into a scene that is known. */
+    /** Reads changes into a known scene. */
     void readPartial(List<SceneNode> nodes) throws MalformedMessageException {
         int count = 0;
         int inside = in.depth();
@@ -136,7 +136,7 @@ final class SceneReader {
         require(in.token() == Token.CLOSE);
     }
 
-    /** Reads the first numbers of a list; what is no finite number counts as 0. */
+    /** Reads the first numbers of a list; anything that is not a finite number counts as 0. */
     static float[] readNumbers(SexpReader in, int count) throws MalformedMessageException {
         float[] numbers = new float[count];
         for (int i = 0; i < count; i++) {

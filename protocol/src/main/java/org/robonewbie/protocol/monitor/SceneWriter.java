@@ -5,13 +5,13 @@ import org.robonewbie.protocol.monitor.LightNode.Colour;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Writes the scene of a monitor message: the whole tree, or only what moved since it was written last.
+ * Writes the scene of a monitor message: the whole tree, or only what has moved since it was last written.
  *
  * <p>Source of the format: SimSpark's {@code sparkmonitor.cpp} as recorded from rcssserver3d 0.7.3.
  */
 final class SceneWriter {
 
-    /** A place is written again when one of its 16 numbers has changed by more than this. */
+    /** A transform is written again when one of its 16 numbers has changed by more than this. */
     static final float THRESHOLD = 0.005f;
 
     private final SexpWriter out;
@@ -20,7 +20,7 @@ final class SceneWriter {
         this.out = out;
     }
 
-    /** Writes the whole tree; it counts as told only if all monitors get it. */
+    /** Writes the whole tree; it counts as known only if all monitors receive it. */
     void writeFull(List<? extends SceneNode> nodes, boolean toAll) {
         out.text("(");
         writeFullNodes(nodes, toAll);

@@ -4,10 +4,10 @@ import java.util.List;
 import org.robonewbie.nao.Vector3;
 
 /**
- * A place in the scene, relative to the transform around it.
+ * A transform in the scene, relative to the one around it.
  *
- * <p>The place is a matrix of 16 numbers, column by column: where the x axis points and a 0, the same for y and z, then the
- * position and a 1. The numbers are of single precision as in SimSpark.
+ * <p>It is a matrix of 16 numbers in column-major order: the direction of the x axis and a 0, the same for y and z, then the
+ * position and a 1. The numbers are single-precision as in SimSpark.
  */
 public final class TransformNode implements SceneNode {
 
@@ -19,10 +19,10 @@ public final class TransformNode implements SceneNode {
     private final List<SceneNode> children;
 
     /**
-     * Creates a place.
+     * Creates a transform.
      *
      * @param matrix its 16 numbers, copied
-     * @param children what moves with it
+     * @param children the nodes that move with it
      */
     public TransformNode(float[] matrix, List<? extends SceneNode> children) {
         this.children = List.copyOf(children);
@@ -30,22 +30,22 @@ public final class TransformNode implements SceneNode {
     }
 
     /**
-     * Creates a place that is not turned.
+     * Creates a transform without rotation.
      *
      * @param x first component of its position in metres
      * @param y second component
      * @param z third component
-     * @param children what moves with it
-     * @return the place
+     * @param children the nodes that move with it
+     * @return the transform
      */
     public static TransformNode at(float x, float y, float z, SceneNode... children) {
         return new TransformNode(new float[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1}, List.of(children));
     }
 
     /**
-     * Moves the place and all in it.
+     * Sets the transform.
      *
-     * @param source holds the 16 numbers of the new place
+     * @param source holds the 16 numbers of the new transform
      * @param offset index of the first of them
      */
     public void moveTo(float[] source, int offset) {
@@ -53,71 +53,51 @@ public final class TransformNode implements SceneNode {
     }
 
     /**
-     * Reads one number of the place.
+     * Returns one element of the matrix.
      *
      * @param index 0 to 15, column by column
-     * @return the number
+     * @return the element
      */
     public float element(int index) {
         return matrix[index];
     }
 
-    /**
-     * Tells the position.
-     *
-     * @return metres
-     */
+    /** {@return the position in metres} */
     public Vector3 position() {
         return column(POSITION);
     }
 
-    /**
-     * Tells where the x axis points; on a robot's link to its right.
-     *
-     * @return a direction of length 1
-     */
+    /** {@return the direction of the x axis, of length 1; on a robot's link it points to its right} */
     public Vector3 axisX() {
         return column(0);
     }
 
-    /**
-     * Tells where the y axis points; on a robot's link forward.
-     *
-     * @return a direction of length 1
-     */
+    /** {@return the direction of the y axis, of length 1; on a robot's link it points forward} */
     public Vector3 axisY() {
         return column(4);
     }
 
-    /**
-     * Tells where the z axis points; on a robot's link up.
-     *
-     * @return a direction of length 1
-     */
+    /** {@return the direction of the z axis, of length 1; on a robot's link it points up} */
     public Vector3 axisZ() {
         return column(8);
     }
 
-    /**
-     * Lists what moves with it.
-     *
-     * @return the nodes inside
-     */
+    /** {@return the nodes that move with it} */
     public List<SceneNode> children() {
         return children;
     }
 
     /**
-     * Makes a node at the same place with other children.
+     * Returns a copy of this transform with other children.
      *
-     * @param newChildren what moves with the new node
-     * @return the new node
+     * @param newChildren the nodes that move with the new transform
+     * @return the new transform
      */
     public TransformNode with(List<? extends SceneNode> newChildren) {
         return new TransformNode(matrix, newChildren);
     }
 
-    /** Tells whether a number is farther than the threshold from what was told last. */
+    /** Whether an element differs by more than the threshold from what was last sent. */
     boolean hasMovedBeyond(float threshold) {
         for (int i = 0; i < SIZE; i++) {
             if (Math.abs(matrix[i] - told[i]) > threshold || Float.isNaN(matrix[i]) != Float.isNaN(told[i])) {
@@ -127,7 +107,7 @@ public final class TransformNode implements SceneNode {
         return false;
     }
 
-    /** Keeps the present place as the one that was told last. */
+    /** Remembers the present transform as the one that was last sent. */
     void rememberAsTold() {
         System.arraycopy(matrix, 0, told, 0, SIZE);
     }

@@ -3,7 +3,7 @@ package org.robonewbie.protocol.perceptor;
 import java.util.Optional;
 
 /**
- * What presses against the feet; a foot without contact is empty.
+ * The contact forces on the feet; a foot without contact is empty.
  *
  * @param left the left foot, {@code lf}
  * @param right the right foot, {@code rf}

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.robonewbie.nao.Joint;
 
-/** The angles of all hinges in degrees: perceptor {@code HJ}. Unmodifiable. */
+/** The angles of all hinges in degrees: perceptor {@code HJ}. Immutable. */
 public final class JointAngles {
 
-    /** No angle at all. */
+    /** No angles. */
     public static final JointAngles NONE = new JointAngles(new double[Joint.COUNT], 0, List.of());
 
     private static final int ALL = (1 << Joint.COUNT) - 1;
@@ -18,14 +18,14 @@ public final class JointAngles {
     private final List<ExtraHinge> extraHinges;
 
     /**
-     * The angle of a hinge that is no {@link Joint}, such as the toes {@code llj7} and {@code rlj7} of robot type 4.
+     * The angle of a hinge that is not a {@link Joint}, such as the toes {@code llj7} and {@code rlj7} of robot type 4.
      *
      * @param perceptorName the hinge's name in SimSpark's messages
      * @param degrees its angle in degrees
      */
     public record ExtraHinge(String perceptorName, double degrees) {}
 
-    /** Takes the array over without a copy; the bit of a joint's ordinal tells whether its angle is present. */
+    /** Takes ownership of the array; the bit of a joint's ordinal shows whether its angle is present. */
     JointAngles(double[] degrees, int present, List<ExtraHinge> extraHinges) {
         this.degrees = degrees;
         this.present = present;
@@ -44,10 +44,10 @@ public final class JointAngles {
     }
 
     /**
-     * Collects the angles of all joints and of further hinges.
+     * Collects the angles of all joints and of additional hinges.
      *
      * @param degrees 22 angles in degrees in the order of {@link Joint}; copied
-     * @param extraHinges angles of hinges that are no joints, such as toes
+     * @param extraHinges angles of hinges that are not joints, such as toes
      * @return the angles
      * @throws IllegalArgumentException if there are not 22 angles
      */
@@ -69,10 +69,10 @@ public final class JointAngles {
     }
 
     /**
-     * Looks up an angle.
+     * Looks up an angle, with a default.
      *
      * @param joint the joint
-     * @param otherwise the answer if the message has no angle of this joint
+     * @param otherwise the result if the message has no angle of this joint
      * @return its angle in degrees
      */
     public double degreesOr(Joint joint, double otherwise) {
@@ -80,7 +80,7 @@ public final class JointAngles {
     }
 
     /**
-     * Tells whether the message has an angle of a joint.
+     * Returns whether the message has an angle of a joint.
      *
      * @param joint the joint
      * @return whether it has
@@ -90,9 +90,7 @@ public final class JointAngles {
     }
 
     /**
-     * Lists the angles of hinges that are no {@link Joint}.
-     *
-     * @return the toes of robot type 4 and whatever else a server sends
+     * {@return the angles of hinges that are not a {@link Joint}: the toes of robot type 4 and whatever else a server sends}
      */
     public List<ExtraHinge> extraHinges() {
         return extraHinges;

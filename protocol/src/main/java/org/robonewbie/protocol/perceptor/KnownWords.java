@@ -2,13 +2,13 @@ package org.robonewbie.protocol.perceptor;
 
 import org.robonewbie.protocol.sexp.SexpReader;
 
-/** The few names that come again in each message, such as teams: kept so that each is made only once. */
+/** The few names that recur in each message, such as teams, cached so that each is created only once. */
 final class KnownWords {
 
     private final String[] words = {"", "", "", "", "", "", "", ""};
     private int oldest;
 
-    /** Gives the current atom as text. */
+    /** Returns the current atom as text. */
     String of(SexpReader reader) {
         for (String word : words) {
             if (reader.atomIs(word)) {

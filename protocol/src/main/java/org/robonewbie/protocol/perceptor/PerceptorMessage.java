@@ -6,19 +6,19 @@ import java.util.OptionalDouble;
 import org.robonewbie.nao.Vector3;
 
 /**
- * All that a robot senses in one cycle of 20 ms, as SimSpark sends it. Whatever a message leaves out is empty here.
+ * Everything that a robot senses in one cycle of 20 ms, as SimSpark sends it. Whatever a message omits is empty here.
  *
  * <p>Frames: the torso frame has x to the robot's right, y forward and z up.
  *
  * @param seconds simulated time since the server was started, in seconds; grows by 0.02 in each cycle
- * @param gameState what the referee says; in every message of a real server
+ * @param gameState what the referee reports; in every message of a real server
  * @param heard messages of this and other robots that arrived in this cycle; own, team-mate's, opponent's
- * @param gyro turning speed of the torso about the axes of the torso frame in degrees per second
- * @param accelerometer acceleration of the torso's centre without gravity's pull in the torso frame, in metres per square
- *     second; (0, 0, 9.81) for a robot that stands still
+ * @param gyro angular velocity of the torso about the axes of the torso frame in degrees per second
+ * @param accelerometer specific force at the torso's centre in the torso frame, as an IMU measures it, in metres per square
+ *     second: (0, 0, 9.81) at rest, (0, 0, 0) in free fall
  * @param jointAngles angles of all hinges in degrees
- * @param footForces what presses against the feet
- * @param vision what the camera recognises; present in each third message
+ * @param footForces contact forces on the feet
+ * @param vision what the camera recognises; present in every third message
  */
 public record PerceptorMessage(
         OptionalDouble seconds,
@@ -30,7 +30,7 @@ public record PerceptorMessage(
         FootForces footForces,
         Optional<Vision> vision) {
 
-    /** A message that says nothing. */
+    /** An empty message. */
     public static final PerceptorMessage NOTHING = new PerceptorMessage(
             OptionalDouble.empty(),
             Optional.empty(),

@@ -14,8 +14,8 @@ import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
 /**
- * Reads perceptor messages. What it does not know, at any level, it skips; what is incomplete, it leaves out; it never
- * fails. One reader serves one robot for its whole life and is used by one thread at a time.
+ * Reads perceptor messages. Unknown parts are skipped at any level, incomplete ones are omitted; reading never fails. One
+ * reader serves one robot for its whole life. Not thread-safe.
  *
  * <pre>{@code
  * link.receive(buffer);
@@ -162,7 +162,7 @@ public final class PerceptorMessageReader {
         return reader.atomIs("right") ? Optional.of(TeamSide.RIGHT) : Optional.empty();
     }
 
-    /** Understands {@code (hear TEAM TIME DIRECTION TEXT)} and, of old servers, the same without the team. */
+    /** Reads {@code (hear TEAM TIME DIRECTION TEXT)}, which old servers send without the team. */
     private void readHeard() {
         String[] atoms = new String[4];
         OptionalDouble[] numbers = new OptionalDouble[4];
@@ -220,7 +220,7 @@ public final class PerceptorMessageReader {
         }
     }
 
-    /** Finds the joint that the current atom names; begins with the one after the last, since servers keep an order. */
+    /** Finds the joint that the current atom names, starting after the previous one, since servers keep the order. */
     private int findJoint() {
         for (int i = 0; i < JOINTS.length; i++) {
             int candidate = (expectedJoint + i) % JOINTS.length;

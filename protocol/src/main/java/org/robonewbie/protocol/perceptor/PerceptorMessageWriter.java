@@ -14,8 +14,8 @@ import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Writes a perceptor message byte for byte as rcssserver3d 0.7.3 does: the perceptors in the order of the robot's scene
- * file, two decimals, sub-lists separated by blanks. Belongs to one message buffer, and makes no garbage.
+ * Writes a perceptor message byte for byte as rcssserver3d 0.7.3 does: the perceptors in the order of the robot's scene file,
+ * two decimals, sub-lists separated by blanks. Belongs to one message buffer and does not allocate.
  */
 public final class PerceptorMessageWriter {
 
@@ -51,6 +51,16 @@ public final class PerceptorMessageWriter {
      */
     public PerceptorMessageWriter(MessageBuffer message) {
         writer = new SexpWriter(message);
+    }
+
+    /**
+     * Rounds a number as messages to an agent do.
+     *
+     * @param value a reading of a sensor
+     * @return the number that the agent reads
+     */
+    public static double rounded(double value) {
+        return SexpWriter.rounded(value, DECIMALS);
     }
 
     /**
@@ -237,7 +247,7 @@ public final class PerceptorMessageWriter {
         number(position.verticalDegrees()).text(")");
     }
 
-    /** Writes the blank that stands between the parts of a picture but not before the first. */
+    /** Writes the blank that separates the parts of a picture, but not before the first one. */
     private void separate(int empty) {
         if (writer.length() > empty) {
             writer.text(" ");

@@ -8,19 +8,19 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.Vector3;
 
 /**
- * What the camera recognises in one picture: perceptor {@code See}, sent in each third cycle. The order within the lists is
- * that of the message and carries no meaning.
+ * What the camera recognises in one picture: perceptor {@code See}, sent in every third cycle. The order within the lists is
+ * that of the message and has no meaning.
  *
  * @param landmarks goal posts and flags
  * @param ball the ball's centre
- * @param players robots, the observer itself among them if it sees its own arms
- * @param lines pieces of the field lines, cut at the edge of the picture
- * @param ownPosition the true position of the own head in the own team's view of the field, in metres; only if the server is
- *     set up to send it
- * @param ownOrientationDegrees the true direction of the own head in the own team's view, 0 towards the opponents' goal, left
- *     is positive; only if the server is set up to send it
- * @param ballPosition the true position of the ball's centre in the own team's view in metres; only if the server is set up
- *     to send it
+ * @param players robots, including the observer itself if it sees its own arms
+ * @param lines segments of the field lines, clipped at the edge of the picture
+ * @param ownPosition the true position of the robot's head in its team's view of the field, in metres; only if the server is
+ *     configured to send it
+ * @param ownOrientationDegrees the true direction of the robot's head in its team's view, 0 towards the opponents' goal,
+ *     positive to the left; only if the server is configured to send it
+ * @param ballPosition the true position of the ball's centre in the team's view in metres; only if the server is configured to
+ *     send it
  */
 public record Vision(
         List<SeenLandmark> landmarks,
@@ -31,7 +31,7 @@ public record Vision(
         OptionalDouble ownOrientationDegrees,
         Optional<Vector3> ballPosition) {
 
-    /** A picture without anything known in it. */
+    /** A picture in which nothing is recognised. */
     public static final Vision NOTHING = of(List.of(), Optional.empty(), List.of(), List.of());
 
     /** Makes the lists unmodifiable. */
@@ -50,7 +50,7 @@ public record Vision(
     public record SeenLandmark(Landmark landmark, PolarPosition position) {}
 
     /**
-     * A piece of a field line; which end is named first carries no meaning.
+     * A segment of a field line; the order of its ends has no meaning.
      *
      * @param start one end; an angle may be NaN
      * @param end the other end; an angle may be NaN
@@ -69,9 +69,9 @@ public record Vision(
      * A robot in the picture.
      *
      * @param team name of its team
-     * @param number number on its shirt
+     * @param number its shirt number
      * @param parts the visible parts of its body
-     * @param position where the robot as a whole is seen; sent by very old servers only, instead of the parts
+     * @param position position of the robot as a whole; sent instead of the parts by very old servers only
      */
     public record SeenPlayer(String team, int number, List<SeenBodyPart> parts, Optional<PolarPosition> position) {
 
@@ -82,12 +82,12 @@ public record Vision(
     }
 
     /**
-     * Collects what a server without true positions sends.
+     * Creates the picture of a server that does not send true positions.
      *
      * @param landmarks goal posts and flags
      * @param ball the ball's centre
      * @param players robots
-     * @param lines pieces of the field lines
+     * @param lines segments of the field lines
      * @return the picture
      */
     public static Vision of(

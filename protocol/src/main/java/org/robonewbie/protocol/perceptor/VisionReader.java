@@ -37,7 +37,7 @@ final class VisionReader {
         this.words = words;
     }
 
-    /** Reads a picture whose name is the current atom; empty if the message ends too early. */
+    /** Reads a picture whose name is the current atom; empty if the message ends early. */
     Optional<Vision> read() {
         clear();
         int depth = reader.depth();

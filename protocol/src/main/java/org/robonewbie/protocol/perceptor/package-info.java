@@ -1,8 +1,8 @@
 /**
- * What the simulator tells an agent in each cycle. Read {@link org.robonewbie.protocol.perceptor.PerceptorMessage} first.
+ * What the simulator sends to an agent in each cycle. Read {@link org.robonewbie.protocol.perceptor.PerceptorMessage} first.
  *
- * <p>All values are in the units and frames of the wire: metres, degrees, newtons; torso and foot frames have x to the
- * robot's right, y forward and z up.
+ * <p>All values are in the units and frames of the wire: metres, degrees, newtons; torso and foot frames have x to the robot's
+ * right, y forward and z up.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.protocol.perceptor;

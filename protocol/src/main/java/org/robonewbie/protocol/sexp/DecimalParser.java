@@ -3,8 +3,7 @@ package org.robonewbie.protocol.sexp;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Turns decimal text into the nearest double by the rules of C's {@code atof}, without garbage for the numbers of everyday
- * messages.
+ * Converts decimal text to the nearest double by the rules of C's {@code atof}, without allocating for everyday numbers.
  *
  * <p>A mantissa up to 2^53 and a power of ten up to 22 are both exact as doubles, so one division rounds correctly (Clinger
  * 1990, "How to read floating point numbers accurately"). Other numbers are left to the JDK.
@@ -21,7 +20,7 @@ final class DecimalParser {
     private long mantissa;
     private int significantDigits;
 
-    /** Reads the longest number at the beginning of the text; 0 if there is none. */
+    /** Reads the longest number at the start of the text; 0 if there is none. */
     double parse(byte[] text, int first, int last) {
         start(text, first, last);
         boolean negative = skipSign();
@@ -45,7 +44,7 @@ final class DecimalParser {
         return negative ? -magnitude : magnitude;
     }
 
-    /** Tells whether the text begins with a number, {@code nan} or {@code inf}. */
+    /** Whether the text begins with a number, {@code nan} or {@code inf}. */
     boolean isNumber(byte[] text, int first, int last) {
         start(text, first, last);
         skipSign();
@@ -84,7 +83,7 @@ final class DecimalParser {
         return at - firstDigit;
     }
 
-    /** Steps over an exponent if there is a complete one. */
+    /** Skips an exponent if there is a complete one. */
     private boolean hasExponent() {
         if (at >= end || (bytes[at] != 'e' && bytes[at] != 'E')) {
             return false;

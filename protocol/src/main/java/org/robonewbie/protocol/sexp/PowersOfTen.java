@@ -1,6 +1,6 @@
 package org.robonewbie.protocol.sexp;
 
-/** The powers of ten that a double holds exactly. */
+/** The powers of ten that are exact as doubles. */
 final class PowersOfTen {
 
     /** The largest exponent: 10^22 is exact, 10^23 is not. */

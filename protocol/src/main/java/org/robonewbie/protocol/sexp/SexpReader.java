@@ -4,12 +4,12 @@ import java.nio.charset.StandardCharsets;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Reads the S-expressions of one message token by token, straight from its bytes and without making objects.
+ * Reads the S-expressions of one message token by token, straight from its bytes and without allocating.
  *
  * <p>The rules are those of SimSpark's own parser (sfsexp): blanks, tabs and line ends separate words, {@code ;} between words
- * begins a comment that reaches to the end of the line, and a closing parenthesis too many ends the message. Depth costs
- * nothing, so deeply nested input is harmless. Quotation marks are ordinary characters, as clients of SimSpark read them,
- * unless the reader is made {@link #withQuotes}, as a server reads.
+ * begins a comment that extends to the end of the line, and a surplus closing parenthesis ends the message. Depth costs
+ * nothing, so deeply nested input is harmless. Quotation marks are ordinary characters, as for SimSpark's clients, unless the
+ * reader is created by {@link #withQuotes}, as for servers.
  *
  * <pre>{@code
  * reader.start(message);
@@ -30,7 +30,7 @@ public final class SexpReader {
     private int atomEnd;
     private final boolean quoting;
 
-    /** Creates a reader that has nothing to read yet. */
+    /** Creates a reader without a message. */
     public SexpReader() {
         this(false);
     }
@@ -41,16 +41,16 @@ public final class SexpReader {
 
     /**
      * Creates a reader for what servers receive: {@code "two words"} is one atom without its quotation marks, within which a
-     * backslash keeps the next character from ending it, and {@code '(a b)} is one atom too.
+     * backslash escapes the next character, and {@code '(a b)} is one atom too.
      *
-     * @return a reader that has nothing to read yet
+     * @return a reader without a message
      */
     public static SexpReader withQuotes() {
         return new SexpReader(true);
     }
 
     /**
-     * Begins at the start of a message; the message must not change while it is read.
+     * Starts at the beginning of a message, which must not change while it is read.
      *
      * @param message the message
      */
@@ -59,7 +59,7 @@ public final class SexpReader {
     }
 
     /**
-     * Begins at a place within an array; the array must not change while it is read.
+     * Starts at a position within an array, which must not change while it is read.
      *
      * @param array holds the message
      * @param from index of the first byte
@@ -76,54 +76,45 @@ public final class SexpReader {
     }
 
     /**
-     * Goes on to the next token.
+     * Advances to the next token.
      *
-     * @return what was found; {@link Token#END} again and again at the end of the message
+     * @return what was found; {@link Token#END} repeatedly at the end of the message
      */
     public Token next() {
         token = advance();
         return token;
     }
 
-    /**
-     * Tells what {@link #next()} found last.
-     *
-     * @return the current token
-     */
+    /** {@return the current token, as last returned by {@link #next()}} */
     public Token token() {
         return token;
     }
 
-    /**
-     * Tells how many lists are open after the current token.
-     *
-     * @return the depth; 0 outside of all lists
-     */
+    /** {@return the number of lists that are open after the current token; 0 outside all lists} */
     public int depth() {
         return depth;
     }
 
     /**
-     * Goes on until no more than a number of lists are open. Does nothing if that is so already; stops at {@link
+     * Skips tokens until no more than a number of lists are open. Does nothing if that is already so; stops at {@link
      * Token#END} if the message ends first.
      *
      * @param outerDepth how many lists stay open
      */
     public void skipTo(int outerDepth) {
         while (depth > outerDepth && next() != Token.END) {
-            // each token moves the reader on
+            // each token advances the reader
         }
     }
 
     /**
-     * Goes on to the next list {@code (name …)} at a certain depth; what is left of the list before and words between the lists
-     * are skipped, and so are lists without a name. Afterwards the name is the current atom.
+     * Advances to the next list {@code (name …)} at a certain depth, skipping the rest of the previous list, words between the
+     * lists and lists without a name. Afterwards the name is the current atom.
      *
-     * <p>If there is none, the current token is {@link Token#CLOSE} if the list around is complete, else {@link
-     * Token#END}.
+     * <p>If there is none, the current token is {@link Token#CLOSE} if the enclosing list is complete, else {@link Token#END}.
      *
-     * @param outerDepth how many lists are around the wanted list; 0 for the lists of the message itself
-     * @return whether there is one more list
+     * @param outerDepth how many lists enclose the wanted list; 0 for the lists of the message itself
+     * @return whether there is another list
      */
     public boolean nextList(int outerDepth) {
         skipTo(outerDepth);
@@ -143,9 +134,9 @@ public final class SexpReader {
     }
 
     /**
-     * Goes on to the next token, which should be a number.
+     * Advances to the next token, which should be a number.
      *
-     * @return whether it is one, so that {@link #number()} can be asked
+     * @return whether it is one, so that {@link #number()} can be called
      */
     public boolean nextNumber() {
         return next() == Token.ATOM && isNumber();
@@ -171,8 +162,8 @@ public final class SexpReader {
     }
 
     /**
-     * Reads the current atom as a number by the rules of C's {@code atof}: what follows a number is ignored, text that
-     * is no number counts as 0, and {@code nan} and {@code inf} are understood.
+     * Reads the current atom as a number by the rules of C's {@code atof}: what follows a number is ignored, text that is not a
+     * number counts as 0, and {@code nan} and {@code inf} are understood.
      *
      * @return the number, correctly rounded
      */
@@ -181,34 +172,26 @@ public final class SexpReader {
     }
 
     /**
-     * Reads the current atom as a whole number; digits after the decimal point are cut off as SimSpark does.
+     * Reads the current atom as an integer, truncating decimals as SimSpark does.
      *
-     * @return the number, 0 if the atom is no number
+     * @return the number, 0 if the atom is not a number
      */
     public int integer() {
         return (int) number();
     }
 
-    /**
-     * Tells whether the current atom begins like a number, so that {@link #number()} is more than a default.
-     *
-     * @return false if {@link #number()} counts the atom as 0 because it is no number
-     */
+    /** {@return whether the current atom begins like a number; if not, {@link #number()} returns the default 0} */
     public boolean isNumber() {
         return decimals.isNumber(bytes, atomStart, atomEnd);
     }
 
-    /**
-     * Copies the current atom.
-     *
-     * @return the atom as text
-     */
+    /** {@return a copy of the current atom as text} */
     public String text() {
         return new String(bytes, atomStart, atomEnd - atomStart, StandardCharsets.UTF_8);
     }
 
     /**
-     * Copies the current atom unless it is a text that is known already; saves garbage where words repeat.
+     * Returns the current atom as text without copying it if it equals an expected text; saves allocations where words repeat.
      *
      * @param known the text that is expected
      * @return {@code known} if it is the same text, else a copy of the atom
@@ -254,7 +237,7 @@ public final class SexpReader {
         return Token.ATOM;
     }
 
-    /** Takes a text in quotation marks; without its end there is none, and nothing after it. */
+    /** Reads a text in quotation marks; without its closing mark there is none, and nothing after it. */
     private Token quotedText() {
         position++;
         atomStart = position;
@@ -270,7 +253,7 @@ public final class SexpReader {
         return Token.ATOM;
     }
 
-    /** Takes the whole list behind an apostrophe as it is written. */
+    /** Reads the whole list after an apostrophe as it is written. */
     private Token quotedList() {
         position++;
         atomStart = position;

@@ -3,14 +3,15 @@ package org.robonewbie.protocol.sexp;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Writes words and numbers to the end of a message, byte for byte as SimSpark's C++ streams do and without making objects
- * for the numbers of everyday messages.
+ * Writes words and numbers to the end of a message, byte for byte as SimSpark's C++ streams do and without allocating for
+ * everyday numbers.
  *
- * <p>Numbers are rounded to the nearest decimal of their exact binary value; exact ties go to the even digit. A negative
- * number that rounds to zero keeps its sign ({@code -0.00}).
+ * <p>Numbers are rounded to the nearest decimal of their exact binary value; exact ties go to the even digit. A negative number
+ * that rounds to zero keeps its sign ({@code -0.00}).
  *
  * <pre>{@code
  * new SexpWriter(message).text("(HJ (n hj1) (ax ").fixed(angle, 2).text("))");
@@ -36,17 +37,13 @@ public final class SexpWriter {
         this.message = message;
     }
 
-    /**
-     * Tells how long the message has become.
-     *
-     * @return the number of bytes in the message, including those written before by others
-     */
+    /** {@return the number of bytes in the message, including those that were there before} */
     public int length() {
         return message.length();
     }
 
     /**
-     * Writes a text as it is, parentheses and blanks included.
+     * Writes a text unchanged, including parentheses and blanks.
      *
      * @param ascii the text in ASCII
      * @return this writer
@@ -57,7 +54,7 @@ public final class SexpWriter {
     }
 
     /**
-     * Writes a whole number.
+     * Writes an integer.
      *
      * @param value the number
      * @return this writer
@@ -97,10 +94,30 @@ public final class SexpWriter {
     }
 
     /**
-     * Writes a number with at most a number of decimals and no zeros at the end, never with an exponent.
+     * Calculates what remains of a number that is written with {@link #fixed} or {@link #decimal} and read again.
+     *
+     * @param value the number
+     * @param decimals digits after the decimal point, 0 to 22
+     * @return the number that a reader gets
+     */
+    public static double rounded(double value, int decimals) {
+        double magnitude = Math.abs(value);
+        double scaled = magnitude * PowersOfTen.get(decimals);
+        if (!(scaled < MAX_SCALED)) {
+            return Double.isFinite(value)
+                    ? new BigDecimal(value)
+                            .setScale(decimals, RoundingMode.HALF_EVEN)
+                            .doubleValue()
+                    : value;
+        }
+        return Math.copySign(roundProduct(magnitude, decimals, scaled) / PowersOfTen.get(decimals), value);
+    }
+
+    /**
+     * Writes a number with a maximum number of decimals and no trailing zeros, never with an exponent.
      *
      * @param value the number; {@code nan} and {@code inf} are written as such
-     * @param decimals most digits after the decimal point, 0 to 22
+     * @param decimals maximum number of digits after the decimal point, 0 to 22
      * @return this writer
      */
     public SexpWriter decimal(double value, int decimals) {
@@ -113,8 +130,8 @@ public final class SexpWriter {
     }
 
     /**
-     * Writes a number as a C++ stream does by default, like C's {@code %g}: six significant digits, no zeros at the end, an
-     * exponent for very large and very small numbers ({@code -8.74228e-08}). Monitor messages are written so.
+     * Writes a number as a C++ stream does by default, like C's {@code %g}: six significant digits, no trailing zeros, an
+     * exponent for very large and very small numbers ({@code -8.74228e-08}). Monitor messages use this form.
      *
      * @param value the number; {@code nan} and {@code inf} are written as such
      * @return this writer
@@ -128,7 +145,7 @@ public final class SexpWriter {
             message.append((byte) '0');
             return this;
         }
-        int exponent = (int) Math.floor(Math.log10(magnitude));
+        int exponent = (int) Math.floor(PortableMath.log10(magnitude));
         if (magnitude < 1e-15 || magnitude >= 1e22) {
             return generalSlowly(magnitude);
         }
@@ -160,12 +177,12 @@ public final class SexpWriter {
         return false;
     }
 
-    /** Rounds magnitude * 10^power to a whole number; the fused operation decides near ties by the exact product. */
+    /** Rounds magnitude * 10^power to a whole number; near ties are decided by the exact product. */
     private static long roundProduct(double magnitude, int power, double scaled) {
         long below = (long) scaled;
         double aboveTie = scaled - (below + 0.5);
         if (Math.abs(aboveTie) < TIE_MARGIN || scaled > LARGEST_WITH_SAFE_MARGIN) {
-            aboveTie = Math.fma(magnitude, PowersOfTen.get(power), -(below + 0.5));
+            aboveTie = exactProductMinus(magnitude, PowersOfTen.get(power), below + 0.5);
         }
         return roundUp(below, aboveTie) ? below + 1 : below;
     }
@@ -176,9 +193,14 @@ public final class SexpWriter {
         long below = (long) scaled;
         double aboveTie = scaled - (below + 0.5);
         if (Math.abs(aboveTie) < TIE_MARGIN) {
-            aboveTie = -Math.fma(below + 0.5, PowersOfTen.get(power), -magnitude);
+            aboveTie = -exactProductMinus(below + 0.5, PowersOfTen.get(power), magnitude);
         }
         return roundUp(below, aboveTie) ? below + 1 : below;
+    }
+
+    /** a * b - c without an error in between, for a c that is close to the product. */
+    private static double exactProductMinus(double a, double b, double c) {
+        return (a * b - c) + PortableMath.productError(a, b);
     }
 
     private static boolean roundUp(long below, double aboveTie) {

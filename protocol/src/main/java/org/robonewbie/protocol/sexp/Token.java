@@ -1,6 +1,6 @@
 package org.robonewbie.protocol.sexp;
 
-/** What a {@link SexpReader} finds next in a message. */
+/** The kinds of token that a {@link SexpReader} finds in a message. */
 public enum Token {
     /** An opening parenthesis: a list begins. */
     OPEN,
@@ -8,6 +8,6 @@ public enum Token {
     CLOSE,
     /** A word or number. */
     ATOM,
-    /** Nothing more can be read from this message. */
+    /** The end of the message. */
     END
 }

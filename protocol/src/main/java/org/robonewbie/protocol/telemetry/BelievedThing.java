@@ -3,7 +3,7 @@ package org.robonewbie.protocol.telemetry;
 import org.robonewbie.nao.Vector3;
 
 /**
- * One thing that a robot believes to be somewhere.
+ * A robot's belief about the position of one object.
  *
  * @param name what it is: {@code ball}, a landmark such as {@code GOAL_POST_1_LEFT}, or a robot as {@code TEAM NUMBER}
  * @param position metres from the centre of the robot's head along the axes of its torso: x forward, y left, z up

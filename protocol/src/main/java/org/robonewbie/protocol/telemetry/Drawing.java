@@ -3,17 +3,13 @@ package org.robonewbie.protocol.telemetry;
 import org.robonewbie.nao.Vector3;
 
 /**
- * A shape that a robot draws into its surroundings to show what it thinks. Points are metres from the centre of its head along the
- * axes of its torso (x forward, y left, z up), as in its field view. Colours are names or codes as in web pages, such as {@code
- * red} or {@code #ff8800}; who does not know a colour takes another one.
+ * A shape that a robot draws into its surroundings to show what it thinks. Points are metres from the centre of its head along
+ * the axes of its torso (x forward, y left, z up), as in its field view. Colours are CSS names or codes, such as {@code red} or
+ * {@code #ff8800}; an unknown colour is replaced.
  */
 public sealed interface Drawing {
 
-    /**
-     * Names the colour of the shape.
-     *
-     * @return a name or code as in web pages
-     */
+    /** {@return the colour of the shape as a CSS name or code} */
     String colour();
 
     /**
@@ -27,17 +23,17 @@ public sealed interface Drawing {
     /**
      * A straight line.
      *
-     * @param from where it begins
-     * @param to where it ends
+     * @param from its start
+     * @param to its end
      * @param colour its colour
      */
     record Line(Vector3 from, Vector3 to, String colour) implements Drawing {}
 
     /**
-     * A level circle.
+     * A horizontal circle.
      *
      * @param centre its centre
-     * @param radius metres from the centre to the line
+     * @param radius its radius in metres
      * @param colour its colour
      */
     record Circle(Vector3 centre, double radius, String colour) implements Drawing {}
@@ -45,8 +41,8 @@ public sealed interface Drawing {
     /**
      * A text.
      *
-     * @param place where it stands
-     * @param text what it says
+     * @param place its position
+     * @param text the text
      * @param colour its colour
      */
     record Text(Vector3 place, String text, String colour) implements Drawing {}

@@ -2,7 +2,7 @@ package org.robonewbie.protocol.telemetry;
 
 import org.robonewbie.nao.Vector3;
 
-/** Reads fields that are separated by tabs; throws {@link IllegalArgumentException} where one is missing or no number. */
+/** Reads fields separated by tabs; throws {@link IllegalArgumentException} if one is missing or not a number. */
 final class FieldReader {
 
     private final String[] fields;

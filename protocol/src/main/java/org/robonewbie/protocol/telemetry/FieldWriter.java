@@ -1,6 +1,7 @@
 package org.robonewbie.protocol.telemetry;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 
 /** Writes fields that are separated by tabs. */
 final class FieldWriter {
@@ -21,9 +22,9 @@ final class FieldWriter {
         return this;
     }
 
-    /** Four decimals: a tenth of a millimetre is enough for an eye. */
+    /** Four decimals: a tenth of a millimetre is enough for the eye. */
     FieldWriter number(double value) {
-        line.append('\t').append(Double.isFinite(value) ? Math.rint(value * DECIMALS) / DECIMALS : value);
+        line.append('\t').append(Double.isFinite(value) ? PortableMath.rint(value * DECIMALS) / DECIMALS : value);
         return this;
     }
 

@@ -3,19 +3,19 @@ package org.robonewbie.protocol.telemetry;
 import java.util.List;
 import java.util.Optional;
 
-/** One thing that a robot tells about its thoughts. */
+/** One item of a robot's telemetry. */
 public sealed interface TelemetryItem {
 
     /**
-     * A line of the robot's log, or a mistake in its program.
+     * A line of the robot's log, or an error in its program.
      *
      * @param level {@code DEBUG}, {@code INFO}, {@code WARNING} or {@code ERROR}
-     * @param text what it says, possibly several lines
+     * @param text the message, possibly several lines
      */
     record LogEntry(String level, String text) implements TelemetryItem {}
 
     /**
-     * The motion that the robot plays; told whenever it changes.
+     * The motion that the robot plays; sent whenever it changes.
      *
      * @param name name of the motion; empty if none is running
      * @param keyframe the keyframe that is approached, from 1; 0 if none is running
@@ -23,18 +23,18 @@ public sealed interface TelemetryItem {
     record MotionProgress(String name, int keyframe) implements TelemetryItem {}
 
     /**
-     * What the robot believes to be around it; told with each picture of its camera. It replaces the belief before.
+     * What the robot believes to be around it; sent with each picture of its camera. It replaces the previous belief.
      *
-     * @param things all that it knows
-     * @param self where it believes to be; empty if it does not care
+     * @param things everything that it knows
+     * @param self its believed pose; empty if it does not keep one
      */
     record Belief(List<BelievedThing> things, Optional<BelievedPose> self) implements TelemetryItem {
 
         /**
-         * Keeps a belief.
+         * Creates a belief.
          *
-         * @param things all that it knows
-         * @param self where it believes to be
+         * @param things everything that it knows
+         * @param self its believed pose
          */
         public Belief {
             things = List.copyOf(things);
@@ -42,14 +42,14 @@ public sealed interface TelemetryItem {
     }
 
     /**
-     * What the robot has drawn in one cycle. It replaces the picture before and is out of date after a second.
+     * What the robot has drawn in one cycle. It replaces the previous picture and expires after a second.
      *
      * @param drawings the shapes, in the order in which they were drawn
      */
     record Picture(List<Drawing> drawings) implements TelemetryItem {
 
         /**
-         * Keeps a picture.
+         * Creates a picture.
          *
          * @param drawings the shapes
          */
@@ -62,7 +62,7 @@ public sealed interface TelemetryItem {
      * A number to be plotted over time.
      *
      * @param name name of the curve
-     * @param value its value now, finite
+     * @param value its present value, finite
      */
     record PlotValue(String name, double value) implements TelemetryItem {}
 }

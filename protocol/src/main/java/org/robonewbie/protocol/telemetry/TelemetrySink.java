@@ -1,8 +1,8 @@
 package org.robonewbie.protocol.telemetry;
 
 /**
- * Takes what robots tell about their thoughts. A sink is called by the robots' own threads in the middle of their cycle, so it
- * must be safe for several threads, must return at once, and never throws.
+ * Receives the telemetry of robots. A sink is called by the robots' own threads in the middle of their cycle, so it must be
+ * thread-safe, return at once, and never throw.
  *
  * <pre>{@code
  * TelemetrySink sink = message -> latest.put(message.team() + message.number(), message);
@@ -12,7 +12,7 @@ package org.robonewbie.protocol.telemetry;
 @FunctionalInterface
 public interface TelemetrySink {
 
-    /** Nobody is interested. */
+    /** The sink that ignores everything. */
     TelemetrySink NONE = new TelemetrySink() {
         @Override
         public void accept(TelemetryMessage message) {}
@@ -24,14 +24,14 @@ public interface TelemetrySink {
     };
 
     /**
-     * Takes one message.
+     * Receives one message.
      *
-     * @param message what a robot tells
+     * @param message an item of a robot's telemetry
      */
     void accept(TelemetryMessage message);
 
     /**
-     * Tells whether anybody is interested now; robots ask this in each cycle and spare themselves the work if not.
+     * Returns whether telemetry is wanted now; robots ask in each cycle and save the work if it is not.
      *
      * @return whether {@link #accept} does anything
      */

@@ -1,3 +1,3 @@
-/** Tests of message frames and connections. */
+/** Tests of message buffers. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.protocol.frame;

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.monitor.MeshNode.StandardShape;
+import org.robonewbie.protocol.order.PlayerNumber;
 
 class MonitorMessageWriterTest {
 

@@ -11,6 +11,7 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.order.PlayerNumber;
 
 class MonitorTraceTest {
 

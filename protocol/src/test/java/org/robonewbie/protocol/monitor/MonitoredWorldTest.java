@@ -13,6 +13,7 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.order.PlayerNumber;
 
 class MonitoredWorldTest {
 

@@ -11,7 +11,7 @@ import java.util.zip.GZIPInputStream;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /** What a real rcssserver3d 0.7.3 sent to a monitor: a full message, 50 changes, and one more full message among them. */
-final class RecordedMonitorMessages {
+public final class RecordedMonitorMessages {
 
     private static final String RESOURCE = "g_monitor_first_and_50_updates.txt.gz";
 
@@ -28,7 +28,8 @@ final class RecordedMonitorMessages {
         }
     }
 
-    static MessageBuffer message(String text) {
+    /** A message of this text. */
+    public static MessageBuffer message(String text) {
         MessageBuffer message = new MessageBuffer();
         message.append(text);
         return message;

@@ -45,6 +45,17 @@ class SexpWriterTest {
     }
 
     @Property
+    void roundsToTheNumberThatAReaderGets(@ForAll double value, @ForAll @IntRange(max = 12) int decimals) {
+        assertThat(SexpWriter.rounded(value, decimals)).isEqualTo(Double.parseDouble(fixed(value, decimals)));
+    }
+
+    @Property
+    void roundsEverydayValuesToTheNumberThatAReaderGets(@ForAll @DoubleRange(min = -400, max = 400) double value) {
+        assertThat(SexpWriter.rounded(value, 2)).isEqualTo(Double.parseDouble(fixed(value, 2)));
+        assertThat(SexpWriter.rounded(value, 9)).isEqualTo(Double.parseDouble(fixed(value, 9)));
+    }
+
+    @Property
     void roundsEverydayValuesExactly(@ForAll @DoubleRange(min = -400, max = 400) double value) {
         assertThat(fixed(value, 2)).isEqualTo(expectedFixed(value, 2));
     }

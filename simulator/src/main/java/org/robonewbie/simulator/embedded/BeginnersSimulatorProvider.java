@@ -8,10 +8,9 @@ import java.util.ServiceLoader;
 import org.robonewbie.protocol.embedded.EmbeddedSimulator;
 import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.Viewer;
-import org.robonewbie.simulator.recording.RecordingShelf;
-import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -51,8 +50,8 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
                 .truth(request.truth())
                 .awaitedAgents(request.awaitedAgents())
                 .seconds(request.seconds())
-                .recording(request.recording().or(() -> shelved(request)))
-                .report(request.report())
+                .recording(request.recording().map(Path::of).or(() -> shelved(request)))
+                .report(request.report().map(Path::of))
                 .build();
     }
 

@@ -6,8 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
-import org.robonewbie.simulator.Viewer;
-import org.robonewbie.simulator.server.Console;
+import org.robonewbie.simulator.Console;
 
 /** Opens the user's browser with the command of the operating system; where that fails, people open it themselves. */
 public final class Browser {
@@ -18,10 +17,10 @@ public final class Browser {
     private Browser() {}
 
     /**
-     * Opens a view in the browser, unless a page of an earlier run is still open and comes back by itself. It returns at once.
+     * Opens a view in the browser, unless a page of an earlier run is still open and reconnects by itself. Returns at once.
      *
-     * @param view what is to be seen
-     * @param console is told the address if the browser cannot be opened
+     * @param view the view
+     * @param console prints the address if the browser cannot be opened
      */
     public static void openUnlessWatched(Viewer.View view, Console console) {
         Thread opener = new Thread(
@@ -46,7 +45,7 @@ public final class Browser {
      * Opens an address in the browser.
      *
      * @param address the address
-     * @param console is told the address if the browser cannot be opened
+     * @param console prints the address if the browser cannot be opened
      */
     public static void open(URI address, Console console) {
         try {

@@ -5,9 +5,8 @@ import java.net.URI;
 import java.util.Optional;
 import org.robonewbie.protocol.embedded.EmbeddedSimulator;
 import org.robonewbie.protocol.frame.AgentLink;
-import org.robonewbie.protocol.telemetry.TelemetryServer;
+import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
-import org.robonewbie.simulator.Viewer;
 import org.robonewbie.simulator.server.Simulator;
 
 /** A simulator with an optional view in the browser. */
@@ -43,8 +42,8 @@ final class ViewedSimulator implements EmbeddedSimulator {
     }
 
     @Override
-    public Optional<URI> studioAddress() {
-        return view.map(Viewer.View::address);
+    public Optional<String> studioAddress() {
+        return view.map(Viewer.View::address).map(URI::toString);
     }
 
     @Override

@@ -10,7 +10,7 @@ import org.robonewbie.protocol.monitor.Environment.Measure;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** What monitors are told of pitch and rules, in the order of rcssserver3d 0.7.3. */
+/** What monitors receive about pitch and rules, in the order of rcssserver3d 0.7.3. */
 public final class MatchEnvironment {
 
     private static final List<SoccerParameter> TOLD = List.of(
@@ -38,7 +38,7 @@ public final class MatchEnvironment {
      * Describes a match.
      *
      * @param parameters its parameters
-     * @return what monitors are told
+     * @return the environment that monitors receive
      */
     public static Environment of(SoccerParameters parameters) {
         List<Measure> measures = new ArrayList<>();
@@ -51,7 +51,7 @@ public final class MatchEnvironment {
                 Arrays.stream(PlayMode.values()).map(PlayMode::simSparkName).toList());
     }
 
-    /** Monitors paint the league's penalty area unless they are told another one. */
+    /** Monitors draw the league's penalty area unless they receive another one. */
     private static void addPenaltyArea(SoccerField field, List<Measure> measures) {
         double width = field.penaltyWidth() + field.goalWidth();
         double leagueWidth = SoccerField.LEAGUE.penaltyWidth() + SoccerField.LEAGUE.goalWidth();

@@ -6,7 +6,7 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.monitor.Environment;
 import org.robonewbie.protocol.monitor.MonitorMessageWriter;
 
-/** Tells all monitors of a server the newest state: changes to those who know the scene, everything to the others. */
+/** Sends the latest state to all monitors of a server: changes to those that know the scene, everything to the others. */
 final class MonitorBroadcast {
 
     private final SoccerScene scene;

@@ -6,12 +6,12 @@ import java.nio.channels.SocketChannel;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import org.robonewbie.protocol.frame.FrameDecoder;
-import org.robonewbie.protocol.frame.FrameEncoder;
-import org.robonewbie.protocol.frame.FrameTooLongException;
 import org.robonewbie.protocol.frame.MessageBuffer;
-import org.robonewbie.protocol.monitor.TrainerCommand;
-import org.robonewbie.protocol.monitor.TrainerCommandReader;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.TrainerOrderReader;
+import org.robonewbie.protocol.tcp.FrameDecoder;
+import org.robonewbie.protocol.tcp.FrameEncoder;
+import org.robonewbie.protocol.tcp.FrameTooLongException;
 
 /**
  * The simulator's end of one monitor's connection. While a message is not fully sent, newer ones are dropped; a monitor that
@@ -26,7 +26,7 @@ final class MonitorConnection {
     private final Consumer<String> console;
     private final FrameDecoder decoder = new FrameDecoder(MAX_COMMAND_BYTES);
     private final FrameEncoder encoder = new FrameEncoder();
-    private final TrainerCommandReader reader = new TrainerCommandReader();
+    private final TrainerOrderReader reader = new TrainerOrderReader();
     private final MessageBuffer received = new MessageBuffer();
     private boolean upToDate;
     private boolean open = true;
@@ -41,19 +41,19 @@ final class MonitorConnection {
         return open;
     }
 
-    /** Tells whether the monitor has got all messages since its first full one. */
+    /** Whether the monitor has received all messages since its first full one. */
     boolean isUpToDate() {
         return upToDate;
     }
 
-    /** Tells whether the message before has been sent completely. */
+    /** Whether the previous message has been sent completely. */
     boolean isReady() {
         return !encoder.isPending();
     }
 
     /** Reads what has arrived. */
-    List<TrainerCommand> receive() {
-        List<TrainerCommand> commands = new ArrayList<>();
+    List<Order> receive() {
+        List<Order> commands = new ArrayList<>();
         try {
             int count = decoder.fillFrom(channel);
             while (decoder.next(received)) {

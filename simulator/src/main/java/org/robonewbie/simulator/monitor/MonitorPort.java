@@ -18,13 +18,13 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.protocol.order.Order;
 
 /**
  * The TCP port at which monitors such as RoboViz watch the world and trainers change it.
  *
- * <p>All work is done in a thread of its own: the simulation only hands over snapshots, and only while somebody watches. Slow
- * monitors lose messages, they never hold up the world or each other.
+ * <p>All work is done in a background thread: the simulation only hands over snapshots, and only while a monitor is connected.
+ * Slow monitors lose messages; they never hold up the world or each other.
  *
  * <pre>{@code
  * MonitorPort monitors = MonitorPort.open(settings, console, trainerCommands::add);
@@ -41,7 +41,7 @@ public final class MonitorPort implements AutoCloseable {
 
     private final MonitorSettings settings;
     private final Consumer<String> console;
-    private final Consumer<TrainerCommand> trainer;
+    private final Consumer<Order> trainer;
     private final ServerSocketChannel channel;
     private final Selector selector;
     private final MonitorBroadcast broadcast;
@@ -58,7 +58,7 @@ public final class MonitorPort implements AutoCloseable {
     private MonitorPort(
             MonitorSettings settings,
             Consumer<String> console,
-            Consumer<TrainerCommand> trainer,
+            Consumer<Order> trainer,
             ServerSocketChannel channel,
             Selector selector) {
         this.settings = settings;
@@ -78,7 +78,7 @@ public final class MonitorPort implements AutoCloseable {
      * @return the open port
      * @throws IOException if the port cannot be opened; the message says what to do
      */
-    public static MonitorPort open(MonitorSettings settings, Consumer<String> console, Consumer<TrainerCommand> trainer)
+    public static MonitorPort open(MonitorSettings settings, Consumer<String> console, Consumer<Order> trainer)
             throws IOException {
         ServerSocketChannel channel = ServerSocketChannel.open();
         try {
@@ -96,27 +96,26 @@ public final class MonitorPort implements AutoCloseable {
         }
     }
 
-    /**
-     * Tells the port's number.
-     *
-     * @return the TCP port
-     */
+    /** {@return the number of the TCP port} */
     public int number() {
         return channel.socket().getLocalPort();
     }
 
-    /**
-     * Counts the monitors that are connected.
-     *
-     * @return their number
-     */
+    /** {@return the number of connected monitors} */
     public int monitors() {
         return monitors;
     }
 
+    /** Waits until as many monitors are connected. */
+    synchronized void awaitMonitors(int count) throws InterruptedException {
+        while (monitors != count) {
+            wait();
+        }
+    }
+
     /**
-     * Tells monitors of a cycle if it is time for it and somebody watches; returns at once. To be called on the simulation's
-     * thread only.
+     * Sends a cycle to the monitors if one is due and a monitor is connected; returns at once. Must be called on the
+     * simulation's thread.
      *
      * @param cycle number of the cycle
      * @param snapshot makes the snapshot, if needed
@@ -128,7 +127,7 @@ public final class MonitorPort implements AutoCloseable {
     }
 
     /**
-     * Tells monitors a state out of turn, for example while the clock stands still. To be called on the simulation's thread only.
+     * Sends a state out of turn, for example while the clock is stopped. Must be called on the simulation's thread.
      *
      * @param snapshot the state
      */
@@ -139,7 +138,7 @@ public final class MonitorPort implements AutoCloseable {
         }
     }
 
-    /** Makes the next message a full one for all monitors. To be called on the simulation's thread only. */
+    /** Makes the next message a full one for all monitors. Must be called on the simulation's thread. */
     public void requestFullState() {
         fullWanted = true;
     }
@@ -162,7 +161,7 @@ public final class MonitorPort implements AutoCloseable {
                 selector.select(this::serve);
                 showWaiting();
                 connections.removeIf(connection -> !connection.isOpen());
-                monitors = connections.size();
+                count();
             }
         } catch (IOException | RuntimeException e) {
             console.accept("The monitor port has stopped working (" + e + "); the simulation goes on.");
@@ -228,10 +227,15 @@ public final class MonitorPort implements AutoCloseable {
         MonitorConnection connection = new MonitorConnection(client, key, this::complain);
         key.attach(connection);
         connections.add(connection);
-        monitors = connections.size();
+        count();
     }
 
-    /** Tells each thing once, however often it happens. */
+    private synchronized void count() {
+        monitors = connections.size();
+        notifyAll();
+    }
+
+    /** Reports each kind of problem once, however often it occurs. */
     private void complain(String sentence) {
         if (complaints.size() < MOST_COMPLAINTS && complaints.add(sentence)) {
             console.accept(sentence);

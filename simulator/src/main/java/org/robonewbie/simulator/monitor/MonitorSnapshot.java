@@ -3,14 +3,14 @@ package org.robonewbie.simulator.monitor;
 import java.util.List;
 import org.robonewbie.protocol.monitor.Foul;
 import org.robonewbie.protocol.monitor.MonitoredGame;
-import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Ball;
 
 /**
- * What monitors are told of one cycle.
+ * What monitors receive about one cycle.
  *
  * @param game the state of the match
- * @param fouls fouls of the match in order; monitors get those that are new to them, so old ones may be left out
+ * @param fouls fouls of the match in order; monitors receive those that are new to them, so old ones may be omitted
  * @param ballPlace 16 numbers as in a scene's transform; not to be changed
  * @param robots all robots in the order in which they connected
  */
@@ -30,7 +30,7 @@ public record MonitorSnapshot(
     public static MonitorSnapshot of(
             MonitoredGame game, List<Foul> fouls, Ball ball, List<MonitoredRobotState> robots) {
         float[] place = new float[16];
-        MonitoredRobotState.writePlace(new Pose(ball.position(), ball.rotation()), place, 0);
+        MonitoredRobotState.writePlace(new BodyPose(ball.position(), ball.rotation()), place, 0);
         return new MonitorSnapshot(game, List.copyOf(fouls), place, List.copyOf(robots));
     }
 }

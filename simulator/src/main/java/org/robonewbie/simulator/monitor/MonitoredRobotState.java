@@ -1,17 +1,19 @@
 package org.robonewbie.simulator.monitor;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.protocol.monitor.PlayerNumber;
-import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * What monitors are told of one robot.
+ * What monitors receive about one robot.
  *
  * @param id number of its connection, unique while the simulator runs
- * @param type its build
+ * @param type its robot type
  * @param player its team and number, empty before it joined a team
  * @param selected whether a trainer has selected it
  * @param places 16 numbers for each link as in a scene's transform, in the order of the robot's links; not to be changed
@@ -32,12 +34,20 @@ public record MonitoredRobotState(
      * @return its present state
      */
     public static MonitoredRobotState of(int id, Robot robot, Optional<PlayerNumber> player, boolean selected) {
-        int links = robot.model().links().size();
-        float[] places = new float[PLACE_SIZE * links];
-        for (int i = 0; i < links; i++) {
-            writePlace(robot.linkPose(i), places, PLACE_SIZE * i);
+        List<BodyPose> links = IntStream.range(0, robot.model().links().size())
+                .mapToObj(robot::linkPose)
+                .toList();
+        return of(id, robot.model().type(), links, player, selected);
+    }
+
+    /** What monitors need from a robot whose links have these poses. */
+    static MonitoredRobotState of(
+            int id, RobotType type, List<BodyPose> links, Optional<PlayerNumber> player, boolean selected) {
+        float[] places = new float[PLACE_SIZE * links.size()];
+        for (int i = 0; i < links.size(); i++) {
+            writePlace(links.get(i), places, PLACE_SIZE * i);
         }
-        return new MonitoredRobotState(id, robot.model().type(), player, selected, places);
+        return new MonitoredRobotState(id, type, player, selected, places);
     }
 
     /**
@@ -47,7 +57,7 @@ public record MonitoredRobotState(
      * @param target takes 16 numbers
      * @param offset index of the first of them
      */
-    static void writePlace(Pose pose, float[] target, int offset) {
+    static void writePlace(BodyPose pose, float[] target, int offset) {
         writeColumn(pose.rotation().axisX(), target, offset);
         writeColumn(pose.rotation().axisY(), target, offset + 4);
         writeColumn(pose.rotation().axisZ(), target, offset + 8);

@@ -7,15 +7,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.robonewbie.nao.TeamSide;
-import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.monitor.Foul;
 import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.protocol.monitor.MonitoredGame;
-import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.simulator.physics.Pose;
-import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.file.RecordingFile;
+import org.robonewbie.simulator.physics.BodyPose;
+import org.robonewbie.simulator.physics.RotationMatrix;
 import org.robonewbie.simulator.recording.RecordedCycle;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.soccer.SoccerParameter;
@@ -25,7 +25,6 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 public final class RecordedLog {
 
     private static final int PLACE_SIZE = 16;
-    private static final int NUMBERS_PER_LINK = 7;
     private static final String FOUL = "foul ";
 
     private final List<Foul> fouls = new ArrayList<>();
@@ -41,7 +40,7 @@ public final class RecordedLog {
      */
     public static void write(Path recording, Path log) throws IOException {
         RecordedLog converter = new RecordedLog();
-        try (RecordingReader reader = RecordingReader.open(recording);
+        try (RecordingReader reader = RecordingFile.read(recording);
                 MonitorLog lines = MonitorLog.open(log, settings(reader.header()), problem -> {})) {
             for (Optional<RecordedCycle> cycle = reader.next(); cycle.isPresent(); cycle = reader.next()) {
                 WorldSnapshot state = cycle.get().snapshot();
@@ -84,7 +83,8 @@ public final class RecordedLog {
 
     private MonitorSnapshot snapshot(WorldSnapshot state) {
         float[] ball = new float[PLACE_SIZE];
-        MonitoredRobotState.writePlace(pose(state.ballPosition(), state.ballOrientation(), 0), ball, 0);
+        MonitoredRobotState.writePlace(
+                new BodyPose(state.ballPosition(), RotationMatrix.of(state.ballRotation())), ball, 0);
         MonitoredGame game = new MonitoredGame(
                 state.gameTime(),
                 Optional.of(state.teamLeft()).filter(name -> !name.isEmpty()),
@@ -103,20 +103,10 @@ public final class RecordedLog {
     }
 
     private static MonitoredRobotState robot(RobotSnapshot robot) {
-        float[] poses = robot.linkPoses();
-        int links = poses.length / NUMBERS_PER_LINK;
-        float[] places = new float[PLACE_SIZE * links];
-        for (int i = 0; i < links; i++) {
-            int at = NUMBERS_PER_LINK * i;
-            Pose pose = pose(new Vector3(poses[at], poses[at + 1], poses[at + 2]), poses, at + 3);
-            MonitoredRobotState.writePlace(pose, places, PLACE_SIZE * i);
-        }
+        List<BodyPose> links =
+                robot.body().limbs().links().stream().map(BodyPose::ofBodyAxes).toList();
         Optional<PlayerNumber> player =
                 robot.side().filter(side -> robot.number() > 0).map(side -> new PlayerNumber(side, robot.number()));
-        return new MonitoredRobotState(robot.id(), robot.type(), player, false, places);
-    }
-
-    private static Pose pose(Vector3 position, float[] turn, int at) {
-        return new Pose(position, Rotation.ofQuaternion(turn[at], turn[at + 1], turn[at + 2], turn[at + 3]));
+        return MonitoredRobotState.of(robot.id(), robot.type(), links, player, false);
     }
 }

@@ -9,9 +9,9 @@ import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.monitor.MeshNode;
 import org.robonewbie.protocol.monitor.MeshNode.StandardShape;
-import org.robonewbie.protocol.monitor.PlayerNumber;
 import org.robonewbie.protocol.monitor.SceneNode;
 import org.robonewbie.protocol.monitor.TransformNode;
+import org.robonewbie.protocol.order.PlayerNumber;
 
 /** A robot in the scene: below one outermost node all its links side by side, each at its place in the world. */
 final class RobotFigure {
@@ -50,7 +50,7 @@ final class RobotFigure {
         return type;
     }
 
-    /** Takes the newest state; tells whether the robot has got other colours, which only a full message can show. */
+    /** Takes the newest state; returns whether the robot has got other colours, which only a full message can show. */
     boolean update(MonitoredRobotState state) {
         for (int i = 0; i < parts.size(); i++) {
             parts.get(i).moveTo(state.places(), PLACE_SIZE * i);

@@ -1,5 +1,7 @@
 package org.robonewbie.simulator.monitor;
 
+import org.robonewbie.nao.math.PortableMath;
+
 /**
  * Places of fixed scene nodes, turned about x, then y, then z in single precision. SimSpark's rounding of sine and cosine is part of
  * what monitors receive, so the same sums are made in the same order.
@@ -20,7 +22,7 @@ final class SceneRotation {
         matrix = new float[] {1, 0, 0, 0, 0, cosine, sine, 0, 0, -sine, cosine, 0, 0, 0, 0, 1};
     }
 
-    /** Makes the 16 numbers of a place that is turned by three angles. */
+    /** The 16 numbers of a transform that is rotated by three angles. */
     static float[] placeAt(float x, float y, float z, float degreesX, float degreesY, float degreesZ) {
         SceneRotation rotation = new SceneRotation(degreesX);
         rotation.turn(Z, X, degreesY);
@@ -44,11 +46,11 @@ final class SceneRotation {
     }
 
     private static float cosine(float degrees) {
-        return (float) Math.cos(radians(degrees));
+        return (float) PortableMath.cos(radians(degrees));
     }
 
     private static float sine(float degrees) {
-        return (float) Math.sin(radians(degrees));
+        return (float) PortableMath.sin(radians(degrees));
     }
 
     private static float radians(float degrees) {

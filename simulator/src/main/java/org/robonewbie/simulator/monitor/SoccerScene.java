@@ -24,7 +24,7 @@ final class SoccerScene {
         return nodes;
     }
 
-    /** Takes the newest state; tells whether the scene has changed beyond movement, which only a full message can show. */
+    /** Takes the newest state; returns whether the scene has changed beyond movement, which only a full message can show. */
     boolean update(MonitorSnapshot snapshot) {
         pitch.ball().moveTo(snapshot.ballPlace(), 0);
         List<Integer> ids =

@@ -26,11 +26,11 @@ public interface Assembly {
     MotorHinge addHinge(RigidBody child, RigidBody parent, HingeDefinition definition);
 
     /**
-     * Gives a body a surface, centred in it.
+     * Attaches a collision shape to a body, centred in it.
      *
      * @param body the body
-     * @param shape its form
-     * @param material what its surface is made of
+     * @param shape its shape
+     * @param material the material of its surface
      * @param owner what it belongs to, see {@link Collider#owner()}
      * @return the new collider
      */
@@ -45,7 +45,7 @@ public interface Assembly {
      * @param owner what it belongs to, see {@link Collider#owner()}
      * @return the new collider
      */
-    Collider addFixture(Pose pose, Shape shape, Material material, Object owner);
+    Collider addFixture(BodyPose pose, Shape shape, Material material, Object owner);
 
     /**
      * Adds a volume that reports what is inside it and lets everything through.
@@ -55,7 +55,7 @@ public interface Assembly {
      * @param owner what it belongs to, see {@link Collider#owner()}
      * @return the new collider
      */
-    Collider addTrigger(Pose pose, Shape shape, Object owner);
+    Collider addTrigger(BodyPose pose, Shape shape, Object owner);
 
     /**
      * Takes all parts out of the world; they must not be used afterwards.

@@ -18,7 +18,7 @@ public record BoundingBox(Vector3 min, Vector3 max) {
      * @param pose where its centre is and how it is turned
      * @return the box around it
      */
-    public static BoundingBox of(Shape shape, Pose pose) {
+    public static BoundingBox of(Shape shape, BodyPose pose) {
         Vector3 half = halfExtents(shape, pose.rotation());
         return new BoundingBox(pose.position().minus(half), pose.position().plus(half));
     }
@@ -41,7 +41,7 @@ public record BoundingBox(Vector3 min, Vector3 max) {
                         Math.max(max.z(), other.max.z())));
     }
 
-    private static Vector3 halfExtents(Shape shape, Rotation turn) {
+    private static Vector3 halfExtents(Shape shape, RotationMatrix turn) {
         if (shape instanceof Shape.Box box) {
             Vector3 half = box.size().times(0.5);
             return new Vector3(

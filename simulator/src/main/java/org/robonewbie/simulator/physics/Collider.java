@@ -3,10 +3,6 @@ package org.robonewbie.simulator.physics;
 /** The surface of something that can touch or be touched. */
 public interface Collider {
 
-    /**
-     * Tells what the surface belongs to, so that whoever reads contacts knows who touched whom.
-     *
-     * @return the owner that was given when the collider was made
-     */
+    /** {@return the object that the collider belongs to, as given when it was created; shows in a contact who touched whom} */
     Object owner();
 }

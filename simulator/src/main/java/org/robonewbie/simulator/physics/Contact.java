@@ -5,25 +5,13 @@ import org.robonewbie.nao.Vector3;
 /** One point where two colliders touch during one step. */
 public interface Contact {
 
-    /**
-     * Names one side.
-     *
-     * @return the first collider
-     */
+    /** {@return one of the two colliders} */
     Collider first();
 
-    /**
-     * Names the other side.
-     *
-     * @return the second collider
-     */
+    /** {@return the other collider} */
     Collider second();
 
-    /**
-     * Tells where they touch, as found before the step.
-     *
-     * @return a point in metres
-     */
+    /** {@return the point of contact in metres, as found before the step} */
     Vector3 position();
 
     /**

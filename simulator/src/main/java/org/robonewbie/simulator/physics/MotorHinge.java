@@ -1,6 +1,6 @@
 package org.robonewbie.simulator.physics;
 
-/** A hinge whose motor holds a speed as far as its torque allows. */
+/** A hinge whose motor holds a speed within the limits of its torque. */
 public interface MotorHinge {
 
     /**
@@ -11,7 +11,7 @@ public interface MotorHinge {
     double angleRadians();
 
     /**
-     * Sets the speed that the motor tries to hold until told otherwise; it does not wake a sleeping body.
+     * Sets the speed that the motor tries to hold until the next call; it does not wake a sleeping body.
      *
      * @param radiansPerSecond the speed; 0 holds the angle
      */

@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.physics;
 
 import java.util.List;
+import org.robonewbie.nao.state.Restorable;
 
 /**
  * Rigid bodies under gravity with motorised hinges and contacts, advanced in fixed steps.
@@ -8,13 +9,16 @@ import java.util.List;
  * <p>One step is {@link #findContacts()} and then {@link #step}; contacts live from the one to the next {@code
  * findContacts()}. Equal calls in equal order give bit-identical results. A world that is dropped needs no closing.
  *
+ * <p>Between two steps the state can be saved, and be restored in any world that was built by the same calls. Its contacts
+ * are then empty until they are looked for again.
+ *
  * <pre>{@code
  * world.findContacts();
  * world.step(0.02);
  * world.contacts().forEach(contact -> System.out.println(contact.forceOnFirst()));
  * }</pre>
  */
-public interface PhysicsWorld {
+public interface PhysicsWorld extends Restorable {
 
     /**
      * Starts an empty group of parts that never touch each other, such as one robot.
@@ -24,9 +28,8 @@ public interface PhysicsWorld {
     Assembly addAssembly();
 
     /**
-     * Gives access to what belongs to no group, such as ball and outer walls: its parts touch each other and all else.
-     *
-     * @return the assembly that is always there and cannot be removed
+     * {@return the assembly for what belongs to no group, such as ball and outer walls: its parts touch each other and
+     * everything else; it always exists and cannot be removed}
      */
     Assembly scenery();
 
@@ -43,9 +46,8 @@ public interface PhysicsWorld {
     void findContacts();
 
     /**
-     * Lists the points where colliders touch, at most four per pair of colliders, in the engine's own fixed order.
-     *
-     * @return the contacts of the present step, unmodifiable
+     * {@return the contacts of the present step, at most four per pair of colliders, in the engine's own fixed order;
+     * unmodifiable}
      */
     List<Contact> contacts();
 

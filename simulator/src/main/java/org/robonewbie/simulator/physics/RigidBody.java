@@ -10,56 +10,36 @@ import org.robonewbie.nao.Vector3;
  */
 public interface RigidBody {
 
-    /**
-     * Tells where the body is.
-     *
-     * @return its centre in metres
-     */
+    /** {@return the position of the body's centre in metres} */
     Vector3 position();
 
-    /**
-     * Tells how the body is turned.
-     *
-     * @return the rotation from its own axes to the world's
-     */
-    Rotation rotation();
+    /** {@return the rotation from the body's own axes to the world's} */
+    RotationMatrix rotation();
 
-    /**
-     * Tells where the body is and how it is turned.
-     *
-     * @return its pose
-     */
-    default Pose pose() {
-        return new Pose(position(), rotation());
+    /** {@return the body's position and orientation} */
+    default BodyPose pose() {
+        return new BodyPose(position(), rotation());
     }
 
-    /**
-     * Tells how fast the centre moves.
-     *
-     * @return metres per second
-     */
+    /** {@return the velocity of the centre in metres per second} */
     Vector3 velocity();
 
-    /**
-     * Tells how fast the body turns.
-     *
-     * @return radians per second about the world's axes
-     */
+    /** {@return the angular velocity in radians per second about the world's axes} */
     Vector3 angularVelocity();
 
     /**
-     * Puts the centre somewhere.
+     * Moves the centre.
      *
      * @param position metres
      */
     void setPosition(Vector3 position);
 
     /**
-     * Turns the body.
+     * Sets the orientation.
      *
      * @param rotation from its own axes to the world's
      */
-    void setRotation(Rotation rotation);
+    void setRotation(RotationMatrix rotation);
 
     /**
      * Sets the speed of the centre.
@@ -89,13 +69,9 @@ public interface RigidBody {
      */
     void addTorque(Vector3 newtonMetres);
 
-    /**
-     * Tells whether the body rests and is left out.
-     *
-     * @return true while it sleeps
-     */
+    /** {@return whether the body rests and is left out of the step} */
     boolean isAsleep();
 
-    /** Lets a sleeping body take part again. */
+    /** Wakes the body, so that it takes part in the step again. */
     void wake();
 }

@@ -2,6 +2,7 @@ package org.robonewbie.simulator.recording;
 
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
  * What the ball has really done: the way that it rolled and flew over the ground, without being placed by the referee, and
@@ -28,7 +29,7 @@ final class BallStatistics {
 
     void afterStep(Vector3 ball) {
         position = ball;
-        double way = Math.hypot(ball.x() - start.x(), ball.y() - start.y());
+        double way = PortableMath.hypot(ball.x() - start.x(), ball.y() - start.y());
         if (way >= LEAST_WAY) {
             metresMoved += way;
         }
@@ -54,6 +55,6 @@ final class BallStatistics {
     private double distanceToGoal(Vector3 ball) {
         double ahead = Math.max(0, field.length() / 2 - ball.x());
         double aside = Math.max(0, Math.abs(ball.y()) - field.goalWidth() / 2);
-        return Math.hypot(ahead, aside);
+        return PortableMath.hypot(ahead, aside);
     }
 }

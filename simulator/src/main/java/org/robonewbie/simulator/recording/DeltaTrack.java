@@ -2,7 +2,9 @@ package org.robonewbie.simulator.recording;
 
 import java.io.IOException;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.nao.math.PortableMath;
 
 /** Numbers of which each cycle only the changes are kept. */
 final class DeltaTrack {
@@ -14,29 +16,22 @@ final class DeltaTrack {
     }
 
     void put(int index, double value, double stepsPerUnit, ByteSink sink) {
-        long steps = Math.round(value * stepsPerUnit);
+        long steps = PortableMath.round(value * stepsPerUnit);
         sink.putSigned(steps - last[index]);
         last[index] = steps;
     }
 
-    /** Writes seven numbers of a snapshot, position and quaternion, from an index on. */
-    void putPose(int index, float[] pose, int start, ByteSink sink) {
-        for (int i = 0; i < RecordingFormat.NUMBERS_PER_POSE; i++) {
-            double steps = i < 3 ? RecordingFormat.STEPS_PER_METRE : RecordingFormat.STEPS_PER_TURN;
-            put(index + i, pose[start + i], steps, sink);
-        }
-    }
-
-    /** Writes seven numbers from an index on. */
+    /** Writes the seven numbers of a pose from an index on: position, and rotation as quaternion. */
     void putPose(int index, Pose pose, ByteSink sink) {
         Vector3 position = pose.position();
         put(index, position.x(), RecordingFormat.STEPS_PER_METRE, sink);
         put(index + 1, position.y(), RecordingFormat.STEPS_PER_METRE, sink);
         put(index + 2, position.z(), RecordingFormat.STEPS_PER_METRE, sink);
-        double[] quaternion = pose.rotation().toQuaternion();
-        for (int i = 0; i < quaternion.length; i++) {
-            put(index + 3 + i, quaternion[i], RecordingFormat.STEPS_PER_TURN, sink);
-        }
+        Rotation rotation = pose.rotation();
+        put(index + 3, rotation.w(), RecordingFormat.STEPS_PER_TURN, sink);
+        put(index + 4, rotation.x(), RecordingFormat.STEPS_PER_TURN, sink);
+        put(index + 5, rotation.y(), RecordingFormat.STEPS_PER_TURN, sink);
+        put(index + 6, rotation.z(), RecordingFormat.STEPS_PER_TURN, sink);
     }
 
     double get(int index, double stepsPerUnit, ByteSource source) throws IOException {

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.robonewbie.nao.PlayMode;
 
-/** Puts records, each with its kind and length before it, into the stream of a recording. */
+/** Writes records, each preceded by its kind and length, to the stream of a recording. */
 final class RecordSink {
 
     private final RecordingStream stream;
@@ -45,7 +45,7 @@ final class RecordSink {
         put(RecordingFormat.EVENT);
     }
 
-    /** Puts the state of the game, if it is another one than before. */
+    /** Writes the state of the game if it has changed. */
     void putGame(PlayMode playMode, int half, int scoreLeft, int scoreRight, String teamLeft, String teamRight) {
         newPayload().putText(playMode.simSparkName());
         payload.putUnsigned(half);

@@ -6,8 +6,6 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -15,11 +13,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.ZipException;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.RobotSnapshot;
@@ -29,7 +30,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  * Reads a recording cycle by cycle, also the part that a killed program has left.
  *
  * <pre>{@code
- * try (RecordingReader reader = RecordingReader.open(file)) {
+ * try (RecordingReader reader = RecordingFile.read(file)) {
  *     for (Optional<RecordedCycle> cycle = reader.next(); cycle.isPresent(); cycle = reader.next()) {
  *         show(cycle.get().snapshot());
  *     }
@@ -57,32 +58,24 @@ public final class RecordingReader implements AutoCloseable {
     }
 
     /**
-     * Opens a recording and reads its header.
+     * Begins to read a recording.
      *
-     * @param file a recording
+     * @param raw the bytes of a recording; closed with the reader
+     * @param name how to call it in messages, such as its file's name in quotes
      * @return the reader, before the first cycle
-     * @throws IOException if the file cannot be read or is no recording; the message says so
+     * @throws IOException if it cannot be read or is no recording; the message says so
      */
-    public static RecordingReader open(Path file) throws IOException {
-        InputStream raw = Files.newInputStream(file);
+    public static RecordingReader of(InputStream raw, String name) throws IOException {
         try {
             RecordingReader reader = new RecordingReader(new BufferedInputStream(new GZIPInputStream(raw)));
-            reader.readBeginning(file);
+            reader.readBeginning(name);
             return reader;
         } catch (ZipException | EOFException e) {
-            raw.close();
-            throw new IOException("\"" + file + "\" is not a recording of RoboNewbie, or it is damaged.", e);
-        } catch (IOException e) {
-            raw.close();
-            throw e;
+            throw new IOException(name + " is not a recording of RoboNewbie, or it is damaged.", e);
         }
     }
 
-    /**
-     * Tells what the header says.
-     *
-     * @return value by name, such as {@code seed} or {@code FieldLength}
-     */
+    /** {@return the values of the header by name, such as {@code seed} or {@code FieldLength}} */
     public Map<String, String> header() {
         return Map.copyOf(header);
     }
@@ -121,16 +114,15 @@ public final class RecordingReader implements AutoCloseable {
         stream.close();
     }
 
-    private void readBeginning(Path file) throws IOException {
+    private void readBeginning(String name) throws IOException {
         byte[] magic = source.getBytes(RecordingFormat.MAGIC.length());
         if (!new String(magic, StandardCharsets.US_ASCII).equals(RecordingFormat.MAGIC)) {
-            throw new IOException("\"" + file + "\" is not a recording of RoboNewbie.");
+            throw new IOException(name + " is not a recording of RoboNewbie.");
         }
         long version = source.getUnsigned();
         if (version != RecordingFormat.VERSION) {
-            throw new IOException(
-                    "Recording \"" + file + "\" has version " + version + ", but this program reads version "
-                            + RecordingFormat.VERSION + ". Use the program that made it.");
+            throw new IOException("Recording " + name + " has version " + version + ", but this program reads version "
+                    + RecordingFormat.VERSION + ". Use the program that made it.");
         }
         source.getByte();
         source.getUnsigned();
@@ -185,14 +177,13 @@ public final class RecordingReader implements AutoCloseable {
         long cycle = source.getUnsigned();
         playTicks += source.getSigned();
         Pose ball = readPose(ballTrack);
-        Rotation turn = ball.rotation();
         List<RobotSnapshot> snapshots = new ArrayList<>();
         for (RecordedRobot robot : robots) {
             snapshots.add(readRobot(robot));
         }
         return new WorldSnapshot(
                 cycle,
-                playTicks * WorldSnapshot.CYCLE_SECONDS,
+                playTicks * Cycle.SECONDS,
                 game.playMode(),
                 game.left(),
                 game.right(),
@@ -200,7 +191,7 @@ public final class RecordingReader implements AutoCloseable {
                 game.scoreRight(),
                 game.half(),
                 ball.position(),
-                new float[] {(float) turn.w(), (float) turn.x(), (float) turn.y(), (float) turn.z()},
+                ball.rotation(),
                 snapshots,
                 false,
                 1,
@@ -208,24 +199,20 @@ public final class RecordingReader implements AutoCloseable {
     }
 
     private RobotSnapshot readRobot(RecordedRobot robot) throws IOException {
-        NaoModel model = NaoModel.of(robot.type());
-        int hinges = model.hinges().size();
+        int hinges = NaoModel.of(robot.type()).hinges().size();
         DeltaTrack track = robotTracks.computeIfAbsent(
                 robot.id(), id -> new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE + hinges));
         Pose torso = readPose(track);
-        float[] degrees = new float[hinges];
+        double[] degrees = new double[hinges];
         for (int i = 0; i < hinges; i++) {
-            degrees[i] =
-                    (float) track.get(RecordingFormat.NUMBERS_PER_POSE + i, RecordingFormat.STEPS_PER_DEGREE, source);
+            degrees[i] = track.get(RecordingFormat.NUMBERS_PER_POSE + i, RecordingFormat.STEPS_PER_DEGREE, source);
         }
         return new RobotSnapshot(
                 robot.id(),
                 robot.team(),
                 robot.side(),
                 robot.number(),
-                robot.type(),
-                LimbPoses.of(model, torso, degrees),
-                degrees);
+                BodyState.ofHinges(robot.type(), SimSparkFrame.linkToBody(torso), degrees));
     }
 
     private Pose readPose(DeltaTrack track) throws IOException {

@@ -1,26 +1,25 @@
 package org.robonewbie.simulator.recording;
 
-import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.function.Consumer;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.SimSparkFrame;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Hinge;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
-import org.robonewbie.simulator.physics.Pose;
-import org.robonewbie.simulator.soccer.GameState;
-import org.robonewbie.simulator.soccer.Match;
-import org.robonewbie.simulator.soccer.Player;
-import org.robonewbie.simulator.world.Ball;
-import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * Writes a recording: each cycle's changes of game, ball, robots and commands. Equal runs give equal bytes.
+ * Writes a recording: each cycle's changes of game, ball, robots and commands. Equal runs give equal bytes. A world of which only
+ * states are known, such as the log of another server, is written without commands.
  */
 public final class RecordingWriter implements AutoCloseable {
 
@@ -30,7 +29,7 @@ public final class RecordingWriter implements AutoCloseable {
     private final RecordSink sink;
     private final DeltaTrack ballTrack = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE);
     private final Map<Integer, RobotTrack> robotTracks = new HashMap<>();
-    private List<String> lastRobots = List.of();
+    private byte[] lastRobots = {};
     private double lastPlaySeconds;
 
     private RecordingWriter(RecordingStream stream) {
@@ -41,44 +40,54 @@ public final class RecordingWriter implements AutoCloseable {
     /**
      * Begins a recording.
      *
-     * @param file the file to write, or empty for the checksum only
+     * @param target where it goes
      * @param header lines of the form {@code name=value} that describe the run
-     * @param console takes sentences for people
      * @return the writer
-     * @throws IOException if the file cannot be written; the message says what to do
      */
-    public static RecordingWriter open(Optional<Path> file, List<String> header, Consumer<String> console)
-            throws IOException {
-        RecordingWriter writer = new RecordingWriter(RecordingStream.open(file, console));
+    public static RecordingWriter open(RecordingTarget target, List<String> header) {
+        RecordingWriter writer = new RecordingWriter(new RecordingStream(target));
         writer.sink.begin(header);
         return writer;
     }
 
     /**
+     * Writes one cycle of which the commands are not known.
+     *
+     * @param snapshot the world at its end
+     * @param events what happened, such as {@code goal left Stars}
+     */
+    public void write(WorldSnapshot snapshot, List<String> events) {
+        write(snapshot, events, Map.of());
+    }
+
+    /**
      * Writes one cycle.
      *
-     * @param cycle its number
-     * @param match the game
-     * @param ball the ball
-     * @param participants all robots in the order in which they connected
+     * @param snapshot the world at its end
+     * @param events what happened, such as {@code goal left Stars}
+     * @param commands what agents commanded, by the number of their robot
      */
-    public void write(long cycle, Match match, Ball ball, List<Participant> participants) {
-        match.events().forEach(event -> sink.putEvent(event.text()));
-        writeGame(match);
-        writeRobots(participants);
-        writeCommands(participants);
-        writeCycle(cycle, match.state(), ball, participants);
+    public void write(WorldSnapshot snapshot, List<String> events, Map<Integer, List<EffectorCommand>> commands) {
+        events.forEach(sink::putEvent);
+        sink.putGame(
+                snapshot.playMode(),
+                snapshot.half(),
+                snapshot.scoreLeft(),
+                snapshot.scoreRight(),
+                snapshot.teamLeft(),
+                snapshot.teamRight());
+        writeRobots(snapshot.robots());
+        for (RobotSnapshot robot : snapshot.robots()) {
+            writeCommands(robot, commands.getOrDefault(robot.id(), List.of()));
+        }
+        writeCycle(snapshot);
         sink.send();
-        if (cycle % CYCLES_PER_FLUSH == 0) {
+        if (snapshot.cycle() % CYCLES_PER_FLUSH == 0) {
             stream.flush();
         }
     }
 
-    /**
-     * Tells the checksum of the uncompressed recording so far.
-     *
-     * @return SHA-256 in 64 hexadecimal digits
-     */
+    /** {@return the SHA-256 of the uncompressed recording so far, in 64 hexadecimal digits} */
     public String sha256() {
         return stream.sha256();
     }
@@ -94,128 +103,96 @@ public final class RecordingWriter implements AutoCloseable {
         final DeltaTrack poses;
         final long[] speeds;
 
-        RobotTrack(Robot robot) {
-            int hinges = robot.model().hinges().size();
+        RobotTrack(RobotType type) {
+            int hinges = NaoModel.of(type).hinges().size();
             poses = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE + hinges);
             speeds = new long[hinges];
         }
     }
 
-    private void writeGame(Match match) {
-        GameState state = match.state();
-        sink.putGame(
-                state.playMode(),
-                state.half(),
-                state.score(TeamSide.LEFT),
-                state.score(TeamSide.RIGHT),
-                match.teams().name(TeamSide.LEFT),
-                match.teams().name(TeamSide.RIGHT));
-    }
-
-    private void writeRobots(List<Participant> participants) {
-        List<String> robots =
-                participants.stream().map(RecordingWriter::describe).toList();
-        if (robots.equals(lastRobots)) {
-            return;
-        }
-        lastRobots = robots;
+    private void writeRobots(List<RobotSnapshot> robots) {
         ByteSink payload = sink.newPayload();
-        payload.putUnsigned(participants.size());
-        for (Participant participant : participants) {
-            payload.putUnsigned(participant.id());
-            payload.putUnsigned(participant.robot().model().type().ordinal());
-            payload.putUnsigned(participant
-                            .player()
-                            .map(Player::side)
-                            .map(TeamSide::ordinal)
-                            .orElse(-1)
-                    + 1);
-            payload.putUnsigned(participant.player().map(Player::number).orElse(0));
-            payload.putText(
-                    participant.player().map(player -> player.team().name()).orElse(""));
+        payload.putUnsigned(robots.size());
+        for (RobotSnapshot robot : robots) {
+            payload.putUnsigned(robot.id());
+            payload.putUnsigned(robot.type().ordinal());
+            payload.putUnsigned(robot.side().map(TeamSide::ordinal).orElse(-1) + 1);
+            payload.putUnsigned(robot.number());
+            payload.putText(robot.team());
         }
-        sink.put(RecordingFormat.ROBOTS);
+        byte[] now = Arrays.copyOf(payload.bytes(), payload.length());
+        boolean nobodyYet = robots.isEmpty() && lastRobots.length == 0;
+        if (!nobodyYet && !Arrays.equals(now, lastRobots)) {
+            lastRobots = now;
+            sink.put(RecordingFormat.ROBOTS);
+        }
     }
 
-    private static String describe(Participant participant) {
-        return participant.id() + " " + participant.robot().model().type() + " "
-                + participant
-                        .player()
-                        .map(player -> player.side() + " " + player)
-                        .orElse("");
-    }
-
-    private void writeCommands(List<Participant> participants) {
-        for (Participant participant : participants) {
-            if (!participant.commands().isEmpty()) {
-                ByteSink payload = sink.newPayload();
-                payload.putUnsigned(participant.id());
-                if (putCommands(participant, payload)) {
-                    sink.put(RecordingFormat.COMMANDS);
-                }
+    private void writeCommands(RobotSnapshot robot, List<EffectorCommand> commands) {
+        if (!commands.isEmpty()) {
+            ByteSink payload = sink.newPayload();
+            payload.putUnsigned(robot.id());
+            if (putCommands(robot, commands, payload)) {
+                sink.put(RecordingFormat.COMMANDS);
             }
         }
     }
 
-    /** Writes the hinge speeds that have changed and the other commands; tells whether there was anything to write. */
-    private boolean putCommands(Participant participant, ByteSink payload) {
-        RobotTrack track = track(participant);
-        List<Hinge> hinges = participant.robot().model().hinges();
+    /** Writes the hinge speeds that have changed and the other commands; returns whether there was anything to write. */
+    private boolean putCommands(RobotSnapshot robot, List<EffectorCommand> commands, ByteSink payload) {
+        long[] speeds = track(robot).speeds;
+        List<Hinge> hinges = NaoModel.of(robot.type()).hinges();
         List<String> others = new ArrayList<>(0);
-        ByteSink speeds = new ByteSink();
+        ByteSink changed = new ByteSink();
         int changes = 0;
-        for (EffectorCommand command : participant.commands()) {
+        for (EffectorCommand command : commands) {
             if (command instanceof SetHingeSpeed speed) {
-                changes += putSpeed(track, hinges, speed, speeds);
+                changes += putSpeed(speeds, hinges, speed, changed);
             } else {
                 others.add(command.toString());
             }
         }
         payload.putUnsigned(changes);
-        payload.putBytes(speeds.bytes(), speeds.length());
+        payload.putBytes(changed.bytes(), changed.length());
         payload.putUnsigned(others.size());
         others.forEach(payload::putText);
         return changes > 0 || !others.isEmpty();
     }
 
-    private static int putSpeed(RobotTrack track, List<Hinge> hinges, SetHingeSpeed command, ByteSink speeds) {
+    private static int putSpeed(long[] speeds, List<Hinge> hinges, SetHingeSpeed command, ByteSink changed) {
         for (int i = 0; i < hinges.size(); i++) {
             if (hinges.get(i).effectorName().equals(command.effectorName())) {
-                long steps = Math.round(command.radiansPerSecond() * RecordingFormat.STEPS_PER_RADIAN);
-                if (steps == track.speeds[i]) {
+                long steps = PortableMath.round(command.radiansPerSecond() * RecordingFormat.STEPS_PER_RADIAN);
+                if (steps == speeds[i]) {
                     return 0;
                 }
-                speeds.putUnsigned(i);
-                speeds.putSigned(steps);
-                track.speeds[i] = steps;
+                changed.putUnsigned(i);
+                changed.putSigned(steps);
+                speeds[i] = steps;
                 return 1;
             }
         }
         return 0;
     }
 
-    private void writeCycle(long cycle, GameState state, Ball ball, List<Participant> participants) {
+    private void writeCycle(WorldSnapshot snapshot) {
         ByteSink payload = sink.newPayload();
-        payload.putUnsigned(cycle);
-        payload.putSigned(Math.round((state.playSeconds() - lastPlaySeconds) * 50));
-        lastPlaySeconds = state.playSeconds();
-        ballTrack.putPose(0, new Pose(ball.position(), ball.rotation()), payload);
-        for (Participant participant : participants) {
-            Robot robot = participant.robot();
-            DeltaTrack track = track(participant).poses;
-            track.putPose(0, robot.torso(), payload);
-            for (int i = 0; i < robot.model().hinges().size(); i++) {
-                track.put(
-                        RecordingFormat.NUMBERS_PER_POSE + i,
-                        robot.jointDegrees(i),
-                        RecordingFormat.STEPS_PER_DEGREE,
-                        payload);
+        payload.putUnsigned(snapshot.cycle());
+        payload.putSigned(PortableMath.round((snapshot.gameTime() - lastPlaySeconds) * 50));
+        lastPlaySeconds = snapshot.gameTime();
+        ballTrack.putPose(0, new Pose(snapshot.ballPosition(), snapshot.ballRotation()), payload);
+        for (RobotSnapshot robot : snapshot.robots()) {
+            DeltaTrack track = track(robot).poses;
+            track.putPose(0, SimSparkFrame.linkFromBody(robot.body().torso()), payload);
+            double[] degrees = robot.body().hingeDegrees();
+            for (int i = 0; i < degrees.length; i++) {
+                track.put(RecordingFormat.NUMBERS_PER_POSE + i, degrees[i], RecordingFormat.STEPS_PER_DEGREE, payload);
             }
         }
         sink.put(RecordingFormat.CYCLE);
     }
 
-    private RobotTrack track(Participant participant) {
-        return robotTracks.computeIfAbsent(participant.id(), id -> new RobotTrack(participant.robot()));
+    private RobotTrack track(RobotSnapshot robot) {
+        return robotTracks.computeIfAbsent(robot.id(), id -> new RobotTrack(robot.type()));
     }
 }

@@ -1,16 +1,20 @@
 package org.robonewbie.simulator.recording;
 
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.NaoModel;
-import org.robonewbie.simulator.physics.Pose;
-import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.physics.BodyPose;
+import org.robonewbie.simulator.physics.RotationMatrix;
 import org.robonewbie.simulator.world.Robot;
 
 /**
  * What one robot has really done: its falls and the way that it walked.
  *
  * <p>A robot stands while its torso leans by less than 30 degrees and its centre is more than 0.25 m above the ground. It has
- * fallen when after standing its torso leans by more than 60 degrees; it can fall again only after standing again.
+ * fallen when after standing its torso leans by more than 60 degrees or sinks below 0.2 m; it can fall again only after standing
+ * again.
  *
  * <p>The walked way is that of the torso over the ground while it is upright, smoothed with a time constant of half a
  * second and measured in pieces of 0.1 m, so that swaying on the spot is no walking. Whoever is beamed, or carried by the
@@ -18,18 +22,15 @@ import org.robonewbie.simulator.world.Robot;
  */
 final class RobotStatistics {
 
-    private static final double FALLEN_DEGREES = 60;
-    private static final double STANDING_DEGREES = 30;
-    private static final double STANDING_HEIGHT = 0.25;
-    private static final double SMOOTHING = 0.02 / 0.5;
+    private static final double SMOOTHING = Cycle.SECONDS / 0.5;
     private static final double PIECE = 0.1;
 
     /** No robot walks so far within one cycle. */
     private static final double BEAMED_WAY = 0.1;
 
     private final NaoModel model;
-    private Pose start = new Pose(Vector3.ZERO, Rotation.IDENTITY);
-    private Pose torso = start;
+    private BodyPose start = new BodyPose(Vector3.ZERO, RotationMatrix.IDENTITY);
+    private BodyPose torso = start;
     private final double[] jointDegrees;
     private double smoothX;
     private double smoothY;
@@ -54,7 +55,7 @@ final class RobotStatistics {
         torso = robot.torso();
         countFalls();
         Vector3 way = torso.position().minus(start.position());
-        if (leanDegrees() < FALLEN_DEGREES && Math.hypot(way.x(), way.y()) < BEAMED_WAY) {
+        if (leanDegrees() < BodyState.FALLEN_DEGREES && PortableMath.hypot(way.x(), way.y()) < BEAMED_WAY) {
             walk(way);
         }
     }
@@ -89,23 +90,22 @@ final class RobotStatistics {
 
     /** Where the robot looks, 0 along the world's x axis, counter-clockwise. */
     double headingDegrees() {
-        Vector3 forward = torso.rotation().axisY();
-        return Math.toDegrees(Math.atan2(forward.y(), forward.x()));
+        return BodyState.headingDegrees(torso.rotation().axisY());
     }
 
     boolean isUpright() {
-        return leanDegrees() < STANDING_DEGREES && torso.position().z() > STANDING_HEIGHT;
+        return BodyState.isStanding(leanDegrees(), torso.position().z());
     }
 
     private double leanDegrees() {
-        double upward = torso.rotation().axisZ().z();
-        return Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, upward))));
+        return BodyState.tiltDegrees(torso.rotation().axisZ());
     }
 
     private void countFalls() {
         if (isUpright()) {
             hasStood = true;
-        } else if (hasStood && leanDegrees() > FALLEN_DEGREES) {
+        } else if (hasStood
+                && BodyState.isFallen(leanDegrees(), torso.position().z())) {
             hasStood = false;
             falls++;
         }
@@ -117,7 +117,7 @@ final class RobotStatistics {
         walkedY += way.y();
         smoothX += SMOOTHING * (walkedX - smoothX);
         smoothY += SMOOTHING * (walkedY - smoothY);
-        double length = Math.hypot(smoothX - milestoneX, smoothY - milestoneY);
+        double length = PortableMath.hypot(smoothX - milestoneX, smoothY - milestoneY);
         if (length >= PIECE) {
             metresWalked += length;
             milestoneX = smoothX;

@@ -1,13 +1,13 @@
 package org.robonewbie.simulator.recording;
 
-import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Consumer;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.simulator.soccer.Player;
@@ -34,15 +34,12 @@ public final class RunRecorder implements AutoCloseable {
      * Begins to watch.
      *
      * @param world the world of the run
-     * @param file where to write the recording, or empty for its checksum only
+     * @param target where the recording goes, beside its checksum
      * @param header lines of the form {@code name=value} that describe the run
-     * @param console takes sentences for people
      * @return the recorder
-     * @throws IOException if the file cannot be written; the message says what to do
      */
-    public static RunRecorder begin(
-            SoccerWorld world, Optional<Path> file, List<String> header, Consumer<String> console) throws IOException {
-        return new RunRecorder(world, RecordingWriter.open(file, header, console));
+    public static RunRecorder begin(SoccerWorld world, RecordingTarget target, List<String> header) {
+        return new RunRecorder(world, RecordingWriter.open(target, header));
     }
 
     /**
@@ -86,21 +83,30 @@ public final class RunRecorder implements AutoCloseable {
                 goals.add(new RunReport.Goal(match.state().playSeconds(), goal.team()));
             }
         }
-        writer.write(cycle, match, world.ball(), participants);
+        writer.write(
+                Snapshots.of(cycle, match, world.ball(), participants),
+                match.events().stream().map(MatchEvent::text).toList(),
+                commands(participants));
+    }
+
+    private static Map<Integer, List<EffectorCommand>> commands(List<Participant> participants) {
+        Map<Integer, List<EffectorCommand>> commands = new HashMap<>();
+        participants.forEach(participant -> commands.put(participant.id(), participant.commands()));
+        return commands;
     }
 
     /**
-     * Tells the true results so far.
+     * Returns the true results so far.
      *
      * @param seed the seed of the run
      * @param wallSeconds real seconds that it took
-     * @param missedCycles cycles that real time had and the world had not
+     * @param missedCycles cycles by which the world fell behind real time
      * @return the report
      */
     public RunReport report(long seed, double wallSeconds, long missedCycles) {
         return new RunReport(
                 seed,
-                cycles * SoccerWorld.STEP_SECONDS,
+                cycles * Cycle.SECONDS,
                 wallSeconds,
                 missedCycles,
                 entries.values().stream().map(RunRecorder::robot).toList(),

@@ -3,11 +3,6 @@ package org.robonewbie.simulator.recording;
 import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
-import java.io.IOException;
-import java.nio.file.AtomicMoveNotSupportedException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -15,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.NaoModel;
 
@@ -53,7 +49,7 @@ public record RunReport(
      *
      * @param team name of its team
      * @param number its number, 0 without a team
-     * @param falls how often it fell: its torso leant by more than 60 degrees after it had stood
+     * @param falls how often it fell: its torso leant by more than 60 degrees, or sank below 0.2 m, after it had stood
      * @param metresWalked its way over the ground while upright, without swaying and without being beamed
      * @param position centre of its torso at the end in the world frame, metres
      * @param headingDegrees where it looked at the end, 0 along x to the right goal, counter-clockwise
@@ -95,11 +91,7 @@ public record RunReport(
      */
     public record Goal(double playSeconds, String team) {}
 
-    /**
-     * Tells how fast the simulation was.
-     *
-     * @return simulated seconds per second
-     */
+    /** {@return the speed of the simulation: simulated seconds per second} */
     public double realTimeFactor() {
         return wallSeconds == 0 ? 0 : simulatedSeconds / wallSeconds;
     }
@@ -127,30 +119,7 @@ public record RunReport(
                         .toJson(json) + "\n";
     }
 
-    /**
-     * Writes the report to a file, as a whole or not at all.
-     *
-     * @param file the file
-     * @throws IOException if it cannot be written; the message says what to do
-     */
-    public void write(Path file) throws IOException {
-        try {
-            Path part = file.resolveSibling(file.getFileName() + ".part");
-            Files.writeString(part, toJson());
-            try {
-                Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-            } catch (AtomicMoveNotSupportedException e) {
-                Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
-            }
-        } catch (IOException e) {
-            throw new IOException(
-                    "Report \"" + file + "\" cannot be written (" + e.getMessage()
-                            + "). Choose a file in a folder that exists and in which you may write.",
-                    e);
-        }
-    }
-
-    /** Names the angles of all hinges: {@code LEFT_KNEE_PITCH} and so on, toes by SimSpark's name. */
+    /** Maps the angles of all hinges to their names: {@code LEFT_KNEE_PITCH} and so on, toes by SimSpark's name. */
     static Map<String, Double> joints(NaoModel model, double[] degrees) {
         Map<String, Double> joints = new LinkedHashMap<>();
         List<Hinge> hinges = model.hinges();
@@ -209,6 +178,6 @@ public record RunReport(
 
     /** Six decimals are enough; what is not finite, such as a distance of a run without cycles, becomes 0. */
     private static double rounded(double value) {
-        return Double.isFinite(value) ? Math.rint(value * ROUNDING) / ROUNDING : 0;
+        return Double.isFinite(value) ? PortableMath.rint(value * ROUNDING) / ROUNDING : 0;
     }
 }

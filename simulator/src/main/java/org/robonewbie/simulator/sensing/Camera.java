@@ -10,28 +10,33 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.perceptor.PolarPosition;
 import org.robonewbie.protocol.perceptor.Vision;
 import org.robonewbie.protocol.perceptor.Vision.SeenBodyPart;
 import org.robonewbie.protocol.perceptor.Vision.SeenLandmark;
 import org.robonewbie.protocol.perceptor.Vision.SeenLine;
 import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
-import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
  * The camera in the centre of one robot's head (SimSpark: {@code restrictedvisionperceptor.cpp}).
  *
- * <p>It recognises the centres of things within its cone, at any distance and through each other; also the own arms. The
- * server asks it for a picture in every third cycle.
+ * <p>It recognises the centres of objects within its cone, at any distance and through each other, including the robot's own
+ * arms. The server takes a picture in every third cycle.
  *
  * <pre>{@code
  * Camera camera = new Camera(world.field(), CameraSettings.STANDARD, random);
  * Vision vision = camera.look(robot, world, players, Optional.of(TeamSide.LEFT));
  * }</pre>
  */
-public final class Camera {
+public final class Camera implements Restorable {
 
     private final SoccerField field;
     private final CameraSettings settings;
@@ -40,7 +45,7 @@ public final class Camera {
     private final Optional<VisionNoise> noise;
 
     /**
-     * Makes a camera; its calibration error is drawn here and stays.
+     * Creates a camera; its calibration error is drawn here and stays.
      *
      * @param field the pitch with its landmarks and lines
      * @param settings what it sees and how well
@@ -64,7 +69,7 @@ public final class Camera {
      * @return what is recognised; numbers are not rounded
      */
     public Vision look(Robot observer, SoccerWorld world, List<VisiblePlayer> players, Optional<TeamSide> side) {
-        Pose head = observer.linkPose(observer.model().linkIndex(BodyPart.HEAD.simSparkName()));
+        BodyPose head = observer.linkPose(observer.model().linkIndex(BodyPart.HEAD.simSparkName()));
         Vector3 ball = world.ball().position();
         return new Vision(
                 landmarks(head),
@@ -76,7 +81,7 @@ public final class Camera {
                 settings.ballPosition() ? Optional.of(inTeamView(ball, side)) : Optional.empty());
     }
 
-    private List<SeenLandmark> landmarks(Pose head) {
+    private List<SeenLandmark> landmarks(BodyPose head) {
         List<SeenLandmark> seen = new ArrayList<>();
         for (Landmark landmark : Landmark.values()) {
             see(head, field.position(landmark)).ifPresent(position -> seen.add(new SeenLandmark(landmark, position)));
@@ -84,7 +89,7 @@ public final class Camera {
         return seen;
     }
 
-    private List<SeenPlayer> players(Pose head, List<VisiblePlayer> players) {
+    private List<SeenPlayer> players(BodyPose head, List<VisiblePlayer> players) {
         List<SeenPlayer> seen = new ArrayList<>();
         for (VisiblePlayer player : players) {
             List<SeenBodyPart> parts = parts(head, player.robot());
@@ -95,7 +100,7 @@ public final class Camera {
         return seen;
     }
 
-    private List<SeenBodyPart> parts(Pose head, Robot robot) {
+    private List<SeenBodyPart> parts(BodyPose head, Robot robot) {
         List<SeenBodyPart> seen = new ArrayList<>();
         for (BodyPart part : BodyPart.values()) {
             int link = robot.model().linkIndex(part.simSparkName());
@@ -105,7 +110,7 @@ public final class Camera {
         return seen;
     }
 
-    private List<SeenLine> lines(Pose head) {
+    private List<SeenLine> lines(BodyPose head) {
         List<SeenLine> seen = new ArrayList<>();
         for (Segment line : lines) {
             cone.clip(new Segment(fromCamera(head, line.start()), fromCamera(head, line.end())))
@@ -114,13 +119,13 @@ public final class Camera {
         return seen;
     }
 
-    private Optional<PolarPosition> see(Pose head, Vector3 point) {
+    private Optional<PolarPosition> see(BodyPose head, Vector3 point) {
         Vector3 local = fromCamera(head, point);
         return cone.contains(local) ? Optional.of(measure(local)) : Optional.empty();
     }
 
     /** The calibration error comes first, so it takes part in the decision what is visible. */
-    private Vector3 fromCamera(Pose head, Vector3 point) {
+    private Vector3 fromCamera(BodyPose head, Vector3 point) {
         Vector3 local = head.toLocal(point);
         return noise.isPresent() ? local.plus(noise.get().displacement()) : local;
     }
@@ -128,8 +133,8 @@ public final class Camera {
     private PolarPosition measure(Vector3 local) {
         PolarPosition exact = new PolarPosition(
                 local.length(),
-                Math.toDegrees(Math.atan2(-local.x(), local.y())),
-                Math.toDegrees(Math.atan2(local.z(), Math.hypot(local.x(), local.y()))));
+                PortableMath.toDegrees(PortableMath.atan2(-local.x(), local.y())),
+                PortableMath.toDegrees(PortableMath.atan2(local.z(), PortableMath.hypot(local.x(), local.y()))));
         return noise.isPresent() ? noise.get().disturb(exact) : exact;
     }
 
@@ -138,8 +143,18 @@ public final class Camera {
         return right ? new Vector3(-world.x(), -world.y(), world.z()) : world;
     }
 
-    private static double azimuth(Pose head, Optional<TeamSide> side) {
-        Vector3 forward = inTeamView(head.rotation().axisY(), side);
-        return Math.toDegrees(Math.atan2(forward.y(), forward.x()));
+    private static double azimuth(BodyPose head, Optional<TeamSide> side) {
+        return BodyState.headingDegrees(inTeamView(head.rotation().axisY(), side));
+    }
+
+    /** Writes its noise, all that changes in it. */
+    @Override
+    public void save(StateWriter out) {
+        noise.ifPresent(errors -> errors.save(out));
+    }
+
+    @Override
+    public void restore(StateReader in) {
+        noise.ifPresent(errors -> errors.restore(in));
     }
 }

@@ -1,14 +1,14 @@
 package org.robonewbie.simulator.sensing;
 
 /**
- * How a camera sees (SimSpark: {@code naoneckhead.rsg}).
+ * The properties of a camera (SimSpark: {@code naoneckhead.rsg}).
  *
  * @param horizontalConeDegrees full horizontal angle of view, below 180
  * @param verticalConeDegrees full vertical angle of view, below 180
- * @param noise whether distances and angles are disturbed and the camera is badly calibrated
+ * @param noise whether distances and angles are noisy and the camera has a calibration error
  * @param lines whether the field lines are reported
- * @param ownPosition whether the true position of the own head is reported
- * @param ownOrientation whether the true direction of the own head is reported
+ * @param ownPosition whether the true position of the robot's own head is reported
+ * @param ownOrientation whether the true direction of the robot's own head is reported
  * @param ballPosition whether the true position of the ball is reported
  */
 public record CameraSettings(
@@ -49,10 +49,10 @@ public record CameraSettings(
     }
 
     /**
-     * Switches what a real camera cannot know.
+     * Sets which true values are reported that a real camera cannot know.
      *
-     * @param ownPositionOn whether the true position of the own head is reported
-     * @param ownOrientationOn whether the true direction of the own head is reported
+     * @param ownPositionOn whether the true position of the robot's own head is reported
+     * @param ownOrientationOn whether the true direction of the robot's own head is reported
      * @param ballPositionOn whether the true position of the ball is reported
      * @return the same settings otherwise
      */

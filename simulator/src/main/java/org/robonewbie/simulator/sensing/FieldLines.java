@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
  * The 21 straight lines of a pitch in SimSpark's order: centre line, goal lines, side lines, penalty areas and the centre
@@ -45,7 +46,11 @@ final class FieldLines {
         for (int i = 0; i < CHORDS; i++) {
             double from = 2 * Math.PI * i / CHORDS;
             double to = 2 * Math.PI * (i + 1) / CHORDS;
-            add(radius * Math.cos(from), radius * Math.sin(from), radius * Math.cos(to), radius * Math.sin(to));
+            add(
+                    radius * PortableMath.cos(from),
+                    radius * PortableMath.sin(from),
+                    radius * PortableMath.cos(to),
+                    radius * PortableMath.sin(to));
         }
     }
 

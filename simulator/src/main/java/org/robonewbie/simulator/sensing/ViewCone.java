@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
  * What lies within a camera's view, in the frame of the head: x right, y forward, z up.
@@ -21,10 +22,10 @@ final class ViewCone {
     private final List<Vector3> sides;
 
     ViewCone(double horizontalDegrees, double verticalDegrees) {
-        halfHorizontal = Math.toRadians(horizontalDegrees) / 2;
-        halfVertical = Math.toRadians(verticalDegrees) / 2;
-        double across = Math.tan(halfHorizontal);
-        double upward = Math.tan(halfVertical);
+        halfHorizontal = PortableMath.toRadians(horizontalDegrees) / 2;
+        halfVertical = PortableMath.toRadians(verticalDegrees) / 2;
+        double across = PortableMath.tan(halfHorizontal);
+        double upward = PortableMath.tan(halfVertical);
         sides = List.of(
                 new Vector3(1, across, 0),
                 new Vector3(-1, across, 0),
@@ -34,8 +35,8 @@ final class ViewCone {
 
     boolean contains(Vector3 point) {
         return point.length() > LEAST_DISTANCE
-                && Math.abs(Math.atan2(point.x(), point.y())) <= halfHorizontal
-                && Math.abs(Math.atan2(point.z(), Math.hypot(point.x(), point.y()))) <= halfVertical;
+                && Math.abs(PortableMath.atan2(point.x(), point.y())) <= halfHorizontal
+                && Math.abs(PortableMath.atan2(point.z(), PortableMath.hypot(point.x(), point.y()))) <= halfVertical;
     }
 
     /** Cuts a line to what is seen of it: visible ends stay, hidden ones move to the edge of the picture. */

@@ -2,16 +2,21 @@ package org.robonewbie.simulator.sensing;
 
 import java.util.random.RandomGenerator;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.perceptor.PolarPosition;
+import org.robonewbie.simulator.state.SplitMix;
 
 /**
  * The errors of one camera: a displacement that stays the same for its whole life, and normally distributed errors of every
  * single measurement (SimSpark: {@code restrictedvisionperceptor.cpp}, {@code naoneckhead.rsg}).
  *
- * <p>Normal numbers are made by the polar method of Marsaglia and Bray from {@code nextDouble()} and {@link StrictMath}, so
- * that a seed gives the same numbers in every Java.
+ * <p>Normal numbers are made by the polar method of Marsaglia and Bray from {@code nextDouble()} and {@link PortableMath}, so
+ * that a seed gives the same numbers everywhere.
  */
-final class VisionNoise {
+final class VisionNoise implements Restorable {
 
     private static final double CALIBRATION_ERROR = 0.005;
     private static final double DISTANCE_SIGMA_PERCENT = 0.0965;
@@ -19,7 +24,7 @@ final class VisionNoise {
     private static final double VERTICAL_SIGMA_DEGREES = 0.1225;
 
     private final RandomGenerator random;
-    private final Vector3 displacement;
+    private Vector3 displacement;
     private double spare;
     private boolean hasSpare;
 
@@ -57,9 +62,34 @@ final class VisionNoise {
             y = 2 * random.nextDouble() - 1;
             square = x * x + y * y;
         } while (square >= 1 || square == 0);
-        double factor = StrictMath.sqrt(-2 * StrictMath.log(square) / square);
+        double factor = Math.sqrt(-2 * PortableMath.log(square) / square);
         spare = y * factor;
         hasSpare = true;
         return x * factor;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        restorableRandom().save(out);
+        out.putVector(displacement);
+        out.putDouble(spare);
+        out.putBoolean(hasSpare);
+    }
+
+    @Override
+    public void restore(StateReader in) {
+        restorableRandom().restore(in);
+        displacement = in.getVector();
+        spare = in.getDouble();
+        hasSpare = in.getBoolean();
+    }
+
+    private Restorable restorableRandom() {
+        if (random instanceof Restorable restorable) {
+            return restorable;
+        }
+        throw new UnsupportedOperationException(
+                "The random numbers of this camera cannot be saved. Make it with " + SplitMix.class.getSimpleName()
+                        + " instead of " + random.getClass().getSimpleName() + ".");
     }
 }

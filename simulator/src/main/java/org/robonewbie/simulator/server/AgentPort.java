@@ -10,6 +10,7 @@ import java.nio.channels.Selector;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.util.function.Consumer;
+import org.robonewbie.simulator.Console;
 
 /**
  * The TCP port at which agents connect. It belongs to the simulation's thread, which also waits here for whatever comes
@@ -52,11 +53,7 @@ final class AgentPort implements AutoCloseable {
         }
     }
 
-    /**
-     * Tells the port's number.
-     *
-     * @return the TCP port
-     */
+    /** {@return the number of the TCP port} */
     int number() {
         return channel.socket().getLocalPort();
     }

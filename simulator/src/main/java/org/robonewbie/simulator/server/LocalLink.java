@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.simulator.cycle.ServerLink;
 
 /** A connection between an agent and the simulator in the same process: two queues instead of a socket. */
 final class LocalLink implements AgentLink {
@@ -22,11 +23,7 @@ final class LocalLink implements AgentLink {
         this.doorbell = doorbell;
     }
 
-    /**
-     * Gives the simulator's end.
-     *
-     * @return the other end of this link
-     */
+    /** {@return the simulator's end of this link} */
     ServerLink serverEnd() {
         return serverEnd;
     }

@@ -18,7 +18,7 @@ final class MessageQueue {
         }
     }
 
-    /** Appends a copy of a message unless the queue is full or closed; tells whether it did. */
+    /** Appends a copy of a message unless the queue is full or closed; returns whether it did. */
     synchronized boolean offer(MessageBuffer message) {
         if (count == CAPACITY || closed) {
             return false;
@@ -59,7 +59,7 @@ final class MessageQueue {
         return poll(message);
     }
 
-    /** Lets no more messages in; those inside can still be taken. */
+    /** Accepts no more messages; those inside can still be taken. */
     synchronized void close() {
         closed = true;
         notifyAll();
@@ -69,7 +69,7 @@ final class MessageQueue {
         return closed;
     }
 
-    /** Tells whether nothing is inside and nothing can come any more. */
+    /** Whether the queue is empty and no more messages can come. */
     synchronized boolean isExhausted() {
         return closed && count == 0;
     }

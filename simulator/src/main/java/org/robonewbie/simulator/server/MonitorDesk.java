@@ -9,21 +9,26 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.monitor.MonitoredGame;
-import org.robonewbie.protocol.monitor.PlayerNumber;
-import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.ComplaintBook;
+import org.robonewbie.simulator.cycle.ConnectedAgent;
+import org.robonewbie.simulator.cycle.SimulationCycle;
+import org.robonewbie.simulator.cycle.TrainerOrders;
 import org.robonewbie.simulator.monitor.MatchEnvironment;
 import org.robonewbie.simulator.monitor.MonitorLog;
 import org.robonewbie.simulator.monitor.MonitorPort;
 import org.robonewbie.simulator.monitor.MonitorSettings;
 import org.robonewbie.simulator.monitor.MonitorSnapshot;
 import org.robonewbie.simulator.monitor.MonitoredRobotState;
-import org.robonewbie.simulator.soccer.GameState;
 import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.MatchState;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** Shows the world to monitors and writes the log for them, and takes in what trainers order. */
+/** Sends the world to monitors, writes the log for them, and receives the commands of trainers. */
 final class MonitorDesk {
 
     private static final int WAITING_ORDERS = 1000;
@@ -37,12 +42,12 @@ final class MonitorDesk {
     private Optional<MonitorLog> log = Optional.empty();
 
     /**
-     * Prepares a desk at which nobody is served yet.
+     * Prepares the desk; no monitor is served yet.
      *
      * @param cycle what is shown
      * @param betweenCycles runs something on the simulation's thread
      * @param end ends the simulation
-     * @param console where to tell problems
+     * @param console reports problems
      */
     MonitorDesk(SimulationCycle cycle, Consumer<Runnable> betweenCycles, Runnable end, Console console) {
         this.complaints = new ComplaintBook(console, "A trainer");
@@ -51,7 +56,7 @@ final class MonitorDesk {
         this.orders = new TrainerOrders(cycle, () -> port.ifPresent(MonitorPort::requestFullState), end);
     }
 
-    /** Opens port and log as far as they are wanted; to be called before the simulation runs. */
+    /** Opens port and log if they are wanted; must be called before the simulation runs. */
     void open(SimulatorSettings settings, Console console) throws IOException {
         MonitorSettings wanted = monitorSettings(settings);
         if (settings.monitorLog().isPresent()) {
@@ -71,7 +76,7 @@ final class MonitorDesk {
         log.ifPresent(lines -> lines.cycleEnded(cycle.cycle(), this::snapshot));
     }
 
-    /** Shows new monitors the world, and all of them what trainers have changed, while the clock stands still. */
+    /** Shows the world to new monitors, and what trainers have changed to all of them, while the clock is stopped. */
     void standsStill() {
         port.filter(monitors -> monitors.monitors() > 0).ifPresent(monitors -> monitors.show(snapshot()));
     }
@@ -81,8 +86,13 @@ final class MonitorDesk {
         log.ifPresent(MonitorLog::close);
     }
 
+    /** Carries out an order, on the simulation's thread. */
+    void carryOut(Order order) {
+        orders.carryOut(order);
+    }
+
     /** Takes an order from any thread; a trainer that floods the simulation loses orders. */
-    private void order(TrainerCommand command) {
+    private void order(Order order) {
         if (waitingOrders.incrementAndGet() > WAITING_ORDERS) {
             waitingOrders.decrementAndGet();
             complaints.complain(
@@ -92,7 +102,7 @@ final class MonitorDesk {
         }
         betweenCycles.accept(() -> {
             waitingOrders.decrementAndGet();
-            orders.carryOut(command);
+            carryOut(order);
         });
     }
 
@@ -114,7 +124,7 @@ final class MonitorDesk {
     }
 
     private static MonitoredGame game(Match match) {
-        GameState state = match.state();
+        MatchState state = match.state();
         return new MonitoredGame(
                 state.playSeconds(),
                 name(match, TeamSide.LEFT),
@@ -132,7 +142,7 @@ final class MonitorDesk {
     }
 
     private static MonitorSettings monitorSettings(SimulatorSettings settings) {
-        SoccerParameters parameters = settings.parameters();
+        SoccerParameters parameters = settings.world().parameters();
         return new MonitorSettings(
                 settings.bindAddress(),
                 settings.monitorPort().orElse(0),

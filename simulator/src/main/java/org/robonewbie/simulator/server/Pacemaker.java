@@ -1,6 +1,6 @@
 package org.robonewbie.simulator.server;
 
-import java.util.concurrent.locks.LockSupport;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
  * Keeps simulated time in step with real time. When a cycle takes too long, the lost time is dropped, so that the world
@@ -11,16 +11,19 @@ final class Pacemaker {
     private static final double CYCLE_NANOSECONDS = 20e6;
     private static final long MEASURING_NANOSECONDS = 1_000_000_000L;
 
+    private final RealTime time;
     private double speed;
     private long due;
     private boolean running;
     private long missedCycles;
     private long measuredCycles;
-    private long measuringStart = System.nanoTime();
+    private long measuringStart;
     private double realTimeFactor;
 
-    Pacemaker(double speed) {
+    Pacemaker(double speed, RealTime time) {
         this.speed = speed;
+        this.time = time;
+        this.measuringStart = time.nanoseconds();
     }
 
     void setSpeed(double newSpeed) {
@@ -39,12 +42,12 @@ final class Pacemaker {
 
     /** Waits until the next cycle is due. */
     void awaitNextCycle() {
-        long now = System.nanoTime();
+        long now = time.nanoseconds();
         measure(now);
         if (Double.isInfinite(speed)) {
             return;
         }
-        long length = Math.round(CYCLE_NANOSECONDS / speed);
+        long length = PortableMath.round(CYCLE_NANOSECONDS / speed);
         due = running ? due + length : now + length;
         running = true;
         long late = now - due;
@@ -52,12 +55,10 @@ final class Pacemaker {
             missedCycles += late / length;
             due = now;
         }
-        while (due - System.nanoTime() > 0) {
-            LockSupport.parkNanos(due - System.nanoTime());
-        }
+        time.awaitNanoseconds(due);
     }
 
-    /** Counts the cycles that real time had and the world had not. */
+    /** The number of cycles by which the world fell behind real time. */
     long missedCycles() {
         return missedCycles;
     }

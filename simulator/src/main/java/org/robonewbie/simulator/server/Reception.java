@@ -3,6 +3,7 @@ package org.robonewbie.simulator.server;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.simulator.cycle.SimulationCycle;
 
 /** Takes in new agents and their messages, and lets the simulation sleep until there is something new. */
 final class Reception {
@@ -34,7 +35,7 @@ final class Reception {
         return link;
     }
 
-    /** Says that there is something new, from any thread. */
+    /** Signals that there is something new; may be called from any thread. */
     void ring() {
         rung = true;
         if (sleeping) {
@@ -49,7 +50,7 @@ final class Reception {
         cycle.readMessages();
     }
 
-    /** Waits until there is something new; tells whether there is. */
+    /** Waits until there is something new; returns whether there is. */
     boolean await(long milliseconds) {
         sleeping = true;
         boolean news = rung || admit(milliseconds) || rung;
@@ -63,7 +64,7 @@ final class Reception {
         newcomers.forEach(LocalLink::close);
     }
 
-    /** Admits new agents; tells whether anything has happened at the port. */
+    /** Admits new agents; returns whether anything has happened at the port. */
     private boolean admit(long milliseconds) {
         boolean active = port.listen(milliseconds, this::admit);
         for (LocalLink link = newcomers.poll(); link != null; link = newcomers.poll()) {

@@ -3,8 +3,12 @@ package org.robonewbie.simulator.server;
 import java.util.HashSet;
 import java.util.Locale;
 import java.util.Set;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.AgentConnection;
+import org.robonewbie.simulator.cycle.ConnectedAgent;
 
-/** Names agents that keep the world waiting in sync mode, and drops those of other processes after some time. */
+/** Reports agents that keep the world waiting in sync mode, and drops those of other processes after some time. */
 final class SilenceWatch {
 
     private static final double SECONDS_UNTIL_NAMED = 5;
@@ -34,7 +38,7 @@ final class SilenceWatch {
         boolean local = agent.connection().link().isLocal();
         if (seconds >= SECONDS_UNTIL_NAMED && named.add(agent.connection())) {
             console.say("The world waits for " + agent + ", which has not sent (syn) for "
-                    + Math.round(SECONDS_UNTIL_NAMED) + " s."
+                    + PortableMath.round(SECONDS_UNTIL_NAMED) + " s."
                     + (local ? "" : " It is dropped after " + text(secondsUntilDropped) + " s."));
         }
         if (!local && seconds >= secondsUntilDropped) {

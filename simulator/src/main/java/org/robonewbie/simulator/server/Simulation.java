@@ -8,17 +8,26 @@ import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.robonewbie.nao.PlayMode;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.SoccerField;
-import org.robonewbie.nao.TeamSide;
-import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.AgentMessages;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.cycle.ConnectedAgent;
+import org.robonewbie.simulator.cycle.SimulationCycle;
+import org.robonewbie.simulator.file.RecordingFile;
+import org.robonewbie.simulator.file.ReportFile;
 import org.robonewbie.simulator.recording.RunReport;
 import org.robonewbie.simulator.soccer.MatchEvent;
+import org.robonewbie.simulator.state.WorldState;
 
 /**
  * Runs cycle after cycle on one thread, the only one that touches the world. Other threads leave commands, which are carried
@@ -27,6 +36,7 @@ import org.robonewbie.simulator.soccer.MatchEvent;
 final class Simulation implements SimulationControl, Runnable {
 
     private static final long IDLE_MILLISECONDS = 100;
+    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(2);
     private static final double SLOWEST = 0.1;
 
     private final SimulatorSettings settings;
@@ -59,11 +69,12 @@ final class Simulation implements SimulationControl, Runnable {
     Simulation(SimulatorSettings settings, AgentPort port, Console console) throws IOException {
         this.settings = settings;
         this.console = console;
-        this.lastCycle = Math.rint(settings.seconds().orElse(Double.POSITIVE_INFINITY) / WorldSnapshot.CYCLE_SECONDS);
-        this.cycle = SimulationCycle.begin(settings, console);
+        this.lastCycle = PortableMath.rint(settings.seconds().orElse(Double.POSITIVE_INFINITY) / Cycle.SECONDS);
+        this.cycle = new SimulationCycle(
+                settings.world(), RecordingFile.openIfWanted(settings.recording(), console::say), console);
         this.cycle.reportEventsTo(this::happened);
         this.reception = new Reception(port, cycle, settings);
-        this.pacemaker = new Pacemaker(settings.speed());
+        this.pacemaker = new Pacemaker(settings.speed(), RealTime.CLOCK);
         this.silenceWatch = new SilenceWatch(console, settings.silentAgentSeconds());
         this.monitors = new MonitorDesk(cycle, this::command, this::end, console);
     }
@@ -95,32 +106,32 @@ final class Simulation implements SimulationControl, Runnable {
         return monitors;
     }
 
-    /** Tells how many cycles are over, to any thread. */
+    /** The number of completed cycles; may be called from any thread. */
     long cycles() {
         return cycles;
     }
 
-    /** Tells how many agents are connected, to any thread. */
+    /** The number of connected agents; may be called from any thread. */
     int connectedAgents() {
         return connectedAgents;
     }
 
-    /** Tells how many cycles real time had and the world had not, to any thread. */
+    /** The number of cycles by which the world fell behind real time; may be called from any thread. */
     long missedCycles() {
         return missedCycles;
     }
 
-    /** Gives the true results once the simulation has ended. */
+    /** The true results, once the simulation has ended. */
     Optional<RunReport> finalReport() {
         return finalReport;
     }
 
-    /** Tells why the report could not be written. */
+    /** Why the report could not be written. */
     Optional<IOException> reportFailure() {
         return reportFailure;
     }
 
-    /** Lets the simulation end after the present cycle, from any thread. */
+    /** Ends the simulation after the present cycle; may be called from any thread. */
     void end() {
         closing = true;
         reception.ring();
@@ -141,29 +152,27 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
-    /** Tells whether nothing is left to do: the last messages of agents that have ended still count, unless paused. */
+    /** Whether nothing is left to do: the last messages of agents that have ended still count, unless paused. */
     private boolean isFinished() {
         reception.receive();
         return (paused && stepsLeft == 0)
-                || !settings.synchronous()
+                || !settings.world().synchronous()
                 || settings.awaitedAgents() == 0
                 || cycle.isAnybodyConnected()
                 || !isReady();
     }
 
     private void finish() {
-        for (ConnectedAgent agent : cycle.agents()) {
-            agent.connection().link().close();
-        }
+        cycle.closeConnections();
         reception.close();
         monitors.close();
         double wallSeconds = begun ? (System.nanoTime() - beginning) / 1e9 : 0;
-        RunReport result = cycle.recorder().report(settings.seed(), wallSeconds, pacemaker.missedCycles());
+        RunReport result = cycle.recorder().report(settings.world().seed(), wallSeconds, pacemaker.missedCycles());
         finalReport = Optional.of(result);
         cycle.recorder().close();
         if (settings.report().isPresent()) {
             try {
-                result.write(settings.report().get());
+                ReportFile.write(result, settings.report().get());
             } catch (IOException e) {
                 reportFailure = Optional.of(e);
                 console.say(String.valueOf(e.getMessage()));
@@ -186,21 +195,26 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
-    /** Carries out what is there now; whoever goes on sending must not keep the world from going on. */
+    /** Executes the commands that are there now; a client that keeps sending must not keep the world from continuing. */
     private void carryOutCommands() {
         for (int count = commands.size(); count > 0; count--) {
             commands.remove().run();
         }
     }
 
-    /** Tells whether everybody is there for whom the world waits. */
+    /** Whether all awaited agents are there. */
     private boolean isReady() {
-        int awaited =
-                begun && settings.synchronous() ? Math.min(1, settings.awaitedAgents()) : settings.awaitedAgents();
-        if ((!begun || settings.synchronous()) && cycle.heardAgents() < awaited) {
+        int awaited = begun && settings.world().synchronous()
+                ? Math.min(1, settings.awaitedAgents())
+                : settings.awaitedAgents();
+        if ((!begun || settings.world().synchronous()) && cycle.heardAgents() < awaited) {
             return false;
         }
-        return !settings.synchronous() || cycle.unsynchronisedAgent().isEmpty();
+        return isAnswered();
+    }
+
+    private boolean isAnswered() {
+        return !settings.world().synchronous() || cycle.unsynchronisedAgent().isEmpty();
     }
 
     private void runCycle() {
@@ -235,9 +249,11 @@ final class Simulation implements SimulationControl, Runnable {
     }
 
     private void report() {
-        if (!observers.isEmpty()) {
-            WorldSnapshot snapshot = Snapshots.of(cycle, paused, pacemaker);
-            for (SimulationObserver observer : observers) {
+        List<SimulationObserver> interested =
+                observers.stream().filter(SimulationObserver::wantsSnapshot).toList();
+        if (!interested.isEmpty()) {
+            WorldSnapshot snapshot = cycle.snapshot(paused, pacemaker.speed(), pacemaker.realTimeFactor());
+            for (SimulationObserver observer : interested) {
                 tellMessages(observer);
                 observer.cycleEnded(snapshot);
             }
@@ -261,79 +277,76 @@ final class Simulation implements SimulationControl, Runnable {
 
     @Override
     public SoccerField field() {
-        return settings.parameters().field();
+        return settings.world().parameters().field();
     }
 
     @Override
-    public void pause() {
-        command(() -> {
-            paused = true;
-            stepsLeft = 0;
-        });
+    public void order(Order order) {
+        command(() -> carryOut(order));
     }
 
-    @Override
-    public void resume() {
-        command(() -> paused = false);
+    private void carryOut(Order order) {
+        if (order instanceof Order.Pause) {
+            hold(0);
+        } else if (order instanceof Order.Resume) {
+            paused = false;
+        } else if (order instanceof Order.Step step) {
+            hold(stepsLeft + step.cycles());
+        } else if (order instanceof Order.SetSpeed set) {
+            pacemaker.setSpeed(Math.max(SLOWEST, set.factor()));
+        } else {
+            monitors.carryOut(order);
+        }
     }
 
-    @Override
-    public void step(int cycles) {
-        command(() -> {
-            paused = true;
-            stepsLeft += cycles;
-        });
-    }
-
-    @Override
-    public void setSpeed(double factor) {
-        command(() -> pacemaker.setSpeed(Math.max(SLOWEST, factor)));
-    }
-
-    @Override
-    public void reset() {
-        command(cycle::reset);
-    }
-
-    @Override
-    public void placeBall(Vector3 position, Vector3 velocity) {
-        command(() -> cycle.placeBall(position, velocity));
-    }
-
-    @Override
-    public void placeRobot(TeamSide side, int number, Vector3 position, double headingDegrees) {
-        command(() -> cycle.match().teams().player(side, number).ifPresent(player -> {
-            player.robot().moveUpright(position, headingDegrees - 90);
-            player.robot().wake();
-        }));
-    }
-
-    @Override
-    public void pushRobot(TeamSide side, int number, Vector3 newtons) {
-        command(() -> cycle.match()
-                .teams()
-                .player(side, number)
-                .ifPresent(player -> player.robot().push(newtons)));
-    }
-
-    @Override
-    public void kickOff(TeamSide side) {
-        command(() -> cycle.kickOff(side));
-    }
-
-    @Override
-    public void dropBall() {
-        command(() -> cycle.match().dropBall());
-    }
-
-    @Override
-    public void setPlayMode(PlayMode playMode) {
-        command(() -> cycle.match().setPlayMode(playMode));
+    /** Stops the clock after some more cycles. */
+    private void hold(int cycles) {
+        paused = true;
+        stepsLeft = cycles;
     }
 
     @Override
     public void restore(WorldSnapshot before, WorldSnapshot moment) {
-        command(() -> new Restoration(cycle).restore(before, moment));
+        command(() -> cycle.restore(before, moment));
+    }
+
+    @Override
+    public void save(Consumer<Optional<WorldState>> receiver) {
+        actWhenAnswered(cycle::save, receiver);
+    }
+
+    @Override
+    public void restore(WorldState state, Consumer<Optional<WorldState>> receiver) {
+        Supplier<WorldState> action = () -> {
+            cycle.goOnFrom(state);
+            return state;
+        };
+        actWhenAnswered(action, receiver);
+    }
+
+    private void actWhenAnswered(Supplier<WorldState> action, Consumer<Optional<WorldState>> receiver) {
+        long end = System.nanoTime() + PATIENCE_NANOS;
+        command(() -> actIfAnswered(action, receiver, end));
+    }
+
+    /** Tries again before the next cycle while answers are missing, since an agent that is thinking is out of reach. */
+    private void actIfAnswered(Supplier<WorldState> action, Consumer<Optional<WorldState>> receiver, long end) {
+        reception.receive();
+        if (isAnswered()) {
+            receiver.accept(result(action));
+        } else if (System.nanoTime() - end > 0) {
+            receiver.accept(Optional.empty());
+        } else {
+            commands.add(() -> actIfAnswered(action, receiver, end));
+        }
+    }
+
+    private static Optional<WorldState> result(Supplier<WorldState> action) {
+        try {
+            return Optional.of(action.get());
+        } catch (IllegalArgumentException | UnsupportedOperationException refused) {
+            return Optional.empty();
+        }
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.lang.management.ThreadMXBean;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.recording.RunReport;
 
@@ -34,8 +35,8 @@ public final class Simulator implements AutoCloseable {
     /**
      * Opens the port and starts the simulation.
      *
-     * @param settings what the simulator shall do
-     * @param console where it tells people what happens
+     * @param settings the configuration
+     * @param console prints messages to people
      * @return the running simulator
      * @throws IOException if a port is in use or a file cannot be written; the message says what to do
      */
@@ -48,20 +49,12 @@ public final class Simulator implements AutoCloseable {
         return new Simulator(simulation, port, thread);
     }
 
-    /**
-     * Tells where agents can connect.
-     *
-     * @return the TCP port
-     */
+    /** {@return the TCP port for agents} */
     public int agentPort() {
         return port.number();
     }
 
-    /**
-     * Tells where monitors can connect.
-     *
-     * @return the TCP port, or empty if none was wanted
-     */
+    /** {@return the TCP port for monitors; empty if none was wanted} */
     public OptionalInt monitorPort() {
         return simulation.monitors().portNumber();
     }
@@ -76,57 +69,35 @@ public final class Simulator implements AutoCloseable {
         return simulation.reception().connect();
     }
 
-    /**
-     * Gives access to what can be steered while the simulation runs.
-     *
-     * @return the control, for any thread
-     */
+    /** {@return the control of the running simulation; thread-safe} */
     public SimulationControl control() {
         return simulation;
     }
 
-    /**
-     * Tells how far the simulation is.
-     *
-     * @return cycles of 20 ms so far
-     */
+    /** {@return the number of completed cycles of 20 ms} */
     public long cycles() {
         return simulation.cycles();
     }
 
-    /**
-     * Tells whether the world keeps step with the clock.
-     *
-     * @return cycles that real time had and the world had not, so far
-     */
+    /** {@return the number of cycles by which the world fell behind real time so far} */
     public long missedCycles() {
         return simulation.missedCycles();
     }
 
-    /**
-     * Tells how many programs play along.
-     *
-     * @return agents that are connected, with or without a robot
-     */
+    /** {@return the number of connected agents, with or without a robot} */
     public int connectedAgents() {
         return simulation.connectedAgents();
     }
 
     /**
-     * Tells what the simulation costs.
-     *
-     * @return seconds of processor time that its thread has used so far; NaN where the system does not tell
+     * {@return seconds of processor time that the simulation's thread has used so far; NaN where the system does not report it}
      */
     public double processorSeconds() {
         ThreadMXBean threads = ManagementFactory.getThreadMXBean();
         return threads.isThreadCpuTimeSupported() ? threads.getThreadCpuTime(thread.getId()) / 1e9 : Double.NaN;
     }
 
-    /**
-     * Tells the true results of a simulation that has ended.
-     *
-     * @return the report, or empty while the simulation runs
-     */
+    /** {@return the true results of a simulation that has ended; empty while it runs} */
     public Optional<RunReport> report() {
         return simulation.finalReport();
     }

@@ -1,33 +1,27 @@
 package org.robonewbie.simulator.server;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.monitor.MonitorSettings;
-import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.PhysicsEngine;
 
 /**
- * What a simulator shall do.
+ * The configuration of a simulator.
  *
  * <pre>{@code
  * SimulatorSettings settings =
  *         SimulatorSettings.league().agentPort(0).synchronous(true).build();
  * }</pre>
  *
- * @param parameters pitch, rules and noise of beams
+ * @param world pitch, rules, noise and seed
  * @param bindAddress address of this computer at which agents may connect; 127.0.0.1 for this computer only
  * @param agentPort TCP port for agents, 0 for any free one
- * @param synchronous whether the world waits for the agents; else it runs on the clock
  * @param speed simulated seconds per second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
- * @param camera how robots see: noise, and what no camera could know
- * @param physics what computes the motion of all bodies
- * @param seed start of all random numbers
  * @param awaitedAgents how many agents must have spoken before the first cycle, 0 not to wait
  * @param silentAgentSeconds real seconds after which an agent of another process that keeps the world waiting is dropped
  * @param seconds simulated seconds after which the simulation ends; empty runs until it is closed
@@ -38,14 +32,10 @@ import org.robonewbie.simulator.world.PhysicsEngine;
  * @param monitorLog file for a log that RoboViz can replay
  */
 public record SimulatorSettings(
-        SoccerParameters parameters,
+        WorldSettings world,
         String bindAddress,
         int agentPort,
-        boolean synchronous,
         double speed,
-        CameraSettings camera,
-        PhysicsEngine physics,
-        long seed,
         int awaitedAgents,
         double silentAgentSeconds,
         OptionalDouble seconds,
@@ -70,7 +60,7 @@ public record SimulatorSettings(
      * @return a builder
      */
     public static Builder league() {
-        return new Builder(SoccerParameters.league());
+        return new Builder(WorldSettings.league());
     }
 
     /**
@@ -79,45 +69,16 @@ public record SimulatorSettings(
      * @return a builder
      */
     public static Builder beginner() {
-        return new Builder(SoccerParameters.beginner());
-    }
-
-    /**
-     * Tells whether robots see with noise.
-     *
-     * @return whether they do
-     */
-    public boolean noise() {
-        return camera.noise();
-    }
-
-    /**
-     * Describes the run for its recording; all that has an influence on it is here.
-     *
-     * @return lines of the form {@code name=value}
-     */
-    List<String> description() {
-        List<String> lines = new ArrayList<>();
-        lines.add("seed=" + seed);
-        lines.add("synchronous=" + synchronous);
-        lines.add("noise=" + camera.noise());
-        lines.add("truth=" + camera.ownPosition() + "," + camera.ownOrientation() + "," + camera.ballPosition());
-        lines.add("physics=" + physics);
-        lines.addAll(parameters.assignments());
-        return lines;
+        return new Builder(WorldSettings.beginner());
     }
 
     /** Collects settings; what is not set keeps its usual value. */
     public static final class Builder {
 
-        private SoccerParameters parameters;
+        private WorldSettings world;
         private String bindAddress = "127.0.0.1";
         private int agentPort = DEFAULT_AGENT_PORT;
-        private boolean synchronous;
         private double speed = 1;
-        private CameraSettings camera = CameraSettings.STANDARD;
-        private PhysicsEngine physics = PhysicsEngine.STANDARD;
-        private long seed;
         private int awaitedAgents;
         private double silentAgentSeconds = DEFAULT_SILENT_AGENT_SECONDS;
         private OptionalDouble seconds = OptionalDouble.empty();
@@ -127,8 +88,8 @@ public record SimulatorSettings(
         private double monitorStepSeconds = MonitorSettings.STANDARD_STEP_SECONDS;
         private Optional<Path> monitorLog = Optional.empty();
 
-        private Builder(SoccerParameters parameters) {
-            this.parameters = parameters;
+        private Builder(WorldSettings world) {
+            this.world = world.withSynchronous(false);
         }
 
         /**
@@ -138,7 +99,7 @@ public record SimulatorSettings(
          * @return this builder
          */
         public Builder parameters(SoccerParameters value) {
-            parameters = value;
+            world = world.withParameters(value);
             return this;
         }
 
@@ -171,7 +132,7 @@ public record SimulatorSettings(
          * @return this builder
          */
         public Builder synchronous(boolean value) {
-            synchronous = value;
+            world = world.withSynchronous(value);
             return this;
         }
 
@@ -193,27 +154,28 @@ public record SimulatorSettings(
          * @return this builder
          */
         public Builder noise(boolean value) {
-            camera = camera.withNoise(value);
+            world = world.withNoise(value);
             return this;
         }
 
         /**
-         * Lets robots see what no camera could know, for experiments: {@code mypos}, {@code myorien} and {@code ballpos}.
+         * Sets which true values robots receive that no camera could know, for experiments: {@code mypos}, {@code myorien} and
+         * {@code ballpos}.
          *
-         * @param ownPosition whether each picture tells where the own head truly is
-         * @param ownOrientation whether it tells where the own head truly looks
-         * @param ballPosition whether it tells where the ball truly is
+         * @param ownPosition whether each picture has the true position of the robot's head
+         * @param ownOrientation whether it has the true direction of the robot's head
+         * @param ballPosition whether it has the true position of the ball
          * @return this builder
          */
         public Builder groundTruth(boolean ownPosition, boolean ownOrientation, boolean ballPosition) {
-            camera = camera.withTruth(ownPosition, ownOrientation, ballPosition);
+            world = world.withCamera(world.camera().withTruth(ownPosition, ownOrientation, ballPosition));
             return this;
         }
 
         /**
-         * Sets whether robots are told what they cannot know, for experiments.
+         * Sets whether robots receive what they cannot know, for experiments.
          *
-         * @param value whether the camera also tells the true places of its robot and the ball
+         * @param value whether the camera also reports the true positions of its robot and the ball
          * @return this builder
          */
         public Builder truth(boolean value) {
@@ -227,7 +189,7 @@ public record SimulatorSettings(
          * @return this builder
          */
         public Builder physics(PhysicsEngine value) {
-            physics = value;
+            world = world.withPhysics(value);
             return this;
         }
 
@@ -238,7 +200,7 @@ public record SimulatorSettings(
          * @return this builder
          */
         public Builder seed(long value) {
-            seed = value;
+            world = world.withSeed(value);
             return this;
         }
 
@@ -309,7 +271,7 @@ public record SimulatorSettings(
         }
 
         /**
-         * Sets how often monitors are told.
+         * Sets how often monitors receive messages.
          *
          * @param value simulated seconds between two messages, at least 0.02
          * @return this builder
@@ -337,14 +299,10 @@ public record SimulatorSettings(
          */
         public SimulatorSettings build() {
             return new SimulatorSettings(
-                    parameters,
+                    world,
                     bindAddress,
                     agentPort,
-                    synchronous,
                     speed,
-                    camera,
-                    physics,
-                    seed,
                     awaitedAgents,
                     silentAgentSeconds,
                     seconds,

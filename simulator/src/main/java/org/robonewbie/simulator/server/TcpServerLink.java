@@ -2,10 +2,11 @@ package org.robonewbie.simulator.server;
 
 import java.io.IOException;
 import java.nio.channels.SocketChannel;
-import org.robonewbie.protocol.frame.FrameDecoder;
-import org.robonewbie.protocol.frame.FrameEncoder;
-import org.robonewbie.protocol.frame.FrameTooLongException;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.tcp.FrameDecoder;
+import org.robonewbie.protocol.tcp.FrameEncoder;
+import org.robonewbie.protocol.tcp.FrameTooLongException;
+import org.robonewbie.simulator.cycle.ServerLink;
 
 /** The simulator's end of an agent's TCP connection. */
 final class TcpServerLink implements ServerLink {

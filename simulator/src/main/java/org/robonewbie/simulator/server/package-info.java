@@ -1,6 +1,6 @@
 /**
- * The server: connections of agents, the cycle of 20 ms and its clock. Read {@link
- * org.robonewbie.simulator.server.SimulationCycle} first.
+ * A simulator that runs by itself: its thread, its pace, its ports for agents and monitors. Read {@link
+ * org.robonewbie.simulator.server.Simulator} first.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.simulator.server;

@@ -5,6 +5,8 @@ import java.util.Optional;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.world.RobotPart;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -12,7 +14,7 @@ import org.robonewbie.simulator.world.SoccerWorld;
  * What the referee knows about the ball: who touched it last, whether it is on the pitch or in a goal (SimSpark: {@code
  * ballstateaspect.cpp}).
  */
-final class BallWatch {
+final class BallWatch implements Memory {
 
     private static final double MARGIN = 0.001;
     private static final double LOOK_BACK_SECONDS = 1;
@@ -73,7 +75,7 @@ final class BallWatch {
         return lastTouch;
     }
 
-    /** Tells who touched the ball last, if that was later than a tick. */
+    /** Who touched the ball last, if that was after a tick. */
     Optional<Player> touchedAfter(long tick) {
         return lastTouch.filter(touch -> touch.tick() > tick).map(Touch::player);
     }
@@ -86,7 +88,7 @@ final class BallWatch {
         return onField;
     }
 
-    /** Tells into whose goal the ball has gone. */
+    /** The side whose goal the ball is in. */
     Optional<TeamSide> goal() {
         for (TeamSide side : TeamSide.values()) {
             if (world.isBallInGoal(side) || hasCrossedGoalLine(side)) {
@@ -113,5 +115,22 @@ final class BallWatch {
         }
         Vector3 crossing = ball.minus(velocity.times(beyond / speed));
         return Math.abs(crossing.y()) < field.goalWidth() / 2 && crossing.z() < field.goalHeight();
+    }
+
+    @Override
+    public void save(StateWriter out, Roster roster) {
+        out.putOptional(lastTouch, touch -> {
+            roster.save(touch.player(), out);
+            out.putLong(touch.tick());
+        });
+        out.putVector(lastValidPosition);
+        out.putBoolean(onField);
+    }
+
+    @Override
+    public void restore(StateReader in, Roster roster) {
+        lastTouch = in.getOptional(() -> new Touch(roster.restore(in), in.getLong()));
+        lastValidPosition = in.getVector();
+        onField = in.getBoolean();
     }
 }

@@ -3,7 +3,7 @@ package org.robonewbie.simulator.soccer;
 import java.util.Optional;
 import org.robonewbie.nao.TeamSide;
 
-/** Before a kick-off the ball lies in the middle and everybody stays in the own half. */
+/** Before a kick-off the ball lies in the middle and all robots stay in their own halves. */
 final class BeforeKickOffRule implements PlayModeRule {
 
     private final Match match;

@@ -1,23 +1,27 @@
 package org.robonewbie.simulator.soccer;
 
-import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.simulator.world.RobotContact;
 
-/** Who runs into an opponent instead of going for the ball leaves the pitch. */
+/** A robot that runs into an opponent instead of going for the ball is sent off the pitch. */
 final class ChargingRule implements FoulRule {
 
     private static final double MOVED_SECONDS = 1;
 
     private final Match match;
     private final SoccerParameters parameters;
-    private final Map<Pair, Long> lastCollisions = new HashMap<>();
+    private final Map<Pair, Long> lastCollisions = new LinkedHashMap<>();
 
     ChargingRule(Match match) {
         this.match = match;
@@ -80,7 +84,7 @@ final class ChargingRule implements FoulRule {
         }
     }
 
-    /** Tells whether a robot went for the opponent rather than for the ball. */
+    /** Whether a robot went for the opponent rather than for the ball. */
     private boolean isCandidate(Approach robot, Approach other) {
         double range = parameters.get(SoccerParameter.CHARGING_MAX_BALL_RULES_DISTANCE);
         if (robot.ballDistance() > range && other.ballDistance() > range) {
@@ -98,7 +102,7 @@ final class ChargingRule implements FoulRule {
                 && robot.speed() >= parameters.get(SoccerParameter.CHARGING_MIN_SPEED);
     }
 
-    /** Tells whether of two robots that both went for the ball this one came later. */
+    /** Whether, of two robots that both went for the ball, this one came later. */
     private boolean isWorse(Approach robot, Approach other) {
         boolean farther = robot.ballDistance()
                 > other.ballDistance() + parameters.get(SoccerParameter.CHARGING_MIN_DELTA_DISTANCE);
@@ -137,7 +141,7 @@ final class ChargingRule implements FoulRule {
     }
 
     private double since(long earlierTick) {
-        return (match.currentTick() - earlierTick) * Match.TICK_SECONDS;
+        return (match.currentTick() - earlierTick) * Cycle.SECONDS;
     }
 
     private static Vector3 flat(Vector3 vector) {
@@ -188,7 +192,26 @@ final class ChargingRule implements FoulRule {
         private double angle(Vector3 target) {
             Vector3 way = flat(target.minus(player.position()));
             double product = way.length() * velocity.length();
-            return product == 0 ? 0 : Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, way.dot(velocity) / product))));
+            return product == 0
+                    ? 0
+                    : PortableMath.toDegrees(PortableMath.acos(Math.max(-1, Math.min(1, way.dot(velocity) / product))));
+        }
+    }
+
+    @Override
+    public void save(StateWriter out, Roster roster) {
+        out.putAll(lastCollisions.entrySet(), collision -> {
+            roster.save(collision.getKey().left(), out);
+            roster.save(collision.getKey().right(), out);
+            out.putLong(collision.getValue());
+        });
+    }
+
+    @Override
+    public void restore(StateReader in, Roster roster) {
+        lastCollisions.clear();
+        for (int count = in.getCount(); count > 0; count--) {
+            lastCollisions.put(new Pair(roster.restore(in), roster.restore(in)), in.getLong());
         }
     }
 }

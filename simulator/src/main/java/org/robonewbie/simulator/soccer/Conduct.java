@@ -5,10 +5,12 @@ import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.monitor.FoulType;
 
 /** What the referee remembers of one player. Times are numbers of ticks of 20 ms. */
-final class Conduct {
+final class Conduct implements Memory {
 
     /** A time so long ago that it does not matter. */
     static final long NEVER = Long.MIN_VALUE / 2;
@@ -114,7 +116,7 @@ final class Conduct {
         return ballTick;
     }
 
-    /** Gives immunity from charging as if the ball had been touched in a tick. */
+    /** Grants immunity from charging as if the ball had been touched in a tick. */
     void protectFromCharging(long tick) {
         immuneFromChargingTick = tick;
     }
@@ -123,7 +125,7 @@ final class Conduct {
         return Math.max(ballTick, immuneFromChargingTick);
     }
 
-    /** Notes whether the player is in its own penalty area. */
+    /** Records whether the player is in its own penalty area. */
     void watchArea(boolean inside, long tick) {
         if (!inside) {
             areaEntryTick = NEVER;
@@ -136,7 +138,7 @@ final class Conduct {
         return areaEntryTick;
     }
 
-    /** Lists the other players of the group in which the player touched others in the last tick. */
+    /** The other players of the group in which the player touched others in the last tick. */
     Set<Player> touched() {
         return touched;
     }
@@ -149,7 +151,7 @@ final class Conduct {
         return tick < frozenUntil[hinge];
     }
 
-    /** Freezes a hinge unless it is frozen or has just thawed; tells whether it did. */
+    /** Freezes a hinge unless it is frozen or has just thawed; returns whether it did. */
     boolean freeze(int hinge, long tick, long ticksFrozen, long ticksImmune) {
         if (tick < immuneUntil[hinge]) {
             return false;
@@ -159,12 +161,56 @@ final class Conduct {
         return true;
     }
 
-    /** Tells whether a self-collision may be punished by lifting, and remembers that it is. */
+    /** Whether a self-collision may be punished by lifting; remembers that it is. */
     boolean mayPunishSelfCollision(long tick, long cooldownTicks) {
         if (tick - selfCollisionPenaltyTick < cooldownTicks) {
             return false;
         }
         selfCollisionPenaltyTick = tick;
         return true;
+    }
+
+    @Override
+    public void save(StateWriter out, Roster roster) {
+        for (Vector3 velocity : velocities) {
+            out.putVector(velocity);
+        }
+        for (int hinge = 0; hinge < frozenUntil.length; hinge++) {
+            out.putLong(frozenUntil[hinge]);
+            out.putLong(immuneUntil[hinge]);
+        }
+        out.putOptional(punishedFor, out::putEnum);
+        roster.saveAll(touched, out);
+        out.putInt(penaltyTicks);
+        out.putInt(groundTicks);
+        out.putInt(notStandingTicks);
+        out.putInt(standingTicks);
+        out.putLong(movedTick);
+        out.putLong(ballTick);
+        out.putLong(immuneFromChargingTick);
+        out.putLong(areaEntryTick);
+        out.putLong(selfCollisionPenaltyTick);
+        out.putInt(velocityIndex);
+    }
+
+    @Override
+    public void restore(StateReader in, Roster roster) {
+        Arrays.setAll(velocities, i -> in.getVector());
+        for (int hinge = 0; hinge < frozenUntil.length; hinge++) {
+            frozenUntil[hinge] = in.getLong();
+            immuneUntil[hinge] = in.getLong();
+        }
+        punishedFor = in.getOptional(() -> in.getEnum(FoulType.values()));
+        touched = roster.restoreAll(in);
+        penaltyTicks = in.getInt();
+        groundTicks = in.getInt();
+        notStandingTicks = in.getInt();
+        standingTicks = in.getInt();
+        movedTick = in.getLong();
+        ballTick = in.getLong();
+        immuneFromChargingTick = in.getLong();
+        areaEntryTick = in.getLong();
+        selfCollisionPenaltyTick = in.getLong();
+        velocityIndex = in.getIndex(REMEMBERED_VELOCITIES);
     }
 }

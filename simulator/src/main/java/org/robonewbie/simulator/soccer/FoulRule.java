@@ -1,7 +1,7 @@
 package org.robonewbie.simulator.soccer;
 
 /** One kind of foul. */
-interface FoulRule {
+interface FoulRule extends Memory {
 
     /** Looks for fouls in this tick and tells the referee. */
     void judge();

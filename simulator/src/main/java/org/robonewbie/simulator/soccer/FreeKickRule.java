@@ -5,6 +5,8 @@ import java.util.function.Supplier;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 
 /** Kick-in, corner kick and free kick: the ball lies at its spot, the opponents keep away from it. */
 final class FreeKickRule implements PlayModeRule {
@@ -43,5 +45,17 @@ final class FreeKickRule implements PlayModeRule {
             match.setSetPiece(Optional.of(new SetPiece(side, taker, match.currentTick(), indirect, false)));
             match.setPlayMode(PlayMode.PLAY_ON);
         }
+    }
+
+    @Override
+    public void save(StateWriter out, Roster roster) {
+        out.putVector(spot);
+        preparation.save(out);
+    }
+
+    @Override
+    public void restore(StateReader in, Roster roster) {
+        spot = in.getVector();
+        preparation.restore(in);
     }
 }

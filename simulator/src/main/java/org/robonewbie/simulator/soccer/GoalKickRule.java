@@ -4,8 +4,10 @@ import java.util.Optional;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 
-/** Goal kick: the opponents leave the penalty area, and play goes on when the ball has left it too. */
+/** Goal kick: the opponents leave the penalty area, and play resumes when the ball has left it too. */
 final class GoalKickRule implements PlayModeRule {
 
     private final Match match;
@@ -41,5 +43,17 @@ final class GoalKickRule implements PlayModeRule {
             match.setSetPiece(Optional.of(new SetPiece(side, taker, match.currentTick(), false, false)));
             match.setPlayMode(PlayMode.PLAY_ON);
         }
+    }
+
+    @Override
+    public void save(StateWriter out, Roster roster) {
+        out.putOptional(taker, player -> roster.save(player, out));
+        preparation.save(out);
+    }
+
+    @Override
+    public void restore(StateReader in, Roster roster) {
+        taker = in.getOptional(() -> roster.restore(in));
+        preparation.restore(in);
     }
 }

@@ -2,6 +2,7 @@ package org.robonewbie.simulator.soccer;
 
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.simulator.physics.BoundingBox;
 
 /** Keeps robots out of the half of the opponents around a kick-off, unless they may start anywhere. */
@@ -55,7 +56,7 @@ final class HalfClearing {
     private boolean isInCircle(BoundingBox box) {
         double x = Math.max(Math.abs(box.min().x()), Math.abs(box.max().x()));
         double y = Math.max(Math.abs(box.min().y()), Math.abs(box.max().y()));
-        return Math.hypot(x, y) <= circleRadius;
+        return PortableMath.hypot(x, y) <= circleRadius;
     }
 
     private Area half(TeamSide side) {

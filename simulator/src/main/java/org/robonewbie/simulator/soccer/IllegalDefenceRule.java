@@ -35,7 +35,7 @@ final class IllegalDefenceRule implements FoulRule {
         }
     }
 
-    /** Finds the field player that came last; if the goalkeeper did, the one that is farthest from the goal. */
+    /** The field player that came last; if the goalkeeper did, the one farthest from the goal. */
     private Optional<Player> offender(List<Player> inside, TeamSide side) {
         Optional<Player> last = inside.stream()
                 .max(Comparator.comparingLong(player -> player.conduct().areaEntryTick()));

@@ -1,5 +1,6 @@
 package org.robonewbie.simulator.soccer;
 
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.protocol.monitor.FoulType;
 
 /** A robot that lies or does not stand for too long leaves the pitch. */
@@ -36,8 +37,8 @@ final class IncapableRule implements FoulRule {
                 .get(keeper ? SoccerParameter.GOALIE_GROUND_MAX_TIME : SoccerParameter.GROUND_MAX_TIME);
         double standingLimit = match.parameters()
                 .get(keeper ? SoccerParameter.GOALIE_NOT_STANDING_MAX_TIME : SoccerParameter.NOT_STANDING_MAX_TIME);
-        if (conduct.groundTicks() * Match.TICK_SECONDS > groundLimit
-                || conduct.notStandingTicks() * Match.TICK_SECONDS > standingLimit) {
+        if (conduct.groundTicks() * Cycle.SECONDS > groundLimit
+                || conduct.notStandingTicks() * Cycle.SECONDS > standingLimit) {
             match.referee().punish(player, FoulType.INCAPABLE);
         }
     }

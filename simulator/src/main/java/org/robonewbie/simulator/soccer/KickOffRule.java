@@ -3,8 +3,10 @@ package org.robonewbie.simulator.soccer;
 import java.util.Optional;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 
-/** A team begins: play goes on with the first touch of the ball. */
+/** A kick-off: play resumes with the first touch of the ball. */
 final class KickOffRule implements PlayModeRule {
 
     private final Match match;
@@ -33,5 +35,15 @@ final class KickOffRule implements PlayModeRule {
         } else if (match.state().modeSeconds() > match.parameters().get(SoccerParameter.RULE_DROP_BALL_TIME)) {
             match.dropBall(match.ball().position());
         }
+    }
+
+    @Override
+    public void save(StateWriter out, Roster roster) {
+        out.putLong(beginTick);
+    }
+
+    @Override
+    public void restore(StateReader in, Roster roster) {
+        beginTick = in.getLong();
     }
 }

@@ -3,6 +3,9 @@ package org.robonewbie.simulator.soccer;
 import java.util.Optional;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 
 /** What all kicks have in common: a pause, then the ball is held at its spot until a robot touches it. */
 final class KickPreparation {
@@ -25,7 +28,7 @@ final class KickPreparation {
 
     void begin() {
         repelled = false;
-        firstTouchTick = match.currentTick() + Math.round((pauseSeconds + SETTLING_SECONDS) * 50);
+        firstTouchTick = match.currentTick() + PortableMath.round((pauseSeconds + SETTLING_SECONDS) * 50);
     }
 
     boolean isPausing() {
@@ -47,5 +50,15 @@ final class KickPreparation {
             }
         }
         return toucher;
+    }
+
+    void save(StateWriter out) {
+        out.putLong(firstTouchTick);
+        out.putBoolean(repelled);
+    }
+
+    void restore(StateReader in) {
+        firstTouchTick = in.getLong();
+        repelled = in.getBoolean();
     }
 }

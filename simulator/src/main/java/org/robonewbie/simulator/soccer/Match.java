@@ -1,32 +1,33 @@
 package org.robonewbie.simulator.soccer;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Random;
 import java.util.Set;
+import java.util.random.RandomGenerator;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.monitor.Foul;
+import org.robonewbie.simulator.state.LinearCongruence;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.RobotContact;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /** The game on the pitch: everything that the rules read and change. */
-public final class Match {
-
-    static final double TICK_SECONDS = 0.02;
+public final class Match implements Restorable {
 
     private static final Set<PlayMode> IN_PLAY = EnumSet.of(PlayMode.PLAY_ON, PlayMode.PASS_LEFT, PlayMode.PASS_RIGHT);
 
     private final SoccerWorld world;
     private final SoccerParameters parameters;
-    private final Random random;
-    private final GameState state = new GameState();
+    private final LinearCongruence random;
+    private final MatchState state = new MatchState();
     private final Teams teams;
     private final BallWatch ball;
     private final Repositioning repositioning;
@@ -35,7 +36,7 @@ public final class Match {
     private final KeepawayRule keepaway;
     private final PassMode leftPassMode;
     private final PassMode rightPassMode;
-    private final List<MatchEvent> events = new ArrayList<>();
+    private final EventBook events = new EventBook();
     private Optional<SetPiece> setPiece = Optional.empty();
     private Optional<TeamSide> nextFirstKickOff;
     private boolean halfBegun;
@@ -52,7 +53,7 @@ public final class Match {
     public Match(SoccerWorld world, SoccerParameters parameters, long seed) {
         this.world = world;
         this.parameters = parameters;
-        this.random = new Random(seed);
+        this.random = new LinearCongruence(seed);
         this.teams = new Teams(parameters);
         this.ball = new BallWatch(world);
         this.repositioning = new Repositioning(this);
@@ -65,40 +66,24 @@ public final class Match {
         this.shootout = parameters.isOn(SoccerParameter.PENALTY_SHOOTOUT);
     }
 
-    /**
-     * Gives access to clock and score.
-     *
-     * @return the state of the game
-     */
-    public GameState state() {
+    /** {@return the state of the game} */
+    public MatchState state() {
         return state;
     }
 
-    /**
-     * Gives access to the teams.
-     *
-     * @return who plays
-     */
+    /** {@return who plays} */
     public Teams teams() {
         return teams;
     }
 
-    /**
-     * Tells the settings.
-     *
-     * @return the parameters
-     */
+    /** {@return the parameters} */
     public SoccerParameters parameters() {
         return parameters;
     }
 
-    /**
-     * Tells what happened in the last cycle.
-     *
-     * @return the events in their order, unmodifiable
-     */
+    /** {@return the events in their order, unmodifiable} */
     public List<MatchEvent> events() {
-        return Collections.unmodifiableList(events);
+        return events.events();
     }
 
     /** Forgets the events; called once they have been recorded. */
@@ -106,22 +91,14 @@ public final class Match {
         events.clear();
     }
 
-    /**
-     * Tells whether a robot may be beamed at present.
-     *
-     * @return true before a kick-off and after a goal
-     */
+    /** {@return whether a robot may be beamed at present: before a kick-off and after a goal} */
     public boolean mayBeam() {
         return state.playMode() == PlayMode.BEFORE_KICK_OFF
                 || state.playMode() == PlayMode.GOAL_LEFT
                 || state.playMode() == PlayMode.GOAL_RIGHT;
     }
 
-    /**
-     * Tells whether the program shall end since the game has ended.
-     *
-     * @return true some time after the game if that is wanted
-     */
+    /** {@return whether the program is to end: some time after the game, if that is wanted} */
     public boolean isProgramOver() {
         return state.playMode() == PlayMode.GAME_OVER
                 && parameters.isOn(SoccerParameter.AUTOMATIC_QUIT)
@@ -144,16 +121,16 @@ public final class Match {
     }
 
     /**
-     * Lets a team kick off.
+     * Starts a kick-off.
      *
-     * @param side the team that begins
+     * @param side the team that kicks off
      */
     public void kickOff(TeamSide side) {
         halfBegun = true;
         setPlayMode(side == TeamSide.LEFT ? PlayMode.KICK_OFF_LEFT : PlayMode.KICK_OFF_RIGHT);
     }
 
-    /** Lets one of the teams kick off, as the rules or chance decide. */
+    /** Starts a kick-off of the team that the rules or chance determine. */
     public void kickOff() {
         boolean first = !halfBegun;
         TeamSide side = Optional.<TeamSide>empty()
@@ -166,14 +143,12 @@ public final class Match {
         kickOff(side);
     }
 
-    /** Gives the ball free where it lies, and makes room around it. */
+    /** Drops the ball where it lies, and makes room around it. */
     public void dropBall() {
         dropBall(ball.position());
     }
 
-    /**
-     * Puts the score, the clock and the ball back to the beginning.
-     */
+    /** Resets the score, the clock and the ball. */
     public void restart() {
         state.restart();
         events.add(new MatchEvent.PlayModeChanged(PlayMode.BEFORE_KICK_OFF));
@@ -185,9 +160,9 @@ public final class Match {
     }
 
     /**
-     * Gives a player a new body.
+     * Replaces a player's body.
      *
-     * @param old the player so far
+     * @param old the previous player
      * @param robot its new body
      * @return the player with the same team and number
      */
@@ -210,11 +185,7 @@ public final class Match {
         referee.judge(mayBeam());
     }
 
-    /**
-     * Lists the fouls that the referee has seen, the newest ones at least.
-     *
-     * @return the fouls in their order, unmodifiable; a penalty counts once for each cycle that it takes
-     */
+    /** {@return the newest fouls in their order, unmodifiable; a penalty counts once for each cycle that it takes} */
     public List<Foul> fouls() {
         return referee.fouls();
     }
@@ -229,7 +200,7 @@ public final class Match {
     }
 
     /**
-     * Tells for how long a team may not score after it was given the right to pass.
+     * Returns how long a team may not score after it was granted a pass.
      *
      * @param side the team
      * @return seconds, 0 if it may score
@@ -239,7 +210,7 @@ public final class Match {
     }
 
     /**
-     * Tells whether the referee has frozen a hinge, so that its motor must stand still.
+     * Returns whether the referee has frozen a hinge, so that its motor must not move.
      *
      * @param player the player
      * @param hinge index of the hinge
@@ -249,7 +220,7 @@ public final class Match {
         return player.conduct().isFrozen(hinge, tick);
     }
 
-    /** Tells whether there is any robot, also one without a team. */
+    /** Whether there is any robot, with or without a team. */
     boolean isAnybodyThere() {
         return !world.robots().isEmpty();
     }
@@ -266,7 +237,7 @@ public final class Match {
         events.add(event);
     }
 
-    /** Lists where robots touched each other in this tick. */
+    /** Where robots touched each other in this tick. */
     List<RobotContact> robotContacts() {
         return world.robotContacts();
     }
@@ -291,7 +262,7 @@ public final class Match {
         return repositioning;
     }
 
-    Random random() {
+    RandomGenerator random() {
         return random;
     }
 
@@ -328,14 +299,14 @@ public final class Match {
         setPiece = newSetPiece;
     }
 
-    /** Tells whether the restrictions of who takes a kick hold: in a real game, not for a lonely robot. */
+    /** Whether the restrictions on kickers apply: in a real game, not for a single robot. */
     boolean hasKickRules() {
         return parameters.isOn(SoccerParameter.FREE_KICK_RULES)
                 && !shootout
                 && players().size() > 2;
     }
 
-    /** Tells whether the left team shoots at a lone goalkeeper; it is over with the first goal. */
+    /** Whether the left team shoots at a lone goalkeeper; it is over with the first goal. */
     boolean isShootout() {
         return shootout;
     }
@@ -384,5 +355,43 @@ public final class Match {
             state.swapScore();
         }
         setPlayMode(PlayMode.BEFORE_KICK_OFF);
+    }
+
+    /** Writes all that the referee knows; the world is saved apart from it. */
+    @Override
+    public void save(StateWriter out) {
+        teams.save(out, world.robots());
+        Roster roster = teams.roster();
+        memories().forEach(memory -> memory.save(out, roster));
+        random.save(out);
+        state.save(out);
+        events.save(out);
+        out.putOptional(setPiece, piece -> piece.save(out, roster));
+        out.putOptional(nextFirstKickOff, out::putEnum);
+        out.putBoolean(halfBegun);
+        out.putBoolean(shootout);
+        out.putLong(tick);
+    }
+
+    /** Takes on a state after the world has taken on its own. */
+    @Override
+    public void restore(StateReader in) {
+        teams.restore(in, world.robots());
+        Roster roster = teams.roster();
+        memories().forEach(memory -> memory.restore(in, roster));
+        random.restore(in);
+        state.restore(in);
+        events.restore(in);
+        setPiece = in.getOptional(() -> SetPiece.restore(in, roster));
+        nextFirstKickOff = in.getOptional(() -> in.getEnum(TeamSide.values()));
+        halfBegun = in.getBoolean();
+        shootout = in.getBoolean();
+        tick = in.getLong();
+    }
+
+    private List<Memory> memories() {
+        List<Memory> memories = new ArrayList<>(List.of(ball, rules, referee, leftPassMode, rightPassMode));
+        players().forEach(player -> memories.add(player.conduct()));
+        return memories;
     }
 }

@@ -2,7 +2,7 @@ package org.robonewbie.simulator.soccer;
 
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Shape;
-import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
 
 /**
@@ -21,7 +21,7 @@ record OrientedBox(Vector3 centre, Vector3 x, Vector3 y, Vector3 z) {
 
     static OrientedBox of(Robot robot, int link) {
         Shape.Box box = (Shape.Box) robot.model().links().get(link).shape();
-        Pose pose = robot.linkPose(link);
+        BodyPose pose = robot.linkPose(link);
         return new OrientedBox(
                 pose.position(),
                 pose.rotation().axisX().times(box.size().x() / 2),

@@ -1,23 +1,27 @@
 package org.robonewbie.simulator.soccer;
 
-import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 
 /**
  * The right of one team to pass undisturbed, and the time after it in which the team may not score (since rcssserver3d
  * 0.7.2).
  */
-final class PassMode {
+final class PassMode implements Memory {
 
     private static final double AWAY_DISTANCE = 1.0;
 
     private final Match match;
     private final TeamSide side;
-    private final Set<Player> touchers = new HashSet<>();
+    private final Set<Player> touchers = new LinkedHashSet<>();
     private Vector3 place = Vector3.ZERO;
     private long lastTick = Conduct.NEVER;
     private long lockedUntil = Conduct.NEVER;
@@ -43,12 +47,12 @@ final class PassMode {
     /** Notes that the pass mode is over; the team may not score for some time. */
     void end() {
         lastTick = match.currentTick();
-        lockedUntil = lastTick + Math.round(get(SoccerParameter.PASS_MODE_SCORE_WAIT_TIME) / Match.TICK_SECONDS);
+        lockedUntil = lastTick + PortableMath.round(get(SoccerParameter.PASS_MODE_SCORE_WAIT_TIME) / Cycle.SECONDS);
         touchers.clear();
         ballWasAway = false;
     }
 
-    /** Lets the team score again at once. */
+    /** Allows the team to score again at once. */
     void unlock() {
         lockedUntil = Conduct.NEVER;
     }
@@ -61,7 +65,7 @@ final class PassMode {
         Optional<BallWatch.Touch> touch = match.ball().lastTouch();
         touch.filter(last -> last.tick() > lastTick && last.player().side() == side)
                 .ifPresent(last -> touchers.add(last.player()));
-        ballWasAway |= Math.hypot(ball().x() - place.x(), ball().y() - place.y()) >= AWAY_DISTANCE;
+        ballWasAway |= PortableMath.hypot(ball().x() - place.x(), ball().y() - place.y()) >= AWAY_DISTANCE;
         if (touchers.size() >= 2 && ballWasAway) {
             unlock();
         }
@@ -71,16 +75,16 @@ final class PassMode {
         return match.currentTick() < lockedUntil;
     }
 
-    /** Tells for how long the team may not score, in seconds. */
+    /** How long the team may not score, in seconds. */
     double lockedSeconds() {
-        return isLocked() ? (lockedUntil - match.currentTick()) * Match.TICK_SECONDS : 0;
+        return isLocked() ? (lockedUntil - match.currentTick()) * Cycle.SECONDS : 0;
     }
 
     private boolean isPossible() {
         double wait = get(SoccerParameter.PASS_MODE_RETRY_WAIT_TIME);
         double opponentDistance = get(SoccerParameter.PASS_MODE_MIN_OPPONENT_BALL_DISTANCE);
         return match.state().playMode() == PlayMode.PLAY_ON
-                && (match.currentTick() - lastTick) * Match.TICK_SECONDS >= wait
+                && (match.currentTick() - lastTick) * Cycle.SECONDS >= wait
                 && match.ballVelocity().length() <= get(SoccerParameter.PASS_MODE_MAX_BALL_SPEED)
                 && match.players(side).stream()
                         .noneMatch(player -> player.conduct().ballTick() == match.currentTick())
@@ -94,5 +98,24 @@ final class PassMode {
 
     private Vector3 ball() {
         return match.ball().position();
+    }
+
+    @Override
+    public void save(StateWriter out, Roster roster) {
+        roster.saveAll(touchers, out);
+        out.putVector(place);
+        out.putLong(lastTick);
+        out.putLong(lockedUntil);
+        out.putBoolean(ballWasAway);
+    }
+
+    @Override
+    public void restore(StateReader in, Roster roster) {
+        touchers.clear();
+        touchers.addAll(roster.restoreAll(in));
+        place = in.getVector();
+        lastTick = in.getLong();
+        lockedUntil = in.getLong();
+        ballWasAway = in.getBoolean();
     }
 }

@@ -2,8 +2,10 @@ package org.robonewbie.simulator.soccer;
 
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 
-/** A team passes: opponents are kept away from the ball until somebody touches it or the time is over. */
+/** A team passes: opponents are kept away from the ball until a robot touches it or the time is over. */
 final class PassRule implements PlayModeRule {
 
     private static final double PUSH = 0.1;
@@ -36,5 +38,15 @@ final class PassRule implements PlayModeRule {
             match.passMode(side).end();
         }
         playOn.apply();
+    }
+
+    @Override
+    public void save(StateWriter out, Roster roster) {
+        out.putLong(beginTick);
+    }
+
+    @Override
+    public void restore(StateReader in, Roster roster) {
+        beginTick = in.getLong();
     }
 }

@@ -1,7 +1,7 @@
 package org.robonewbie.simulator.soccer;
 
 /** What the referee does in one play mode. */
-interface PlayModeRule {
+interface PlayModeRule extends Memory {
 
     /** Begins the play mode. */
     default void begin() {}

@@ -4,9 +4,11 @@ import java.util.EnumMap;
 import java.util.Map;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 
 /** The rule for each play mode. */
-final class PlayModeRules {
+final class PlayModeRules implements Memory {
 
     private final Map<PlayMode, PlayModeRule> rules = new EnumMap<>(PlayMode.class);
 
@@ -53,5 +55,15 @@ final class PlayModeRules {
 
     static PlayMode of(TeamSide side, PlayMode left, PlayMode right) {
         return side == TeamSide.LEFT ? left : right;
+    }
+
+    @Override
+    public void save(StateWriter out, Roster roster) {
+        rules.values().forEach(rule -> rule.save(out, roster));
+    }
+
+    @Override
+    public void restore(StateReader in, Roster roster) {
+        rules.values().forEach(rule -> rule.restore(in, roster));
     }
 }

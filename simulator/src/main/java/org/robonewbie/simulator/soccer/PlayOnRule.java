@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 
 /** The running game: double touch of who took a kick, goals, and the ball leaving the pitch. */
 final class PlayOnRule implements PlayModeRule {
@@ -62,7 +63,7 @@ final class PlayOnRule implements PlayModeRule {
     }
 
     private boolean isOutsideCentreCircle(Vector3 ball) {
-        return Math.hypot(ball.x(), ball.y()) > match.parameters().get(SoccerParameter.FREE_KICK_DISTANCE);
+        return PortableMath.hypot(ball.x(), ball.y()) > match.parameters().get(SoccerParameter.FREE_KICK_DISTANCE);
     }
 
     private boolean isDoubleTouch() {

@@ -1,5 +1,6 @@
 package org.robonewbie.simulator.soccer;
 
+import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.physics.BoundingBox;
@@ -10,7 +11,7 @@ public final class Player {
 
     private final Team team;
     private final int number;
-    private final Robot robot;
+    private final @Nullable Robot robot;
     private final Conduct conduct;
 
     Player(Team team, int number, Robot robot) {
@@ -20,49 +21,44 @@ public final class Player {
         this.conduct = new Conduct(robot.model().hinges().size());
     }
 
-    /**
-     * Names the team.
-     *
-     * @return the player's team
-     */
+    private Player(Team team, int number) {
+        this.team = team;
+        this.number = number;
+        this.robot = null;
+        this.conduct = new Conduct(0);
+    }
+
+    /** Stands for a player that has left and is only remembered for what it did. */
+    static Player departed(Team team, int number) {
+        return new Player(team, number);
+    }
+
+    /** {@return the player's team} */
     public Team team() {
         return team;
     }
 
-    /**
-     * Tells on which side the team plays at present.
-     *
-     * @return the half that the team defends
-     */
+    /** {@return the half that the player's team defends at present} */
     public TeamSide side() {
         return team.side();
     }
 
-    /**
-     * Tells the number on the shirt; number 1 keeps the goal.
-     *
-     * @return 1 to 11
-     */
+    /** {@return the shirt number, 1 to 11; number 1 is the goalkeeper} */
     public int number() {
         return number;
     }
 
-    /**
-     * Gives access to the body.
-     *
-     * @return the robot
-     */
+    /** {@return the player's robot} */
     public Robot robot() {
+        if (robot == null) {
+            throw new IllegalStateException(this + " has left the game");
+        }
         return robot;
     }
 
-    /**
-     * Tells where the player is.
-     *
-     * @return the torso's centre in the world frame, metres
-     */
+    /** {@return the position of the torso's centre in the world frame, metres} */
     public Vector3 position() {
-        return robot.torso().position();
+        return robot().torso().position();
     }
 
     Conduct conduct() {
@@ -73,9 +69,9 @@ public final class Player {
         return number == 1;
     }
 
-    /** Tells whether the box around the robot comes nearer to a point than a distance in metres. */
+    /** Whether the box around the robot is closer to a point than a distance in metres. */
     boolean isWithin(double distance, Vector3 point) {
-        BoundingBox box = robot.boundingBox();
+        BoundingBox box = robot().boundingBox();
         double x = gap(point.x(), box.min().x(), box.max().x());
         double y = gap(point.y(), box.min().y(), box.max().y());
         double z = gap(point.z(), box.min().z(), box.max().z());

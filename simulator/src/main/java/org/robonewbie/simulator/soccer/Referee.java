@@ -4,19 +4,23 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.monitor.Foul;
 import org.robonewbie.protocol.monitor.FoulType;
-import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.protocol.order.PlayerNumber;
 
 /**
- * Judges fouls in each tick and lifts who committed one off the pitch (SimSpark: {@code soccerruleaspect.cpp}).
+ * Judges fouls in each tick and lifts offenders off the pitch (SimSpark: {@code soccerruleaspect.cpp}).
  *
- * <p>A punished robot is held in the air for a moment and then put beside the pitch; until then nothing else that it does is
+ * <p>A punished robot is held in the air for a moment and then placed beside the pitch; until then nothing else that it does is
  * a foul.
  */
-final class Referee {
+final class Referee implements Memory {
 
     private static final int REMEMBERED_FOULS = 200;
     private static final double LIFTED_HEIGHT = 1.0;
@@ -53,7 +57,7 @@ final class Referee {
         }
     }
 
-    /** Lists the newest fouls of the match in their order; a penalty counts once for each tick that it takes. */
+    /** The newest fouls of the match in order; a penalty counts once for each tick that it lasts. */
     List<Foul> fouls() {
         return Collections.unmodifiableList(fouls);
     }
@@ -72,7 +76,7 @@ final class Referee {
         add(player, foul);
     }
 
-    /** Gives both sides in an order that chance decides. */
+    /** Both sides in random order. */
     List<TeamSide> sides() {
         return match.random().nextBoolean()
                 ? List.of(TeamSide.LEFT, TeamSide.RIGHT)
@@ -91,7 +95,7 @@ final class Referee {
         double holdSeconds = match.parameters().get(SoccerParameter.FOUL_HOLD_TIME);
         int ticks = player.conduct().countPenalty();
         player.conduct().moved(match.currentTick());
-        if (ticks * Match.TICK_SECONDS <= holdSeconds) {
+        if (ticks * Cycle.SECONDS <= holdSeconds) {
             add(player, foul);
             Vector3 position = player.position();
             player.robot().moveTo(new Vector3(position.x(), position.y(), LIFTED_HEIGHT + LIFT_PER_TICK * ticks));
@@ -110,6 +114,30 @@ final class Referee {
     }
 
     static double flatDistance(Player player, Vector3 point) {
-        return Math.hypot(player.position().x() - point.x(), player.position().y() - point.y());
+        return PortableMath.hypot(
+                player.position().x() - point.x(), player.position().y() - point.y());
+    }
+
+    @Override
+    public void save(StateWriter out, Roster roster) {
+        out.putInt(foulCount);
+        out.putAll(fouls, foul -> {
+            out.putInt(foul.index());
+            out.putEnum(foul.type());
+            out.putEnum(foul.player().side());
+            out.putInt(foul.player().number());
+        });
+        rules.forEach(rule -> rule.save(out, roster));
+    }
+
+    @Override
+    public void restore(StateReader in, Roster roster) {
+        foulCount = in.getInt();
+        fouls.clear();
+        fouls.addAll(in.getAll(() -> new Foul(
+                in.getInt(),
+                in.getEnum(FoulType.values()),
+                new PlayerNumber(in.getEnum(TeamSide.values()), in.getInt()))));
+        rules.forEach(rule -> rule.restore(in, roster));
     }
 }

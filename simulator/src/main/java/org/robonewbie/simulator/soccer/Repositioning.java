@@ -7,6 +7,7 @@ import java.util.function.Predicate;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.simulator.physics.BoundingBox;
 
 /** Moves robots out of the way to free places, as the referee does (SimSpark: {@code soccerruleaspect.cpp}). */
@@ -51,7 +52,7 @@ final class Repositioning {
             Vector3 position = player.position();
             double x = position.x() - centre.x();
             double y = position.y() - centre.y();
-            double length = Math.hypot(x, y);
+            double length = PortableMath.hypot(x, y);
             if (length < within) {
                 double factor = length == 0 ? 0 : distance / length;
                 double pushedX = length == 0 ? centre.x() + ownDirection(side) * distance : centre.x() + factor * x;
@@ -71,7 +72,7 @@ final class Repositioning {
         Vector3 position = player.position();
         double x = position.x() - centre.x();
         double y = position.y() - centre.y();
-        double length = Math.hypot(x, y);
+        double length = PortableMath.hypot(x, y);
         Vector3 way = length == 0
                 ? new Vector3(ownDirection(player.side()) * distance, 0, 0)
                 : new Vector3(x / length * distance, y / length * distance, 0);
@@ -136,7 +137,7 @@ final class Repositioning {
         double distance =
                 Math.max(2 * agentRadius, match.parameters().get(SoccerParameter.PASS_MODE_MIN_OPPONENT_BALL_DISTANCE));
         Vector3 ball = match.ball().position();
-        return Math.hypot(place.x() - ball.x(), place.y() - ball.y()) < distance;
+        return PortableMath.hypot(place.x() - ball.x(), place.y() - ball.y()) < distance;
     }
 
     private boolean isAtGoal(Vector3 place) {

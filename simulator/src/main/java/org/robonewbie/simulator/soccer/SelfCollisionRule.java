@@ -3,6 +3,8 @@ package org.robonewbie.simulator.soccer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
@@ -76,7 +78,7 @@ final class SelfCollisionRule implements FoulRule {
                 + model.links().get(second).name());
     }
 
-    /** Punishes a collision; tells whether a hinge was newly frozen. */
+    /** Punishes a collision; returns whether a hinge was newly frozen. */
     private boolean punish(Player player, int firstLink, int secondLink) {
         if (match.parameters().isOn(SoccerParameter.SELF_COLLISION_BEAM_PENALTY)) {
             long cooldown = ticks(SoccerParameter.SELF_COLLISION_BEAM_COOLDOWN_TIME);
@@ -109,7 +111,7 @@ final class SelfCollisionRule implements FoulRule {
         return frozen;
     }
 
-    /** Finds what the names of a limb's effectors begin with, such as {@code rae}; nothing for the torso. */
+    /** The prefix of the names of a limb's effectors, such as {@code rae}; empty for the torso. */
     private static String limb(String link) {
         if (link.equals(NaoModel.TORSO)) {
             return "";
@@ -118,6 +120,6 @@ final class SelfCollisionRule implements FoulRule {
     }
 
     private long ticks(SoccerParameter seconds) {
-        return Math.round(match.parameters().get(seconds) / Match.TICK_SECONDS);
+        return PortableMath.round(match.parameters().get(seconds) / Cycle.SECONDS);
     }
 }

@@ -204,47 +204,27 @@ public enum SoccerParameter {
         this.description = description;
     }
 
-    /**
-     * Names the parameter on the command line and in files.
-     *
-     * @return SimSpark's name, such as {@code RuleHalfTime}
-     */
+    /** {@return SimSpark's name of the parameter, as on the command line and in files, such as {@code RuleHalfTime}} */
     public String simSparkName() {
         return simSparkName;
     }
 
-    /**
-     * Says what the parameter means.
-     *
-     * @return one line with the unit
-     */
+    /** {@return the meaning of the parameter in one line, with the unit} */
     public String description() {
         return description;
     }
 
-    /**
-     * Tells whether the value is yes or no instead of a number.
-     *
-     * @return true for a yes or no
-     */
+    /** {@return whether the value is yes or no instead of a number} */
     public boolean isYesOrNo() {
         return yesOrNo;
     }
 
-    /**
-     * Tells the value in the league's profile.
-     *
-     * @return the number; 1 for yes and 0 for no
-     */
+    /** {@return the value in the league's profile; 1 for yes and 0 for no} */
     public double leagueValue() {
         return leagueValue;
     }
 
-    /**
-     * Tells the value in the beginners' profile.
-     *
-     * @return the number; 1 for yes and 0 for no
-     */
+    /** {@return the value in the beginners' profile; 1 for yes and 0 for no} */
     public double beginnerValue() {
         return beginnerValue;
     }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
  * A value for each {@link SoccerParameter}; it never changes.
@@ -37,22 +38,14 @@ public final class SoccerParameters {
         this.values = values;
     }
 
-    /**
-     * Gives the values of the league's profile, those of rcssserver3d 0.7.3.
-     *
-     * @return the parameters
-     */
+    /** {@return the values of the league's profile, those of rcssserver3d 0.7.3} */
     public static SoccerParameters league() {
         return new SoccerParameters(Arrays.stream(SoccerParameter.values())
                 .mapToDouble(SoccerParameter::leagueValue)
                 .toArray());
     }
 
-    /**
-     * Gives the values of the beginners' profile: a small pitch, kick-off at once, no fouls, no noise when beamed.
-     *
-     * @return the parameters
-     */
+    /** {@return the values of the beginners' profile: a small pitch, immediate kick-off, no fouls, no beam noise} */
     public static SoccerParameters beginner() {
         return new SoccerParameters(Arrays.stream(SoccerParameter.values())
                 .mapToDouble(SoccerParameter::beginnerValue)
@@ -111,11 +104,7 @@ public final class SoccerParameters {
         return with(parameter, parse(parameter, assignment.substring(equals + 1).trim()));
     }
 
-    /**
-     * Gives the pitch that these parameters describe.
-     *
-     * @return the pitch
-     */
+    /** {@return the pitch that these parameters describe} */
     public SoccerField field() {
         return new SoccerField(
                 get(SoccerParameter.FIELD_LENGTH),
@@ -141,11 +130,7 @@ public final class SoccerParameters {
         return assignments;
     }
 
-    /**
-     * Lists all parameters for people.
-     *
-     * @return one line for each: name, value in the league, value for beginners, meaning
-     */
+    /** {@return a readable line for each parameter: name, value in the league, value for beginners, meaning} */
     public static List<String> describe() {
         return Arrays.stream(SoccerParameter.values())
                 .map(parameter -> String.format(
@@ -208,7 +193,7 @@ public final class SoccerParameters {
         if (parameter.isYesOrNo()) {
             return value == 0 ? "false" : "true";
         }
-        return value == Math.rint(value) && Math.abs(value) < 1e15
+        return value == PortableMath.rint(value) && Math.abs(value) < 1e15
                 ? Long.toString((long) value)
                 : Double.toString(value);
     }

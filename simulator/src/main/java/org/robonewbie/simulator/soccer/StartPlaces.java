@@ -3,8 +3,10 @@ package org.robonewbie.simulator.soccer;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 
-/** The row of places at the side line where new players of a team appear; as in the original nobody ever gives a place back. */
+/** The row of places at the side line where new players of a team appear; as in SimSpark a place is never reused. */
 public final class StartPlaces {
 
     private final double radius;
@@ -28,7 +30,7 @@ public final class StartPlaces {
     }
 
     /**
-     * Gives away the next place.
+     * Takes the next place.
      *
      * @return centre of the torso in the world frame, metres
      */
@@ -40,5 +42,15 @@ public final class StartPlaces {
             x += 2 * radius;
         }
         return place;
+    }
+
+    void save(StateWriter out) {
+        out.putDouble(x);
+        out.putDouble(y);
+    }
+
+    void restore(StateReader in) {
+        x = in.getDouble();
+        y = in.getDouble();
     }
 }

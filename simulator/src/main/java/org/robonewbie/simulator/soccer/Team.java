@@ -25,29 +25,17 @@ public final class Team {
         this.parameters = parameters;
     }
 
-    /**
-     * Names the team.
-     *
-     * @return the name that the first player gave, possibly empty
-     */
+    /** {@return the team's name as given by its first player, possibly empty} */
     public String name() {
         return name;
     }
 
-    /**
-     * Tells on which side the team plays at present.
-     *
-     * @return the half that it defends
-     */
+    /** {@return the half that the team defends at present} */
     public TeamSide side() {
         return side;
     }
 
-    /**
-     * Lists who is there.
-     *
-     * @return the players in the order in which they joined, unmodifiable
-     */
+    /** {@return the players in the order in which they joined, unmodifiable} */
     public List<Player> players() {
         return Collections.unmodifiableList(players);
     }
@@ -56,7 +44,7 @@ public final class Team {
         side = side.opponent();
     }
 
-    /** Says why a robot may not join, or nothing if it may; number 0 asks for any free one. */
+    /** Why a robot may not join; empty if it may. Number 0 asks for any free one. */
     Optional<String> objection(int number, RobotType type) {
         if (players.size() >= SIZE) {
             return Optional.of("team \"" + name + "\" has all of its " + SIZE + " players already");
@@ -76,6 +64,16 @@ public final class Team {
         Player player = new Player(this, number == 0 ? lowestFreeNumber() : number, robot);
         players.add(player);
         return player;
+    }
+
+    /** Begins a restored game on a side, without players. */
+    void begin(TeamSide newSide) {
+        side = newSide;
+        players.clear();
+    }
+
+    void add(Player player) {
+        players.add(player);
     }
 
     void remove(Player player) {

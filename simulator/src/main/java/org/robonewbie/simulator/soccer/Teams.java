@@ -5,10 +5,12 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * Who plays: the first team name ever heard plays on the left, the second on the right, and both stay reserved when their
+ * The two teams: the first team name to appear plays on the left, the second on the right, and both stay reserved when their
  * players leave (SimSpark: {@code gamestateaspect.cpp}).
  */
 public final class Teams {
@@ -25,41 +27,37 @@ public final class Teams {
         rightPlaces = new StartPlaces(TeamSide.RIGHT, parameters);
     }
 
-    /**
-     * Lists all players of both teams.
-     *
-     * @return the players in the order in which they joined, unmodifiable
-     */
+    /** {@return all players of both teams in the order in which they joined, unmodifiable} */
     public List<Player> players() {
         return Collections.unmodifiableList(players);
     }
 
     /**
-     * Finds a team.
+     * Returns the team of a side.
      *
      * @param side the half that it defends
-     * @return the team, or empty before it has come
+     * @return the team; empty before it has joined
      */
     public Optional<Team> team(TeamSide side) {
         return teams.stream().filter(team -> team.side() == side).findFirst();
     }
 
     /**
-     * Names a team.
+     * Returns the name of a team.
      *
      * @param side the half that it defends
-     * @return its name, empty before it has come
+     * @return its name, empty before it has joined
      */
     public String name(TeamSide side) {
         return team(side).map(Team::name).orElse("");
     }
 
     /**
-     * Finds a player.
+     * Looks up a player.
      *
      * @param side the half that the team defends
      * @param number the player's number
-     * @return the player, or empty if there is none
+     * @return the player; empty if there is none
      */
     public Optional<Player> player(TeamSide side, int number) {
         return players.stream()
@@ -99,7 +97,7 @@ public final class Teams {
     }
 
     /**
-     * Puts a player where a new player of its team appears.
+     * Moves a player to where a new player of its team appears.
      *
      * @param player the player
      */
@@ -108,7 +106,7 @@ public final class Teams {
         player.robot().moveUpright((left ? leftPlaces : rightPlaces).next(), left ? -90 : 90);
     }
 
-    /** Gives a player a new body. */
+    /** Replaces a player's body. */
     Player replaceRobot(Player old, Robot robot) {
         Player replacement = new Player(old.team(), old.number(), robot);
         old.team().replace(old, replacement);
@@ -139,5 +137,56 @@ public final class Teams {
         Team team = new Team(name, side, parameters);
         teams.add(team);
         return team;
+    }
+
+    void save(StateWriter out, List<Robot> robots) {
+        out.putAll(teams, team -> {
+            out.putText(team.name());
+            out.putEnum(team.side());
+        });
+        out.putAll(players, player -> {
+            out.putInt(teams.indexOf(player.team()));
+            out.putInt(player.number());
+            out.putInt(robots.indexOf(player.robot()));
+        });
+        leftPlaces.save(out);
+        rightPlaces.save(out);
+    }
+
+    /** Takes on a state; players with the same team, number and robot as before stay the same objects. */
+    void restore(StateReader in, List<Robot> robots) {
+        List<Team> formerTeams = List.copyOf(teams);
+        teams.clear();
+        teams.addAll(in.getAll(() -> team(in.getText(), in.getEnum(TeamSide.values()), formerTeams)));
+        List<Player> formerPlayers = List.copyOf(players);
+        players.clear();
+        players.addAll(in.getAll(() -> player(
+                teams.get(in.getIndex(teams.size())),
+                in.getInt(),
+                robots.get(in.getIndex(robots.size())),
+                formerPlayers)));
+        players.forEach(player -> player.team().add(player));
+        leftPlaces.restore(in);
+        rightPlaces.restore(in);
+    }
+
+    Roster roster() {
+        return new Roster(teams, players);
+    }
+
+    private Team team(String name, TeamSide side, List<Team> former) {
+        Team team = former.stream()
+                .filter(candidate -> candidate.name().equals(name))
+                .findFirst()
+                .orElseGet(() -> new Team(name, side, parameters));
+        team.begin(side);
+        return team;
+    }
+
+    private static Player player(Team team, int number, Robot robot, List<Player> former) {
+        return former.stream()
+                .filter(player -> player.team() == team && player.number() == number && player.robot() == robot)
+                .findFirst()
+                .orElseGet(() -> new Player(team, number, robot));
     }
 }

@@ -48,7 +48,7 @@ public final class TrainersHand {
     }
 
     /**
-     * Puts a player beside the pitch.
+     * Places a player beside the pitch.
      *
      * @param player the player
      */

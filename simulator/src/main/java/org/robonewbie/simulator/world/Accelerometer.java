@@ -1,10 +1,14 @@
 package org.robonewbie.simulator.world;
 
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.RigidBody;
 
 /** Proper acceleration from the change of velocity over one step (SimSpark: {@code accelerometer.cpp}). */
-final class Accelerometer {
+final class Accelerometer implements Restorable {
 
     private static final Vector3 GRAVITY = new Vector3(0, 0, -9.81);
 
@@ -13,12 +17,24 @@ final class Accelerometer {
 
     void measure(RigidBody body) {
         Vector3 velocity = body.velocity();
-        Vector3 change = velocity.minus(lastVelocity).times(1 / SoccerWorld.STEP_SECONDS);
+        Vector3 change = velocity.minus(lastVelocity).times(1 / Cycle.SECONDS);
         reading = body.rotation().applyInverse(change.minus(GRAVITY));
         lastVelocity = velocity;
     }
 
     Vector3 reading() {
         return reading;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.putVector(lastVelocity);
+        out.putVector(reading);
+    }
+
+    @Override
+    public void restore(StateReader in) {
+        lastVelocity = in.getVector();
+        reading = in.getVector();
     }
 }

@@ -5,7 +5,7 @@ import org.robonewbie.nao.model.Shape;
 import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.RigidBody;
-import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.physics.RotationMatrix;
 
 /** The ball: a soft sphere that bounces, rolls and is slowed by the air. */
 public final class Ball {
@@ -22,55 +22,35 @@ public final class Ball {
         scenery.addCollider(body, shape, SurfaceMaterials.BALL, this);
     }
 
-    /**
-     * Tells size and weight.
-     *
-     * @return what the ball was made with
-     */
+    /** {@return radius and mass of the ball} */
     public BallProperties properties() {
         return properties;
     }
 
-    /**
-     * Tells where the ball is.
-     *
-     * @return its centre in the world frame, metres
-     */
+    /** {@return the position of the centre in the world frame, metres} */
     public Vector3 position() {
         return body.position();
     }
 
-    /**
-     * Tells how fast the ball flies or rolls.
-     *
-     * @return metres per second in the world frame
-     */
+    /** {@return the velocity in the world frame, metres per second} */
     public Vector3 velocity() {
         return body.velocity();
     }
 
-    /**
-     * Tells how fast the ball spins.
-     *
-     * @return radians per second about the world's axes
-     */
+    /** {@return the angular velocity in radians per second about the world's axes} */
     public Vector3 spin() {
         return body.angularVelocity();
     }
 
-    /**
-     * Tells how the ball is turned.
-     *
-     * @return the rotation from its own axes to the world's
-     */
-    public Rotation rotation() {
+    /** {@return the rotation from the ball's own axes to the world's} */
+    public RotationMatrix rotation() {
         return body.rotation();
     }
 
     /**
-     * Puts the ball somewhere as the trainer does: it keeps its velocity and spin.
+     * Moves the ball as a trainer does: it keeps its velocity and spin.
      *
-     * @param position centre of the ball in the world frame, metres; cut to a kilometre
+     * @param position centre of the ball in the world frame, metres; limited to a kilometre
      */
     public void moveTo(Vector3 position) {
         body.setPosition(WorldLimits.place(position));
@@ -89,7 +69,7 @@ public final class Ball {
     }
 
     /**
-     * Puts the ball somewhere at rest, as the referee does.
+     * Places the ball at rest, as the referee does.
      *
      * @param position centre of the ball in the world frame, metres
      */
@@ -99,9 +79,9 @@ public final class Ball {
     }
 
     /**
-     * Gives the ball a place and a movement.
+     * Sets the ball's position and motion.
      *
-     * @param motion where it is and how it moves and spins
+     * @param motion position, velocity and spin
      */
     public void place(LinkMotion motion) {
         moveTo(motion.pose().position());
@@ -110,10 +90,10 @@ public final class Ball {
         body.setAngularVelocity(motion.radiansPerSecond());
     }
 
-    /** Puts a ball that went beyond all limits back to the centre spot. */
+    /** Returns a ball that went beyond all limits to the centre spot. */
     void finishStep() {
         if (!WorldLimits.isWithin(body.position())) {
-            body.setRotation(Rotation.IDENTITY);
+            body.setRotation(RotationMatrix.IDENTITY);
             place(new Vector3(0, 0, properties.radius()));
         }
     }

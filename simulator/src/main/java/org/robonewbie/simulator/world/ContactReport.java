@@ -6,6 +6,8 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.Contact;
 
 /** Reads from a step's contacts what referee and foot sensors want to know. */
@@ -64,5 +66,34 @@ final class ContactReport {
         } else if (other instanceof Pitch.GoalMouth goal) {
             goalsWithBall.add(goal.side());
         }
+    }
+
+    void save(StateWriter out, List<Robot> robots) {
+        out.putAll(ballTouches, part -> save(part, out, robots));
+        out.putAll(robotContacts, contact -> {
+            save(contact.first(), out, robots);
+            save(contact.second(), out, robots);
+            out.putVector(contact.position());
+        });
+        out.putAll(goalsWithBall, out::putEnum);
+    }
+
+    void restore(StateReader in, List<Robot> robots) {
+        ballTouches.clear();
+        robotContacts.clear();
+        goalsWithBall.clear();
+        ballTouches.addAll(in.getAll(() -> part(in, robots)));
+        robotContacts.addAll(in.getAll(() -> new RobotContact(part(in, robots), part(in, robots), in.getVector())));
+        goalsWithBall.addAll(in.getAll(() -> in.getEnum(TeamSide.values())));
+    }
+
+    private static void save(RobotPart part, StateWriter out, List<Robot> robots) {
+        out.putInt(robots.indexOf(part.robot()));
+        out.putInt(part.link());
+    }
+
+    private static RobotPart part(StateReader in, List<Robot> robots) {
+        Robot robot = robots.get(in.getIndex(robots.size()));
+        return new RobotPart(robot, in.getIndex(robot.model().links().size()));
     }
 }

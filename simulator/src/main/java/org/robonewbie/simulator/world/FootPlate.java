@@ -4,9 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.perceptor.FootForce;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.Contact;
-import org.robonewbie.simulator.physics.Pose;
 
 /**
  * Adds up the contacts of one foot during a step (SimSpark: {@code forceresistanceperceptor.cpp}).
@@ -15,10 +18,11 @@ import org.robonewbie.simulator.physics.Pose;
  * force, in the frame of the foot as it is after the step. While the bodies sleep there are contacts without force; the
  * last reading is repeated then.
  */
-final class FootPlate {
+final class FootPlate implements Restorable {
 
     private final int link;
     private final List<Contact> contacts = new ArrayList<>();
+    private boolean touching;
     private FootForce last = new FootForce(Vector3.ZERO, Vector3.ZERO);
 
     FootPlate(int link) {
@@ -31,13 +35,15 @@ final class FootPlate {
 
     void clear() {
         contacts.clear();
+        touching = false;
     }
 
     void add(Contact contact) {
         contacts.add(contact);
+        touching = true;
     }
 
-    void update(Pose foot) {
+    void update(BodyPose foot) {
         Vector3 total = Vector3.ZERO;
         Vector3 weighted = Vector3.ZERO;
         double weight = 0;
@@ -55,6 +61,20 @@ final class FootPlate {
     }
 
     Optional<FootForce> reading() {
-        return contacts.isEmpty() ? Optional.empty() : Optional.of(last);
+        return touching ? Optional.of(last) : Optional.empty();
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.putBoolean(touching);
+        out.putVector(last.point());
+        out.putVector(last.force());
+    }
+
+    @Override
+    public void restore(StateReader in) {
+        contacts.clear();
+        touching = in.getBoolean();
+        last = new FootForce(in.getVector(), in.getVector());
     }
 }

@@ -1,7 +1,8 @@
 package org.robonewbie.simulator.world;
 
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.simulator.physics.BodyPose;
 
 /**
  * Where a link of a robot, or the ball, is and how it moves.
@@ -10,17 +11,17 @@ import org.robonewbie.simulator.physics.Pose;
  * @param velocity of its centre in the world frame, metres per second
  * @param radiansPerSecond axis and speed of its turn in the world frame
  */
-public record LinkMotion(Pose pose, Vector3 velocity, Vector3 radiansPerSecond) {
+public record LinkMotion(BodyPose pose, Vector3 velocity, Vector3 radiansPerSecond) {
 
     /**
-     * Finds the movement between two places.
+     * Calculates the motion between two poses.
      *
-     * @param before the place before
-     * @param now the place now
+     * @param before the previous pose
+     * @param now the present pose
      * @param seconds time between the two; 0 for a link at rest
-     * @return the place now and the mean velocity since then
+     * @return the present pose and the mean velocity since the previous one
      */
-    public static LinkMotion between(Pose before, Pose now, double seconds) {
+    public static LinkMotion between(BodyPose before, BodyPose now, double seconds) {
         if (!(seconds > 0)) {
             return new LinkMotion(now, Vector3.ZERO, Vector3.ZERO);
         }
@@ -28,7 +29,7 @@ public record LinkMotion(Pose pose, Vector3 velocity, Vector3 radiansPerSecond) 
         double[] turn = now.rotation().after(before.rotation().inverse()).toQuaternion();
         Vector3 axis = new Vector3(turn[1], turn[2], turn[3]);
         double sine = axis.length();
-        double radians = 2 * Math.atan2(sine, turn[0]);
+        double radians = 2 * PortableMath.atan2(sine, turn[0]);
         return new LinkMotion(
                 now, way.times(1 / seconds), sine < 1e-12 ? Vector3.ZERO : axis.times(radians / sine / seconds));
     }

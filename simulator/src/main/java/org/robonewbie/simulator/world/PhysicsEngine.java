@@ -14,7 +14,7 @@ public enum PhysicsEngine {
             return new OdePhysicsWorld();
         }
     },
-    /** Our own step, which makes use of the robot being a tree of bodies. */
+    /** Our own step, which exploits that a robot is a tree of bodies. */
     FAST {
         @Override
         public PhysicsWorld newWorld() {
@@ -25,18 +25,10 @@ public enum PhysicsEngine {
     /** The engine that is used where none is named. */
     public static final PhysicsEngine STANDARD = FAST;
 
-    /**
-     * Makes an empty world.
-     *
-     * @return the new world
-     */
+    /** {@return a new, empty world} */
     public abstract PhysicsWorld newWorld();
 
-    /**
-     * Names the engine as on the command line.
-     *
-     * @return "exact" or "fast"
-     */
+    /** {@return the engine's name on the command line, "exact" or "fast"} */
     @Override
     public String toString() {
         return name().toLowerCase(Locale.ROOT);

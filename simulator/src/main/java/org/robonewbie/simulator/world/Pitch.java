@@ -5,9 +5,9 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Shape;
 import org.robonewbie.simulator.physics.Assembly;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.PhysicsWorld;
-import org.robonewbie.simulator.physics.Pose;
-import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.physics.RotationMatrix;
 
 /** Builds what never moves: ground, the four outer walls and both goals (SimSpark: soccer.rsg, goal.rsg). */
 final class Pitch {
@@ -57,14 +57,18 @@ final class Pitch {
 
     private void addWall(Vector3 centre, Vector3 size) {
         engine.scenery()
-                .addFixture(new Pose(centre, Rotation.IDENTITY), new Shape.Box(size), SurfaceMaterials.WALL, SCENERY);
+                .addFixture(
+                        new BodyPose(centre, RotationMatrix.IDENTITY),
+                        new Shape.Box(size),
+                        SurfaceMaterials.WALL,
+                        SCENERY);
     }
 
     private void addGoal(TeamSide side) {
         double direction = side == TeamSide.LEFT ? -1 : 1;
-        Pose goal = new Pose(
+        BodyPose goal = new BodyPose(
                 new Vector3(direction * (field.length() + field.goalDepth()) / 2, 0, field.goalHeight() / 2),
-                Rotation.aboutZ(side == TeamSide.LEFT ? 0 : Math.PI));
+                RotationMatrix.aboutZ(side == TeamSide.LEFT ? 0 : Math.PI));
         Assembly parts = engine.addAssembly();
         double depth = field.goalDepth();
         double width = field.goalWidth();
@@ -78,14 +82,14 @@ final class Pitch {
     }
 
     /** The box in which the ball counts as inside: narrower than the goal by a ball radius on every side. */
-    private void addTrigger(Assembly parts, Pose goal, TeamSide side) {
+    private void addTrigger(Assembly parts, BodyPose goal, TeamSide side) {
         Vector3 size =
                 new Vector3(field.goalDepth() - 2 * ballRadius, field.goalWidth() - 2 * ballRadius, field.goalHeight());
         parts.addTrigger(goal, new Shape.Box(size), new GoalMouth(side));
     }
 
-    private static void addGoalWall(Assembly parts, Pose goal, Vector3 centre, Vector3 size) {
-        Pose pose = new Pose(goal.toWorld(centre), goal.rotation());
+    private static void addGoalWall(Assembly parts, BodyPose goal, Vector3 centre, Vector3 size) {
+        BodyPose pose = new BodyPose(goal.toWorld(centre), goal.rotation());
         parts.addFixture(pose, new Shape.Box(size), SurfaceMaterials.WALL, SCENERY);
     }
 }

@@ -6,19 +6,23 @@ import java.util.Map;
 import java.util.Optional;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.simulator.physics.Assembly;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.BoundingBox;
 import org.robonewbie.simulator.physics.Contact;
 import org.robonewbie.simulator.physics.MotorHinge;
-import org.robonewbie.simulator.physics.Pose;
 import org.robonewbie.simulator.physics.RigidBody;
-import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.physics.RotationMatrix;
 
 /**
  * One robot's body in the world: its motors, its true pose, and what its inertial and force sensors feel.
@@ -108,7 +112,7 @@ public final class Robot {
      * @return degrees, slightly beyond the stops at times
      */
     public double jointDegrees(int hingeIndex) {
-        return Math.toDegrees(hinges.get(hingeIndex).angleRadians());
+        return PortableMath.toDegrees(hinges.get(hingeIndex).angleRadians());
     }
 
     /**
@@ -121,48 +125,64 @@ public final class Robot {
         return jointDegrees(model.hingeIndex(joint));
     }
 
-    /**
-     * Tells where the torso is.
-     *
-     * @return its pose in the world frame
-     */
-    public Pose torso() {
+    /** {@return the torso's pose in the world frame} */
+    public BodyPose torso() {
         return bodies.get(0).pose();
     }
 
-    /**
-     * Tells how fast the torso moves.
-     *
-     * @return metres per second in the world frame
-     */
+    /** {@return the direction in which the torso faces in degrees, 0 along the world's x axis, positive to the left} */
+    public double headingDegrees() {
+        return BodyState.headingDegrees(torso().rotation().axisY());
+    }
+
+    /** {@return how far the torso leans to any side in degrees: 0 upright, 180 upside down} */
+    public double tiltDegrees() {
+        return BodyState.tiltDegrees(torso().rotation().axisZ());
+    }
+
+    /** {@return whether the torso is tilted by more than 60 degrees or its centre is lower than 0.2 m} */
+    public boolean isFallen() {
+        return BodyState.isFallen(tiltDegrees(), torso().position().z());
+    }
+
+    /** {@return whether the robot is on its feet, as {@link BodyState#isStanding()} has it} */
+    public boolean isStanding() {
+        return BodyState.isStanding(tiltDegrees(), torso().position().z());
+    }
+
+    /** {@return the torso's pose and all joint angles, as they are now} */
+    public BodyState body() {
+        double[] degrees = new double[hinges.size()];
+        for (int i = 0; i < degrees.length; i++) {
+            degrees[i] = jointDegrees(i);
+        }
+        return BodyState.ofHinges(model.type(), torso().toBodyAxes(), degrees);
+    }
+
+    /** {@return the velocity of the torso in the world frame, metres per second} */
     public Vector3 torsoVelocity() {
         return bodies.get(0).velocity();
     }
 
     /**
-     * Tells where a link is.
+     * Returns the pose of a link.
      *
      * @param linkIndex index of the link
      * @return its pose in the world frame
      */
-    public Pose linkPose(int linkIndex) {
+    public BodyPose linkPose(int linkIndex) {
         return bodies.get(linkIndex).pose();
     }
 
-    /**
-     * Feels how fast the torso turns.
-     *
-     * @return degrees per second about the torso's own axes
-     */
+    /** {@return the gyro: the torso's angular velocity about its own axes in degrees per second} */
     public Vector3 gyroDegreesPerSecond() {
         RigidBody torso = bodies.get(0);
-        return torso.rotation().applyInverse(torso.angularVelocity()).times(Math.toDegrees(1));
+        return torso.rotation().applyInverse(torso.angularVelocity()).times(PortableMath.toDegrees(1));
     }
 
     /**
-     * Feels the torso's acceleration and gravity, one step older than the gyro, as in the original.
-     *
-     * @return metres per second squared along the torso's own axes; (0, 0, 9.81) standing still
+     * {@return the accelerometer: specific force along the torso's own axes in metres per second squared, (0, 0, 9.81) at rest;
+     * as in SimSpark one step older than the gyro}
      */
     public Vector3 acceleration() {
         return accelerometer.reading();
@@ -205,9 +225,9 @@ public final class Robot {
     }
 
     /**
-     * Gives all links a place and a movement and wakes them; all motors stand still until they are commanded again.
+     * Sets pose and motion of all links and wakes them; all motors stop until they are commanded again.
      *
-     * @param links one movement for each link of the {@link #model}, in its order, with joints that hold together
+     * @param links one motion for each link of the {@link #model}, in its order, with joints that hold together
      */
     public void place(List<LinkMotion> links) {
         for (int i = 0; i < bodies.size(); i++) {
@@ -224,16 +244,16 @@ public final class Robot {
     }
 
     /**
-     * Puts the robot down upright with its joints as they are and stops all movement; it is not woken.
+     * Places the robot upright with its joints as they are and stops all motion; it is not woken.
      *
      * @param position new centre of the torso in the world frame, metres
-     * @param yawDegrees turn about the vertical: 0 looks along the world's y axis, -90 along its x axis
+     * @param yawDegrees rotation about the vertical: 0 looks along the world's y axis, -90 along its x axis
      */
     public void moveUpright(Vector3 position, double yawDegrees) {
-        Pose torso = torso();
+        BodyPose torso = torso();
         Vector3 place = WorldLimits.place(position);
-        double yaw = Double.isFinite(yawDegrees) ? Math.toRadians(yawDegrees) : 0;
-        Rotation turn = Rotation.aboutZ(yaw).after(torso.rotation().inverse());
+        double yaw = Double.isFinite(yawDegrees) ? PortableMath.toRadians(yawDegrees) : 0;
+        RotationMatrix turn = RotationMatrix.aboutZ(yaw).after(torso.rotation().inverse());
         for (RigidBody body : bodies) {
             Vector3 fromTorso = body.position().minus(torso.position());
             body.setPosition(place.plus(turn.apply(fromTorso)));
@@ -255,7 +275,7 @@ public final class Robot {
         beam = Optional.of(new Beam(position, yawDegrees));
     }
 
-    /** Lets a sleeping robot take part again. */
+    /** Wakes a sleeping robot. */
     public void wake() {
         bodies.forEach(RigidBody::wake);
     }
@@ -276,11 +296,7 @@ public final class Robot {
         return box;
     }
 
-    /**
-     * Tells whether the robot has rested so long that the engine leaves it out.
-     *
-     * @return true while the torso sleeps
-     */
+    /** {@return whether the robot has rested so long that the engine leaves it out of the step} */
     public boolean isAsleep() {
         return bodies.get(0).isAsleep();
     }
@@ -308,10 +324,10 @@ public final class Robot {
         plates.values().forEach(plate -> plate.update(linkPose(plate.link())));
     }
 
-    /** Gives a robot that was torn apart the pose of a new one. */
+    /** Puts a robot that was torn apart into the pose of a new one. */
     private void rebuild() {
         for (int i = 0; i < bodies.size(); i++) {
-            bodies.get(i).setRotation(Rotation.IDENTITY);
+            bodies.get(i).setRotation(RotationMatrix.IDENTITY);
             bodies.get(i).setPosition(START_POSITION.plus(model.links().get(i).position()));
             stop(bodies.get(i));
         }
@@ -339,5 +355,21 @@ public final class Robot {
     private static void stop(RigidBody body) {
         body.setVelocity(Vector3.ZERO);
         body.setAngularVelocity(Vector3.ZERO);
+    }
+
+    /** Writes what sensors remember and where the robot is about to be beamed; the engine keeps its limbs. */
+    void save(StateWriter out) {
+        accelerometer.save(out);
+        plates.values().forEach(plate -> plate.save(out));
+        out.putOptional(beam, target -> {
+            out.putVector(target.position());
+            out.putDouble(target.yawDegrees());
+        });
+    }
+
+    void restore(StateReader in) {
+        accelerometer.restore(in);
+        plates.values().forEach(plate -> plate.restore(in));
+        beam = in.getOptional(() -> new Beam(in.getVector(), in.getDouble()));
     }
 }

@@ -3,6 +3,7 @@ package org.robonewbie.simulator.world;
 import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.simulator.physics.Assembly;
@@ -11,7 +12,7 @@ import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.MotorHinge;
 import org.robonewbie.simulator.physics.RigidBody;
 
-/** Makes a robot's bodies and hinges in an engine, in construction pose (SimSpark: hingejoint.rsg and the NAO's files). */
+/** Creates a robot's bodies and hinges in an engine, in construction pose (SimSpark: hingejoint.rsg and the NAO's files). */
 final class RobotBuilder {
 
     private static final double MAX_TORQUE = 10;
@@ -55,8 +56,8 @@ final class RobotBuilder {
         return new HingeDefinition(
                 torso.plus(hinge.anchor()),
                 hinge.axis(),
-                Math.toRadians(hinge.minDegrees()),
-                Math.toRadians(hinge.maxDegrees()),
+                PortableMath.toRadians(hinge.minDegrees()),
+                PortableMath.toRadians(hinge.maxDegrees()),
                 MAX_TORQUE,
                 HINGE_CFM,
                 STOP_ERP,

@@ -8,11 +8,7 @@ package org.robonewbie.simulator.world;
  */
 public record RobotPart(Robot robot, int link) {
 
-    /**
-     * Names the link.
-     *
-     * @return SimSpark's name, such as {@code rfoot}
-     */
+    /** {@return SimSpark's name of the link, such as {@code rfoot}} */
     public String name() {
         return robot.model().links().get(link).name();
     }

@@ -3,10 +3,15 @@ package org.robonewbie.simulator.world;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.PhysicsWorld;
+import org.robonewbie.simulator.state.WorldState;
 
 /**
  * The physical world of SimSpark's soccer simulation: ground, walls, goals, ball and robots.
@@ -21,10 +26,7 @@ import org.robonewbie.simulator.physics.PhysicsWorld;
  * world.step();
  * }</pre>
  */
-public final class SoccerWorld {
-
-    /** Length of one step in seconds. */
-    public static final double STEP_SECONDS = 0.02;
+public final class SoccerWorld implements Restorable {
 
     private final SoccerField field;
     private final PhysicsWorld engine;
@@ -33,29 +35,29 @@ public final class SoccerWorld {
     private final ContactReport report = new ContactReport();
 
     /**
-     * Makes a pitch with the standard ball in its middle.
+     * Creates a pitch with the standard ball in its middle.
      *
-     * @param field sizes of the pitch
+     * @param field dimensions of the pitch
      */
     public SoccerWorld(SoccerField field) {
         this(field, BallProperties.STANDARD);
     }
 
     /**
-     * Makes a pitch with a ball in its middle.
+     * Creates a pitch with a ball in its middle.
      *
-     * @param field sizes of the pitch
-     * @param ballProperties size and weight of the ball
+     * @param field dimensions of the pitch
+     * @param ballProperties radius and mass of the ball
      */
     public SoccerWorld(SoccerField field, BallProperties ballProperties) {
         this(field, ballProperties, PhysicsEngine.STANDARD.newWorld());
     }
 
     /**
-     * Makes a pitch in an engine of choice.
+     * Creates a pitch in a given engine.
      *
-     * @param field sizes of the pitch
-     * @param ballProperties size and weight of the ball
+     * @param field dimensions of the pitch
+     * @param ballProperties radius and mass of the ball
      * @param engine an empty world
      */
     public SoccerWorld(SoccerField field, BallProperties ballProperties, PhysicsWorld engine) {
@@ -65,20 +67,12 @@ public final class SoccerWorld {
         this.ball = new Ball(engine.scenery(), ballProperties);
     }
 
-    /**
-     * Tells the sizes of the pitch.
-     *
-     * @return the field
-     */
+    /** {@return the dimensions of the pitch} */
     public SoccerField field() {
         return field;
     }
 
-    /**
-     * Gives access to the ball.
-     *
-     * @return the only ball
-     */
+    /** {@return the ball} */
     public Ball ball() {
         return ball;
     }
@@ -107,11 +101,7 @@ public final class SoccerWorld {
         }
     }
 
-    /**
-     * Lists the robots.
-     *
-     * @return all robots in the order in which they were added, unmodifiable
-     */
+    /** {@return all robots in the order in which they were added, unmodifiable} */
     public List<Robot> robots() {
         return Collections.unmodifiableList(robots);
     }
@@ -122,22 +112,21 @@ public final class SoccerWorld {
         robots.forEach(Robot::prepareStep);
         engine.findContacts();
         report.read(engine.contacts());
-        engine.step(STEP_SECONDS);
+        engine.step(Cycle.SECONDS);
         ball.finishStep();
         robots.forEach(Robot::finishStep);
     }
 
     /**
-     * Lists who touched the ball in the last step.
-     *
-     * @return for each robot the first part that touched, in the order in which the contacts were found
+     * {@return who touched the ball in the last step: for each robot the first part that touched, in the order in which the
+     * contacts were found}
      */
     public List<RobotPart> ballTouches() {
         return report.ballTouches();
     }
 
     /**
-     * Tells whether the ball was inside a goal at the beginning of the last step.
+     * Returns whether the ball was inside a goal at the beginning of the last step.
      *
      * @param side whose goal
      * @return true while the ball touches the box that fills the goal
@@ -147,11 +136,62 @@ public final class SoccerWorld {
     }
 
     /**
-     * Lists where robots touched each other in the last step.
-     *
-     * @return one entry per contact point, in the order in which they were found
+     * {@return where robots touched each other in the last step: one entry per contact point, in the order in which they were
+     * found}
      */
     public List<RobotContact> robotContacts() {
         return report.robotContacts();
+    }
+
+    /**
+     * Saves everything that moves, between two steps.
+     *
+     * @return the state, from which this world or another one like it continues to the bit
+     * @throws UnsupportedOperationException if the physics engine cannot be saved
+     */
+    public WorldState save() {
+        return WorldState.of(settings(), this);
+    }
+
+    /**
+     * Continues from a saved state. Robots stay the same objects where their types agree with those of the state, in the order
+     * in which they came into the world; the others are removed, and missing ones added.
+     *
+     * @param state the state of this world or of one with the same pitch and ball
+     * @throws IllegalArgumentException if the state is that of another kind of world; the message says what differs
+     */
+    public void restore(WorldState state) {
+        state.restore(settings(), this);
+    }
+
+    /** {@return what must agree between the world that is saved and the one that is restored, one setting in each line} */
+    public String settings() {
+        return field + "\n" + ball.properties();
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.putAll(robots, robot -> out.putEnum(robot.model().type()));
+        engine.save(out);
+        robots.forEach(robot -> robot.save(out));
+        report.save(out, robots);
+    }
+
+    @Override
+    public void restore(StateReader in) {
+        haveRobots(in.getAll(() -> in.getEnum(RobotType.values())));
+        engine.restore(in);
+        robots.forEach(robot -> robot.restore(in));
+        report.restore(in, robots);
+    }
+
+    private void haveRobots(List<RobotType> types) {
+        int same = 0;
+        while (same < Math.min(types.size(), robots.size())
+                && robots.get(same).model().type() == types.get(same)) {
+            same++;
+        }
+        List.copyOf(robots.subList(same, robots.size())).forEach(this::removeRobot);
+        types.subList(same, types.size()).forEach(this::addRobot);
     }
 }

@@ -15,22 +15,22 @@ final class WorldLimits {
 
     private WorldLimits() {}
 
-    /** Brings a place within a kilometre; what is no number becomes 0. */
+    /** Limits a position to a kilometre; NaN becomes 0. */
     static Vector3 place(Vector3 wanted) {
         return cut(wanted, LARGEST_COORDINATE);
     }
 
-    /** Brings a velocity below 1000 m/s; what is no number becomes 0. */
+    /** Limits a velocity to 1000 m/s; NaN becomes 0. */
     static Vector3 velocity(Vector3 wanted) {
         return cut(wanted, LARGEST_SPEED);
     }
 
-    /** Brings a force below 1000 N; what is no number becomes 0. */
+    /** Limits a force to 1000 N; NaN becomes 0. */
     static Vector3 force(Vector3 wanted) {
         return cut(wanted, LARGEST_FORCE);
     }
 
-    /** Tells whether a body may stay where it is. */
+    /** Whether a body may stay where it is. */
     static boolean isWithin(Vector3 place) {
         return Math.abs(place.x()) < FARTHEST && Math.abs(place.y()) < FARTHEST && Math.abs(place.z()) < FARTHEST;
     }

@@ -22,7 +22,7 @@ import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
-import org.robonewbie.protocol.frame.TcpAgentLink;
+import org.robonewbie.protocol.tcp.TcpAgentLink;
 
 @Timeout(60)
 class BeginnersSimulatorProviderTest {
@@ -164,6 +164,16 @@ class BeginnersSimulatorProviderTest {
     }
 
     private static SimulatorRequest request(OptionalDouble seconds, Optional<Path> report, Optional<Path> recording) {
-        return new SimulatorRequest(0, OptionalLong.of(4), true, seconds, true, false, false, report, recording, 1);
+        return new SimulatorRequest(
+                0,
+                OptionalLong.of(4),
+                true,
+                seconds,
+                true,
+                false,
+                false,
+                report.map(Path::toString),
+                recording.map(Path::toString),
+                1);
     }
 }

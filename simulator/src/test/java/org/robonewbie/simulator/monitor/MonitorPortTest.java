@@ -20,10 +20,10 @@ import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
-import org.robonewbie.protocol.monitor.MonitorLink;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
-import org.robonewbie.protocol.monitor.PlayerNumber;
-import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.protocol.tcp.MonitorLink;
 
 @Timeout(60)
 class MonitorPortTest {
@@ -191,7 +191,7 @@ class MonitorPortTest {
             for (int i = 0; i < 300; i++) {
                 watched.jump();
                 send(mute, "(ball (pos " + i + " 0 0) (vel 0 0 0))");
-                assertThat(((TrainerCommand.MoveBall) watched.nextOrder())
+                assertThat(((Order.MoveBall) watched.nextOrder())
                                 .position()
                                 .orElseThrow()
                                 .x())
@@ -203,12 +203,12 @@ class MonitorPortTest {
     @Test
     void commandsArriveInOrder() throws Exception {
         try (MonitorLink monitor = watched.connect()) {
-            monitor.send(new TrainerCommand.DropBall(), new TrainerCommand.SetTime(3));
-            monitor.send(new TrainerCommand.KillRobot(Optional.of(FIRST)));
+            monitor.send(new Order.DropBall(), new Order.SetTime(3));
+            monitor.send(new Order.KillRobot(Optional.of(FIRST)));
 
-            assertThat(watched.nextOrder()).isEqualTo(new TrainerCommand.DropBall());
-            assertThat(watched.nextOrder()).isEqualTo(new TrainerCommand.SetTime(3));
-            assertThat(watched.nextOrder()).isEqualTo(new TrainerCommand.KillRobot(Optional.of(FIRST)));
+            assertThat(watched.nextOrder()).isEqualTo(new Order.DropBall());
+            assertThat(watched.nextOrder()).isEqualTo(new Order.SetTime(3));
+            assertThat(watched.nextOrder()).isEqualTo(new Order.KillRobot(Optional.of(FIRST)));
         }
     }
 
@@ -223,7 +223,7 @@ class MonitorPortTest {
                 socket.getOutputStream().flush();
             }
 
-            assertThat(watched.nextOrder()).isEqualTo(new TrainerCommand.DropBall());
+            assertThat(watched.nextOrder()).isEqualTo(new Order.DropBall());
         }
     }
 
@@ -242,10 +242,10 @@ class MonitorPortTest {
                     assertThat(socket.getInputStream().read()).isEqualTo(-1);
                 }
             }
-            healthy.send(new TrainerCommand.DropBall());
+            healthy.send(new Order.DropBall());
             watched.runCycles(1);
 
-            assertThat(watched.nextOrder()).isEqualTo(new TrainerCommand.DropBall());
+            assertThat(watched.nextOrder()).isEqualTo(new Order.DropBall());
             assertThat(nextText(healthy)).contains("(RSG ");
         }
     }
@@ -264,8 +264,8 @@ class MonitorPortTest {
             }
             try (MonitorLink late =
                     MonitorLink.connect("127.0.0.1", watched.port().number())) {
-                late.send(new TrainerCommand.DropBall());
-                assertThat(watched.nextOrder()).isEqualTo(new TrainerCommand.DropBall());
+                late.send(new Order.DropBall());
+                assertThat(watched.nextOrder()).isEqualTo(new Order.DropBall());
                 watched.awaitMonitors(2);
                 watched.runCycles(1);
 

@@ -18,8 +18,8 @@ import org.robonewbie.protocol.monitor.Environment;
 import org.robonewbie.protocol.monitor.MonitorMessageWriter;
 import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
-import org.robonewbie.protocol.monitor.PlayerNumber;
 import org.robonewbie.protocol.monitor.TransformNode;
+import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 

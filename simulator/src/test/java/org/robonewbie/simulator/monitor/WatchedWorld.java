@@ -13,10 +13,10 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.monitor.Environment;
-import org.robonewbie.protocol.monitor.MonitorLink;
 import org.robonewbie.protocol.monitor.MonitoredGame;
-import org.robonewbie.protocol.monitor.PlayerNumber;
-import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.protocol.tcp.MonitorLink;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -30,7 +30,7 @@ final class WatchedWorld implements AutoCloseable {
     private final SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
     private final List<Robot> robots = new ArrayList<>();
     private final List<String> console = new CopyOnWriteArrayList<>();
-    private final BlockingQueue<TrainerCommand> orders = new LinkedBlockingQueue<>();
+    private final BlockingQueue<Order> orders = new LinkedBlockingQueue<>();
     private final MonitorPort port;
     private float shift;
     private long cycle;
@@ -66,13 +66,15 @@ final class WatchedWorld implements AutoCloseable {
 
     /** Waits until the port knows as many monitors; the test's time limit ends the waiting. */
     void awaitMonitors(int count) {
-        while (port.monitors() != count) {
-            Thread.onSpinWait();
+        try {
+            port.awaitMonitors(count);
+        } catch (InterruptedException isOver) {
+            throw new AssertionError(isOver);
         }
     }
 
-    TrainerCommand nextOrder() throws InterruptedException {
-        TrainerCommand order = orders.poll(10, TimeUnit.SECONDS);
+    Order nextOrder() throws InterruptedException {
+        Order order = orders.poll(10, TimeUnit.SECONDS);
         if (order == null) {
             throw new AssertionError("No command has arrived");
         }

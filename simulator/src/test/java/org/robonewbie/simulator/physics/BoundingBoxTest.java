@@ -8,7 +8,7 @@ import org.robonewbie.nao.model.Shape;
 
 class BoundingBoxTest {
 
-    private static final Pose TURNED = new Pose(new Vector3(1, 2, 3), Rotation.aboutZ(Math.PI / 2));
+    private static final BodyPose TURNED = new BodyPose(new Vector3(1, 2, 3), RotationMatrix.aboutZ(Math.PI / 2));
 
     @Test
     void turnedBoxSwapsItsSides() {

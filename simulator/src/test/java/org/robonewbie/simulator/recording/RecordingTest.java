@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
@@ -18,12 +19,13 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.soccer.JoinRefusedException;
 import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.Robot;
@@ -89,7 +91,7 @@ class RecordingTest {
                 new ArrayList<>(),
                 new ArrayList<>());
 
-        try (RecordingReader reader = RecordingReader.open(file)) {
+        try (RecordingReader reader = RecordingFile.read(file)) {
             assertThat(reader.header()).containsEntry("seed", "5").containsEntry("FieldLength", "30");
         }
     }
@@ -110,8 +112,8 @@ class RecordingTest {
     @Test
     void runningRecordingIsKeptAsPart() throws Exception {
         Path file = folder.resolve("run.rec");
-        RecordingWriter writer = RecordingWriter.open(Optional.of(file), List.of(), sentence -> {});
-        writer.write(50, match, world.ball(), List.of());
+        RecordingWriter writer = RecordingWriter.open(RecordingFile.open(file, sentence -> {}), List.of());
+        writer.write(Snapshots.of(50, match, world.ball(), List.of()), List.of());
 
         List<RecordedCycle> cycles = read(folder.resolve("run.rec.part"));
 
@@ -125,7 +127,7 @@ class RecordingTest {
     void otherFilesAreRefused() throws IOException {
         Path file = Files.writeString(folder.resolve("motion.txt"), "no recording");
 
-        assertThatThrownBy(() -> RecordingReader.open(file))
+        assertThatThrownBy(() -> RecordingFile.read(file))
                 .isInstanceOf(IOException.class)
                 .hasMessage("\"" + file + "\" is not a recording of RoboNewbie, or it is damaged.");
     }
@@ -134,7 +136,7 @@ class RecordingTest {
     void missingFolderIsExplained() {
         Path file = folder.resolve("missing").resolve("run.rec");
 
-        assertThatThrownBy(() -> RecordingWriter.open(Optional.of(file), List.of(), sentence -> {}))
+        assertThatThrownBy(() -> RecordingWriter.open(RecordingFile.open(file, sentence -> {}), List.of()))
                 .isInstanceOf(IOException.class)
                 .hasMessageStartingWith("Recording \"" + file + "\" cannot be written")
                 .hasMessageEndingWith("Choose a file in a folder that exists and in which you may write.");
@@ -147,15 +149,18 @@ class RecordingTest {
         match.setPlayMode(PlayMode.PLAY_ON);
         List<String> header = new ArrayList<>(List.of("seed=5"));
         header.addAll(SoccerParameters.league().assignments());
-        try (RecordingWriter writer = RecordingWriter.open(Optional.of(file), header, sentence -> {})) {
+        try (RecordingWriter writer = RecordingWriter.open(RecordingFile.open(file, sentence -> {}), header)) {
             for (int i = 1; i <= cycles; i++) {
                 robot.setMotorSpeed(Joint.RIGHT_KNEE_PITCH, -1.5);
                 world.step();
                 match.tick();
                 List<EffectorCommand> commands =
                         List.of(new EffectorCommand.SetHingeSpeed("rle4", -1.5), new EffectorCommand.Say("hello"));
+                List<Participant> robots = List.of(new Participant(1, Optional.of(player), robot, commands, 0));
                 writer.write(
-                        i, match, world.ball(), List.of(new Participant(1, Optional.of(player), robot, commands, 0)));
+                        Snapshots.of(i, match, world.ball(), robots),
+                        match.events().stream().map(MatchEvent::text).toList(),
+                        Map.of(1, commands));
                 match.clearEvents();
                 torsos.add(robot.torso().position());
                 feet.add(robot.linkPose(foot).position());
@@ -165,7 +170,7 @@ class RecordingTest {
 
     private static List<RecordedCycle> read(Path file) throws IOException {
         List<RecordedCycle> cycles = new ArrayList<>();
-        try (RecordingReader reader = RecordingReader.open(file)) {
+        try (RecordingReader reader = RecordingFile.read(file)) {
             for (Optional<RecordedCycle> cycle = reader.next(); cycle.isPresent(); cycle = reader.next()) {
                 cycles.add(cycle.get());
             }
@@ -174,9 +179,7 @@ class RecordingTest {
     }
 
     private static Vector3 position(RobotSnapshot robot, String link) {
-        int index = 7 * NaoModel.of(robot.type()).linkIndex(link);
-        float[] poses = robot.linkPoses();
-        return new Vector3(poses[index], poses[index + 1], poses[index + 2]);
+        return robot.body().limbs().link(link).position();
     }
 
     private static Consumer<Vector3> near(Vector3 expected, double metres) {

@@ -16,6 +16,7 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.file.ReportFile;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameters;
@@ -36,7 +37,7 @@ class RunReportTest {
 
     @BeforeEach
     void begin() throws Exception {
-        recorder = RunRecorder.begin(world, Optional.empty(), List.of(), sentence -> {});
+        recorder = RunRecorder.begin(world, RecordingTarget.NONE, List.of());
         player = match.teams().join("Stars", 3, world.addRobot(RobotType.TYPE_0));
         player.robot().moveUpright(new Vector3(-2, 1, 0.386), -90);
         cycles(50);
@@ -111,7 +112,7 @@ class RunReportTest {
     void writesAllThatIsPromisedAsJson() throws Exception {
         Path file = folder.resolve("report.json");
 
-        report().write(file);
+        ReportFile.write(report(), file);
 
         JsonObject json = JsonParser.parseString(Files.readString(file)).getAsJsonObject();
         assertThat(json.keySet())

@@ -21,8 +21,8 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PolarPosition;
-import org.robonewbie.simulator.physics.Pose;
-import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.physics.BodyPose;
+import org.robonewbie.simulator.physics.RotationMatrix;
 import org.robonewbie.simulator.sensing.Sightings.Kind;
 import org.robonewbie.simulator.sensing.Sightings.Scatter;
 
@@ -218,7 +218,8 @@ class NoiseStatisticsTest {
 
     /** A camera is its place and its heading in radians, with the robot's axes x right, y forward, z up. */
     private static Vector3 fromCamera(Vector3 place, double[] camera) {
-        Pose pose = new Pose(new Vector3(camera[0], camera[1], camera[2]), Rotation.aboutZ(camera[3] - Math.PI / 2));
+        BodyPose pose = new BodyPose(
+                new Vector3(camera[0], camera[1], camera[2]), RotationMatrix.aboutZ(camera[3] - Math.PI / 2));
         return pose.toLocal(place);
     }
 

@@ -11,10 +11,10 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
-import org.robonewbie.simulator.physics.Pose;
-import org.robonewbie.simulator.server.Console;
-import org.robonewbie.simulator.server.SimulatorSettings;
-import org.robonewbie.simulator.server.SteppedSimulator;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.SteppedSimulator;
+import org.robonewbie.simulator.cycle.WorldSettings;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -56,7 +56,8 @@ final class NoisyScene {
                 for (Client client : clients) {
                     client.receive();
                     boolean left = client.lane > 0;
-                    Pose torso = simulator.world().robots().get(client.index).torso();
+                    BodyPose torso =
+                            simulator.world().robots().get(client.index).torso();
                     double sign = left ? 1 : -1;
                     double heading = Math.toDegrees(Math.atan2(
                             torso.rotation().axisY().y(),
@@ -75,25 +76,19 @@ final class NoisyScene {
     /** Tells where a part of the body is in the frame of the head of a robot with all joints at 0. */
     static Vector3 fromHead(BodyPart part) {
         Robot robot = new SoccerWorld(SoccerField.LEAGUE).addRobot(RobotType.TYPE_0);
-        Pose head = robot.linkPose(robot.model().linkIndex(BodyPart.HEAD.simSparkName()));
+        BodyPose head = robot.linkPose(robot.model().linkIndex(BodyPart.HEAD.simSparkName()));
         return head.toLocal(
                 robot.linkPose(robot.model().linkIndex(part.simSparkName())).position());
     }
 
-    private static SteppedSimulator start() throws IOException {
-        return SteppedSimulator.start(
-                SimulatorSettings.league()
-                        .agentPort(0)
-                        .synchronous(true)
-                        .seed(20)
-                        .build(),
-                Console.silent());
+    private static SteppedSimulator start() {
+        return SteppedSimulator.start(WorldSettings.league().withSeed(20), Console.silent());
     }
 
     private static List<Client> clients(SteppedSimulator simulator) throws IOException {
         List<Client> clients = new ArrayList<>();
         for (int i = 0; i < 4; i++) {
-            Client client = new Client(simulator.connectOverTcp(), i, i < 2 ? 2 + 2 * i : -2 * i);
+            Client client = new Client(simulator.connect(), i, i < 2 ? 2 + 2 * i : -2 * i);
             client.send("(scene rsg/agent/nao/nao.rsg)(syn)");
             clients.add(client);
         }

@@ -10,8 +10,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.frame.AgentLink;
-import org.robonewbie.protocol.frame.TcpAgentLink;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
 
 class AgentDialogueTest {
@@ -80,8 +80,8 @@ class AgentDialogueTest {
             left.exchange("(beam -3 1 45)(syn)");
             left.exchange("(syn)");
 
-            assertThat(watcher.latest().robots().get(0).linkPoses()[0]).isCloseTo(-3, within(0.001f));
-            assertThat(watcher.latest().robots().get(0).linkPoses()[1]).isCloseTo(1, within(0.001f));
+            assertThat(watcher.latest().robots().get(0).body().position().x()).isCloseTo(-3, within(0.001));
+            assertThat(watcher.latest().robots().get(0).body().position().y()).isCloseTo(1, within(0.001));
         }
     }
 

@@ -21,11 +21,11 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.protocol.monitor.MonitorLink;
-import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.perceptor.GameState;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
+import org.robonewbie.protocol.tcp.MonitorLink;
 
 /** What all public agents of the league rely on in a server, one test for each thing. */
 @Timeout(60)
@@ -134,17 +134,17 @@ class AllAgentsExpectationsTest {
         LeagueServer.cyclesOfAll(5, "(beam -3 0 0)(syn)", agent);
         assertThat(server.torso(0, 0)).isCloseTo(-3, within(0.06));
 
-        server.control().setPlayMode(PlayMode.PLAY_ON);
+        server.control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
         LeagueServer.cycles(agent, 3);
         LeagueServer.cyclesOfAll(5, "(beam -9 5 0)(syn)", agent);
         assertThat(server.torso(0, 0)).isCloseTo(-3, within(0.2));
 
-        server.control().setPlayMode(PlayMode.BEFORE_KICK_OFF);
+        server.control().order(new Order.ChangePlayMode(PlayMode.BEFORE_KICK_OFF));
         LeagueServer.cyclesOfAll(500, "(beam -9 5 0)(syn)", agent);
         assertThat(server.torso(0, 0)).isCloseTo(-9, within(0.06));
         assertThat(server.torso(0, 2)).isBetween(0.38, 0.41);
 
-        server.control().setPlayMode(PlayMode.GOAL_RIGHT);
+        server.control().order(new Order.ChangePlayMode(PlayMode.GOAL_RIGHT));
         LeagueServer.cyclesOfAll(5, "(beam -9 5 0)(syn)", agent);
         assertThat(server.torso(0, 0)).isCloseTo(-9, within(0.06));
         assertThat(server.torso(0, 1)).isCloseTo(5, within(0.06));
@@ -213,8 +213,8 @@ class AllAgentsExpectationsTest {
     @Test
     void goalIsFollowedByKickOffAndDropBall() throws IOException {
         TestAgent agent = server.join("Stars", 1);
-        server.control().setPlayMode(PlayMode.PLAY_ON);
-        server.control().placeBall(new Vector3(14.9, 0, 0.042), new Vector3(4, 0, 0));
+        server.control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
+        server.control().order(new Order.MoveBall(new Vector3(14.9, 0, 0.042), new Vector3(4, 0, 0)));
 
         assertThat(LeagueServer.cycles(agent, 20)).isEqualTo(PlayMode.GOAL_LEFT);
         assertThat(LeagueServer.cycles(agent, 130)).isEqualTo(PlayMode.GOAL_LEFT);
@@ -227,7 +227,7 @@ class AllAgentsExpectationsTest {
     void secondHalfWaitsForItsKickOffAfterThreeHundredSeconds() throws IOException {
         TestAgent agent = server.join("Stars", 1);
         try (MonitorLink trainer = server.monitor()) {
-            trainer.send(new TrainerCommand.ChangePlayMode(PlayMode.PLAY_ON), new TrainerCommand.SetTime(299.5));
+            trainer.send(new Order.ChangePlayMode(PlayMode.PLAY_ON), new Order.SetTime(299.5));
             PerceptorMessage message = agent.exchange("(syn)");
             while (message.gameState().orElseThrow().playSeconds() < 299.9) {
                 message = agent.exchange("(syn)");

@@ -11,7 +11,7 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.protocol.frame.AgentLink;
-import org.robonewbie.protocol.frame.TcpAgentLink;
+import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.recording.RunReport;
 import org.robonewbie.simulator.soccer.SoccerParameters;

@@ -16,9 +16,11 @@ import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.protocol.frame.FrameEncoder;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.protocol.perceptor.Vision.SeenLine;
+import org.robonewbie.protocol.tcp.FrameEncoder;
 
 /** What the agents of FC Portugal need beyond what all agents need; their messages are read as they read them. */
 @Timeout(60)
@@ -94,8 +96,9 @@ class FcPortugalExpectationsTest {
 
     @Test
     void eachTagIsKnownAndFollowedByABlankAlsoWhenNothingIsSeen() throws IOException {
-        server.control().setPlayMode(PlayMode.PLAY_ON);
-        server.control().placeRobot(TeamSide.LEFT, 1, new Vector3(-14.9, 9.9, 60), 135);
+        server.control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
+        server.control()
+                .order(new Order.PlaceRobot(new PlayerNumber(TeamSide.LEFT, 1), new Vector3(-14.9, 9.9, 60), 135));
         Set<String> tags = new TreeSet<>();
         StringBuilder all = new StringBuilder();
 
@@ -115,7 +118,7 @@ class FcPortugalExpectationsTest {
     void playModesHaveTheNamesThatTheAgentLooksUp() throws IOException {
         List<String> names = new ArrayList<>();
         for (PlayMode mode : PlayMode.values()) {
-            server.control().setPlayMode(mode);
+            server.control().order(new Order.ChangePlayMode(mode));
             agent.exchange("(syn)");
             agent.send("(syn)");
             FcPortugalParser parser = new FcPortugalParser(agent.receiveText().toString());
@@ -208,8 +211,8 @@ class FcPortugalExpectationsTest {
 
     @Test
     void passIsAcceptedAndGrantedBesideTheRestingBall() throws IOException {
-        server.control().setPlayMode(PlayMode.PLAY_ON);
-        server.control().placeRobot(TeamSide.LEFT, 1, new Vector3(-0.4, 0, 0.4), 0);
+        server.control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
+        server.control().order(new Order.PlaceRobot(new PlayerNumber(TeamSide.LEFT, 1), new Vector3(-0.4, 0, 0.4), 0));
         LeagueServer.cycles(agent, 10);
 
         agent.exchange("(pass)(syn)");

@@ -10,8 +10,8 @@ import java.util.OptionalInt;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.robonewbie.protocol.frame.TcpAgentLink;
-import org.robonewbie.protocol.monitor.MonitorLink;
+import org.robonewbie.protocol.tcp.MonitorLink;
+import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
 
 /**

@@ -5,9 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import org.robonewbie.nao.PlayMode;
-import org.robonewbie.protocol.frame.TcpAgentLink;
-import org.robonewbie.protocol.monitor.MonitorLink;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.tcp.MonitorLink;
+import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
 
 /** A server with the rules of the league that waits for its agents, all of which connect by TCP. */
@@ -80,7 +81,8 @@ final class LeagueServer implements AutoCloseable {
     }
 
     double torso(int robot, int axis) {
-        return watcher.latest().robots().get(robot).linkPoses()[axis];
+        Vector3 torso = watcher.latest().robots().get(robot).body().position();
+        return axis == 0 ? torso.x() : axis == 1 ? torso.y() : torso.z();
     }
 
     @Override

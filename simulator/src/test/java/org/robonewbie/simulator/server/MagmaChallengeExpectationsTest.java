@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.protocol.order.Order;
 
 /**
  * What the benchmark tool magmaChallenge needs of a server. That it finds and ends the server by the name of its process, and
@@ -62,7 +62,7 @@ class MagmaChallengeExpectationsTest {
     void robotsComeBehindTheBallWithTheMeshesOfHeadAndLimbs() throws IOException {
         try (MonitoredSimulator match = new MonitoredSimulator()) {
             match.join("us", 1);
-            match.order(new TrainerCommand.RequestFullState());
+            match.order(new Order.RequestFullState());
 
             String text = match.awaitFullMessage();
 
@@ -133,7 +133,7 @@ class MagmaChallengeExpectationsTest {
     @Test
     void trainerPutsTheBallAtRestToTheGround() throws IOException {
         try (MonitoredSimulator match = new MonitoredSimulator()) {
-            match.order(new TrainerCommand.MoveBall(Optional.of(new Vector3(4, 1, 0.042)), Optional.of(Vector3.ZERO)));
+            match.order(new Order.MoveBall(Optional.of(new Vector3(4, 1, 0.042)), Optional.of(Vector3.ZERO)));
 
             match.await(seen -> seen.ball().orElseThrow().position().distanceTo(new Vector3(4, 1, 0.042)) < 0.01);
         }

@@ -14,7 +14,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.PlayMode;
-import org.robonewbie.protocol.monitor.MonitorLink;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.tcp.MonitorLink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
@@ -73,7 +75,7 @@ class MessageParametersTest {
     void selfCollisionsAreToldIfWanted(boolean wanted) throws IOException {
         try (Simulator simulator = start("PrintSelfCollisions=" + wanted);
                 TestAgent agent = join(simulator, "Stars", 1)) {
-            simulator.control().setPlayMode(PlayMode.PLAY_ON);
+            simulator.control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
             text(agent, "(rae1 -1.4)(rae2 1)(rae3 -1)(rae4 1.5)(syn)");
             LeagueServer.cycles(agent, 100);
         }
@@ -101,7 +103,7 @@ class MessageParametersTest {
                 MonitorLink monitor =
                         MonitorLink.connect("127.0.0.1", simulator.monitorPort().orElseThrow());
                 TestAgent agent = join(simulator, "Stars", 1)) {
-            simulator.control().setPlayMode(PlayMode.PLAY_ON);
+            simulator.control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
             LeagueServer.cycles(agent, 60);
             do {
                 agent.exchange("(syn)");
@@ -136,7 +138,7 @@ class MessageParametersTest {
 
     private boolean beamedInTheRunningGame(String assignment) throws IOException {
         try (Simulator simulator = start(assignment, "BeamNoiseXY=0")) {
-            simulator.control().setPlayMode(PlayMode.PLAY_ON);
+            simulator.control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
             try (TestAgent agent = join(simulator, "Stars", 1)) {
                 agent.exchange("(beam -3 1 0)(syn)");
                 agent.exchange("(syn)");
@@ -146,8 +148,8 @@ class MessageParametersTest {
     }
 
     private String place() {
-        float[] torso = watcher.latest().robots().get(0).linkPoses();
-        return String.format(Locale.ROOT, "%.3f %.3f", torso[0], torso[1]);
+        Vector3 torso = watcher.latest().robots().get(0).body().position();
+        return String.format(Locale.ROOT, "%.3f %.3f", torso.x(), torso.y());
     }
 
     private static String text(TestAgent agent, String commands) throws IOException {

@@ -16,8 +16,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.protocol.monitor.MonitorLink;
-import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.tcp.MonitorLink;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 
 /** A whole game as monitors see it, and monitors as the game feels them. */
@@ -43,12 +44,12 @@ class MonitoredGameTest {
     void monitorThatComesWhileTheWorldStandsStillSeesItAndCanChangeIt() throws IOException {
         try (MonitoredSimulator match = new MonitoredSimulator()) {
             match.join("us", 1);
-            match.simulator().control().pause();
+            match.simulator().control().order(new Order.Pause());
             try (MonitorLink late = match.connect()) {
                 assertThat(late.receive()).isTrue();
                 assertThat(late.world().robots()).hasSize(1);
 
-                late.send(new TrainerCommand.MoveBall(Optional.of(new Vector3(5, 5, 1)), Optional.empty()));
+                late.send(new Order.MoveBall(Optional.of(new Vector3(5, 5, 1)), Optional.empty()));
                 while (late.world().ball().orElseThrow().position().x() < 4.9) {
                     assertThat(late.receive()).isTrue();
                 }

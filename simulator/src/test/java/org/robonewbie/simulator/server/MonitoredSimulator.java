@@ -7,12 +7,12 @@ import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.robonewbie.nao.TeamSide;
-import org.robonewbie.protocol.monitor.MonitorLink;
 import org.robonewbie.protocol.monitor.MonitoredRobot;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
-import org.robonewbie.protocol.monitor.PlayerNumber;
-import org.robonewbie.protocol.monitor.TrainerCommand;
 import org.robonewbie.protocol.monitor.TransformNode;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.protocol.tcp.MonitorLink;
 
 /** A running simulator of which a test sees only what a monitor sees. */
 final class MonitoredSimulator implements AutoCloseable {
@@ -66,8 +66,8 @@ final class MonitoredSimulator implements AutoCloseable {
         return agent;
     }
 
-    void order(TrainerCommand... commands) throws IOException {
-        monitor.send(commands);
+    void order(Order.Trainer... orders) throws IOException {
+        monitor.send(orders);
     }
 
     /** Lets somebody read all messages from now on. */

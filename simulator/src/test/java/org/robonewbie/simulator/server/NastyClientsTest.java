@@ -16,7 +16,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.protocol.frame.TcpAgentLink;
+import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
 
 /** Whatever a client does, its problem is named and a well-behaved agent is served on. */

@@ -3,41 +3,85 @@ package org.robonewbie.simulator.server;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.IOException;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.robonewbie.protocol.frame.TcpAgentLink;
+import org.robonewbie.protocol.tcp.TcpAgentLink;
+import org.robonewbie.simulator.WorldSnapshot;
 
 @Timeout(60)
 class RealTimeTest {
 
+    private final HandTurnedClock clock = new HandTurnedClock();
+
     @Test
-    void worldKeepsStepWithTheClock() throws Exception {
-        try (Simulator simulator = start();
-                TestAgent agent = agent(simulator)) {
-            double start = agent.joinRunningGame("Stars", 1).seconds().orElseThrow();
-            long missedBefore = simulator.missedCycles();
-            long beginning = System.nanoTime();
+    void worldKeepsStepWithTheClock() {
+        Pacemaker pacemaker = new Pacemaker(1, clock);
 
-            double now = start;
-            while (now < start + 1) {
-                now = agent.exchange("(syn)").seconds().orElseThrow();
-            }
+        cycles(pacemaker, 100);
 
-            double realSeconds = (System.nanoTime() - beginning) / 1e9;
-            double lostSeconds = (simulator.missedCycles() - missedBefore) * 0.02;
-            assertThat(realSeconds).isGreaterThan(0.95);
-            assertThat(realSeconds - lostSeconds).isLessThan(1.5);
+        assertThat(clock.milliseconds()).isEqualTo(2000);
+        assertThat(pacemaker.missedCycles()).isZero();
+        assertThat(pacemaker.realTimeFactor()).isCloseTo(1, within(0.05));
+    }
+
+    @Test
+    void slowMotionTakesAsMuchLonger() {
+        Pacemaker pacemaker = new Pacemaker(0.25, clock);
+
+        cycles(pacemaker, 10);
+
+        assertThat(clock.milliseconds()).isEqualTo(800);
+    }
+
+    @Test
+    void timeOfACycleIsNotAddedToWhatItTook() {
+        Pacemaker pacemaker = new Pacemaker(1, clock);
+
+        for (int i = 0; i < 10; i++) {
+            pacemaker.awaitNextCycle();
+            clock.pass(15);
         }
+
+        assertThat(clock.milliseconds()).isEqualTo(215);
+    }
+
+    @Test
+    void timeIsDroppedInsteadOfHurriedWhenTheWorldIsTooSlow() {
+        Pacemaker pacemaker = new Pacemaker(1, clock);
+
+        pacemaker.awaitNextCycle();
+        clock.pass(1000);
+        cycles(pacemaker, 11);
+
+        assertThat(pacemaker.missedCycles()).isEqualTo(49);
+        assertThat(clock.milliseconds()).isEqualTo(1220);
+    }
+
+    @Test
+    void cyclesAreNotMissedWhileTheWorldIsMeantToStandStill() {
+        Pacemaker pacemaker = new Pacemaker(1, clock);
+
+        pacemaker.awaitNextCycle();
+        clock.pass(60);
+        pacemaker.excuse();
+        pacemaker.awaitNextCycle();
+
+        assertThat(pacemaker.missedCycles()).isZero();
     }
 
     @Test
     void slowAgentLosesCyclesAndTheReportTellsIt() throws Exception {
-        Simulator simulator = start();
-        try (TestAgent agent = agent(simulator)) {
+        BlockingQueue<WorldSnapshot> cycles = new LinkedBlockingQueue<>();
+        Simulator simulator =
+                Simulator.start(SimulatorSettings.beginner().agentPort(0).build(), new RecordingConsole());
+        try (TestAgent agent = new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()))) {
             agent.joinRunningGame("Stars", 1);
+            simulator.control().addObserver(cycles::add);
             for (int i = 0; i < 3; i++) {
-                sleepUntil(simulator, simulator.cycles() + 8);
+                awaitCycle(cycles, simulator.cycles() + 8);
                 agent.exchange("(syn)");
             }
         }
@@ -47,52 +91,41 @@ class RealTimeTest {
                 .isGreaterThan(15);
     }
 
-    @Test
-    void timeIsDroppedInsteadOfHurriedWhenTheWorldIsTooSlow() {
-        Pacemaker pacemaker = new Pacemaker(1000);
-        long beginning = System.nanoTime();
-
-        pacemaker.awaitNextCycle();
-        busy(5);
-        for (int i = 0; i < 100; i++) {
+    private static void cycles(Pacemaker pacemaker, int count) {
+        for (int i = 0; i < count; i++) {
             pacemaker.awaitNextCycle();
         }
-
-        assertThat(pacemaker.missedCycles()).isGreaterThan(100);
-        assertThat((System.nanoTime() - beginning) / 1e9).isGreaterThan(0.0065);
-    }
-
-    @Test
-    void cyclesAreNotMissedWhileTheWorldIsMeantToStandStill() {
-        Pacemaker pacemaker = new Pacemaker(1);
-
-        pacemaker.awaitNextCycle();
-        busy(60);
-        pacemaker.excuse();
-        pacemaker.awaitNextCycle();
-
-        assertThat((double) pacemaker.missedCycles()).isCloseTo(0, within(0.0));
     }
 
     /** Does not answer while the world goes on, however slow the computer is. */
-    private static void sleepUntil(Simulator simulator, long cycle) {
-        while (simulator.cycles() < cycle) {
-            Thread.onSpinWait();
+    private static void awaitCycle(BlockingQueue<WorldSnapshot> cycles, long cycle) throws InterruptedException {
+        long reached = cycles.take().cycle();
+        while (reached < cycle) {
+            reached = cycles.take().cycle();
         }
     }
 
-    private static void busy(int milliseconds) {
-        long end = System.nanoTime() + milliseconds * 1_000_000L;
-        while (System.nanoTime() < end) {
-            Thread.onSpinWait();
+    /** A clock that goes on only when it is waited for or turned. */
+    private static final class HandTurnedClock implements RealTime {
+
+        private long nanoseconds = 1_000_000;
+
+        @Override
+        public long nanoseconds() {
+            return nanoseconds;
         }
-    }
 
-    private static Simulator start() throws IOException {
-        return Simulator.start(SimulatorSettings.beginner().agentPort(0).build(), new RecordingConsole());
-    }
+        @Override
+        public void awaitNanoseconds(long moment) {
+            nanoseconds = Math.max(nanoseconds, moment);
+        }
 
-    private static TestAgent agent(Simulator simulator) throws IOException {
-        return new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()));
+        private void pass(int milliseconds) {
+            nanoseconds += TimeUnit.MILLISECONDS.toNanos(milliseconds);
+        }
+
+        private long milliseconds() {
+            return TimeUnit.NANOSECONDS.toMillis(nanoseconds) - 1;
+        }
     }
 }

@@ -13,6 +13,9 @@ import java.util.List;
 import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.PlayMode;
+import org.robonewbie.simulator.cycle.SimulationCycle;
+import org.robonewbie.simulator.cycle.WorldSettings;
+import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
@@ -144,15 +147,14 @@ class RecordedDialogueTest {
 
         private final SimulationCycle cycle;
 
-        Conversation() throws IOException {
-            cycle = SimulationCycle.begin(
-                    SimulatorSettings.league()
-                            .parameters(SoccerParameters.league()
+        Conversation() {
+            cycle = new SimulationCycle(
+                    WorldSettings.league()
+                            .withParameters(SoccerParameters.league()
                                     .with("BeamNoiseXY=0")
                                     .with("BeamNoiseAngle=0"))
-                            .noise(false)
-                            .synchronous(true)
-                            .build(),
+                            .withNoise(false),
+                    RecordingTarget.NONE,
                     new RecordingConsole());
         }
 

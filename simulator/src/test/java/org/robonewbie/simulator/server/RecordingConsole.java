@@ -2,6 +2,7 @@ package org.robonewbie.simulator.server;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.robonewbie.simulator.Console;
 
 /** Keeps what the simulator says. */
 final class RecordingConsole implements Console {

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
@@ -31,7 +32,7 @@ class RestorationTest {
         server = new LeagueServer();
         agent = server.join("Ada", 1);
         agent.exchange("(beam -2 0 0)(syn)");
-        server.control().setPlayMode(PlayMode.PLAY_ON);
+        server.control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
         server.control().addObserver(seen::add);
         LeagueServer.cycles(agent, 60);
     }
@@ -73,18 +74,18 @@ class RestorationTest {
         WorldSnapshot again = afterSameTime(fallen);
 
         for (int axis = 0; axis < 3; axis++) {
-            assertThat(torso(again, axis)).isEqualTo(torso(fallen, axis), within(0.03f));
+            assertThat(torso(again, axis)).isEqualTo(torso(fallen, axis), within(0.03));
         }
         assertThat(torso(fallen, 2)).isLessThan(torso(moment, 2) - 0.05f);
     }
 
     @Test
     void rollingBallAndScoreComeBack() throws IOException {
-        server.control().placeBall(new Vector3(1, 1, 0.042), new Vector3(2, 0, 0));
+        server.control().order(new Order.MoveBall(new Vector3(1, 1, 0.042), new Vector3(2, 0, 0)));
         WorldSnapshot before = after(2, "");
         WorldSnapshot moment = after(2, "");
         WorldSnapshot rolled = after(20, "");
-        server.control().placeBall(new Vector3(15.2, 0, 0.1), Vector3.ZERO);
+        server.control().order(new Order.MoveBall(new Vector3(15.2, 0, 0.1), Vector3.ZERO));
         assertThat(after(3, "").scoreLeft()).isEqualTo(1);
 
         server.control().restore(before, moment);
@@ -104,7 +105,7 @@ class RestorationTest {
         server.control().restore(standing, standing);
         WorldSnapshot again = after(30, "");
 
-        assertThat(torso(again, 2)).isEqualTo(torso(standing, 2), within(0.01f));
+        assertThat(torso(again, 2)).isEqualTo(torso(standing, 2), within(0.01));
     }
 
     @Test
@@ -120,13 +121,14 @@ class RestorationTest {
             }
         });
 
-        server.control().placeBall(new Vector3(15.2, 0, 0.1), Vector3.ZERO);
+        server.control().order(new Order.MoveBall(new Vector3(15.2, 0, 0.1), Vector3.ZERO));
         after(3, "");
 
         assertThat(events).contains(new MatchEvent.GoalScored(TeamSide.LEFT, "Ada"));
     }
 
-    private static float torso(WorldSnapshot snapshot, int axis) {
-        return snapshot.robots().get(0).linkPoses()[axis];
+    private static double torso(WorldSnapshot snapshot, int axis) {
+        Vector3 torso = snapshot.robots().get(0).body().position();
+        return axis == 0 ? torso.x() : axis == 1 ? torso.y() : torso.z();
     }
 }

@@ -14,7 +14,8 @@ import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
 
 /** What the monitor RoboViz needs of a server; its way of reading is that of {@link RoboVizReader}. */
 @Timeout(60)
@@ -94,15 +95,15 @@ class RoboVizExpectationsTest {
         watch(5);
         TestAgent first = match.join("us", 1);
         TestAgent second = match.join("them", 10);
-        match.order(new TrainerCommand.RequestFullState());
+        match.order(new Order.RequestFullState());
         watch(100);
-        match.simulator().control().setPlayMode(PlayMode.PLAY_ON);
-        match.simulator().control().placeBall(new Vector3(14.9, 0, 0.042), new Vector3(4, 0, 0));
+        match.simulator().control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
+        match.simulator().control().order(new Order.MoveBall(new Vector3(14.9, 0, 0.042), new Vector3(4, 0, 0)));
         watch(100);
         first.close();
         watch(50);
         second.close();
-        match.order(new TrainerCommand.SelectNextRobot(), new TrainerCommand.RequestFullState());
+        match.order(new Order.SelectNextRobot(), new Order.RequestFullState());
         watchUntil(() -> roboViz.nodes().size() == 36);
 
         assertThat(roboViz.fullMessages()).isGreaterThanOrEqualTo(4);
@@ -113,7 +114,7 @@ class RoboVizExpectationsTest {
     void robotsAreFoundByNumberAndTeamOnOneMeshBelowOneNodeEach() throws IOException {
         match.join("us", 1);
         match.join("them", 10);
-        match.order(new TrainerCommand.RequestFullState());
+        match.order(new Order.RequestFullState());
 
         watchUntil(() ->
                 roboViz.nodes().size() == 38 && !roboViz.value("team_right").isEmpty());
@@ -133,7 +134,7 @@ class RoboVizExpectationsTest {
             TestAgent agent = new TestAgent(match.simulator().connect());
             agent.exchange("(scene rsg/agent/nao/nao_hetero.rsg " + type + ")(syn)");
         }
-        match.order(new TrainerCommand.RequestFullState());
+        match.order(new Order.RequestFullState());
         watchUntil(() -> roboViz.nodes().size() == 41);
 
         List<String> models = new ArrayList<>();
@@ -147,7 +148,7 @@ class RoboVizExpectationsTest {
     @Test
     void invisibleIsOnlyTheMarkOfASelectedRobot() throws IOException {
         match.join("us", 1);
-        match.order(new TrainerCommand.RequestFullState());
+        match.order(new Order.RequestFullState());
         watchUntil(() -> roboViz.nodes().size() == 37);
 
         List<String> visible = new ArrayList<>();
@@ -159,7 +160,7 @@ class RoboVizExpectationsTest {
     @Test
     void foulsAreToldOnceWithNumberKindTeamAndPlayer() throws IOException {
         TestAgent agent = match.join("us", 5);
-        match.simulator().control().setPlayMode(PlayMode.PLAY_ON);
+        match.simulator().control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
         agent.send("(rae1 -1.4)(rae2 1)(rae3 -1)(rae4 1.5)(syn)");
 
         watchUntil(() -> !roboViz.fouls().isEmpty());
@@ -170,8 +171,10 @@ class RoboVizExpectationsTest {
     @Test
     void timeWithoutGoalsAfterAPassIsTold() throws IOException {
         TestAgent agent = match.join("us", 5);
-        match.simulator().control().setPlayMode(PlayMode.PLAY_ON);
-        match.simulator().control().placeRobot(TeamSide.LEFT, 5, new Vector3(-0.4, 0, 0.4), 0);
+        match.simulator().control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
+        match.simulator()
+                .control()
+                .order(new Order.PlaceRobot(new PlayerNumber(TeamSide.LEFT, 5), new Vector3(-0.4, 0, 0.4), 0));
         watchUntil(() -> {
             sendPass(agent);
             return roboViz.value("play_mode").equals("19");
@@ -188,7 +191,7 @@ class RoboVizExpectationsTest {
         watch(1);
         try (TestAgent agent = new TestAgent(match.simulator().connect())) {
             agent.send("(syn)");
-            match.order(new TrainerCommand.RequestFullState());
+            match.order(new Order.RequestFullState());
             watchUntil(() -> roboViz.fullMessages() == 2);
 
             assertThat(roboViz.nodes()).hasSize(36);

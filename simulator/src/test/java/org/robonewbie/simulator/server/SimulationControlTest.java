@@ -18,6 +18,9 @@ import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
@@ -53,7 +56,7 @@ class SimulationControlTest {
 
     @Test
     void pausedWorldIsReportedAgainAndAgain() throws InterruptedException {
-        control.pause();
+        control.order(new Order.Pause());
         WorldSnapshot first = await(WorldSnapshot::paused);
         WorldSnapshot second = await(WorldSnapshot::paused);
 
@@ -62,10 +65,10 @@ class SimulationControlTest {
 
     @Test
     void stepRunsTheWantedCyclesAndPauses() throws InterruptedException {
-        control.pause();
+        control.order(new Order.Pause());
         long before = await(WorldSnapshot::paused).cycle();
 
-        control.step(3);
+        control.order(new Order.Step(3));
         WorldSnapshot after = await(snapshot -> snapshot.cycle() == before + 3);
         WorldSnapshot later = await(WorldSnapshot::paused);
 
@@ -109,17 +112,17 @@ class SimulationControlTest {
 
     @Test
     void resumedWorldGoesOn() throws InterruptedException {
-        control.pause();
+        control.order(new Order.Pause());
         long before = await(WorldSnapshot::paused).cycle();
 
-        control.resume();
+        control.order(new Order.Resume());
 
         assertThat(await(snapshot -> snapshot.cycle() > before + 10).paused()).isFalse();
     }
 
     @Test
     void speedIsKept() throws InterruptedException {
-        control.setSpeed(5);
+        control.order(new Order.SetSpeed(5));
         WorldSnapshot start = await(snapshot -> snapshot.speed() == 5);
         long beginning = System.nanoTime();
 
@@ -132,36 +135,42 @@ class SimulationControlTest {
     @Test
     void ballAndRobotArePlaced() throws InterruptedException {
         await(snapshot -> snapshot.cycle() > 20);
-        control.pause();
+        control.order(new Order.Pause());
         await(WorldSnapshot::paused);
 
-        control.placeBall(new Vector3(1, 2, 0.5), new Vector3(0, 0, 0));
-        control.placeRobot(TeamSide.LEFT, 1, new Vector3(-2, -3, 0.4), 90);
+        control.order(new Order.MoveBall(new Vector3(1, 2, 0.5), new Vector3(0, 0, 0)));
+        control.order(new Order.PlaceRobot(new PlayerNumber(TeamSide.LEFT, 1), new Vector3(-2, -3, 0.4), 90));
         WorldSnapshot placed = await(snapshot -> snapshot.ballPosition().y() == 2);
 
-        float[] torso = placed.robots().get(0).linkPoses();
-        assertThat(torso[0]).isCloseTo(-2, within(1e-4f));
-        assertThat(torso[1]).isCloseTo(-3, within(1e-4f));
-        assertThat(forwardY(placed.robots().get(0))).isCloseTo(1, within(1e-3));
+        BodyState body = placed.robots().get(0).body();
+        assertThat(body.position().x()).isCloseTo(-2, within(1e-4));
+        assertThat(body.position().y()).isCloseTo(-3, within(1e-4));
+        assertThat(body.headingDegrees()).isCloseTo(90, within(2.5));
     }
 
     @Test
     void pushedRobotFliesAway() throws InterruptedException {
-        float y = await(snapshot -> snapshot.cycle() > 20).robots().get(0).linkPoses()[1];
+        double y = await(snapshot -> snapshot.cycle() > 20)
+                .robots()
+                .get(0)
+                .body()
+                .position()
+                .y();
 
-        control.pushRobot(TeamSide.LEFT, 1, new Vector3(0, 1000, 0));
+        control.order(new Order.PushRobot(new PlayerNumber(TeamSide.LEFT, 1), new Vector3(0, 1000, 0)));
 
-        WorldSnapshot pushed = await(snapshot -> snapshot.robots().get(0).linkPoses()[1] > y + 0.5);
-        assertThat(pushed.robots().get(0).linkPoses()[2]).isLessThan(0.6f);
+        WorldSnapshot pushed =
+                await(snapshot -> snapshot.robots().get(0).body().position().y() > y + 0.5);
+        assertThat(pushed.robots().get(0).body().position().z()).isLessThan(0.6);
     }
 
     @Test
     void refereeCanBeOverruled() throws InterruptedException {
-        control.setPlayMode(PlayMode.GOAL_KICK_LEFT);
+        control.order(new Order.ChangePlayMode(PlayMode.GOAL_KICK_LEFT));
         await(snapshot -> snapshot.playMode() == PlayMode.GOAL_KICK_LEFT);
-        control.dropBall();
+        control.order(new Order.DropBall());
         await(snapshot -> snapshot.playMode() == PlayMode.PLAY_ON);
-        control.kickOff(TeamSide.RIGHT);
+        control.order(new Order.KickOff(TeamSide.RIGHT));
 
         assertThat(await(snapshot -> snapshot.playMode() == PlayMode.KICK_OFF_RIGHT)
                         .ballPosition()
@@ -172,20 +181,20 @@ class SimulationControlTest {
     @Test
     void resetBringsRobotsBackToWhereTheyWereBeamed() throws InterruptedException {
         WorldSnapshot before = await(snapshot -> snapshot.cycle() > 100);
-        control.pause();
+        control.order(new Order.Pause());
         await(WorldSnapshot::paused);
 
-        control.reset();
+        control.order(new Order.Reset());
         WorldSnapshot after = await(snapshot -> snapshot.gameTime() == 0);
 
         RobotSnapshot robot = after.robots().get(0);
         assertThat(before.gameTime()).isPositive();
         assertThat(robot.number()).isEqualTo(1);
-        assertThat(robot.linkPoses()[0]).isCloseTo(-1, within(1e-4f));
-        assertThat(robot.linkPoses()[1]).isCloseTo(1, within(1e-4f));
-        for (float degrees : robot.jointDegrees()) {
-            assertThat((double) degrees).isCloseTo(0, within(1e-6));
-        }
+        assertThat(robot.body().position().x()).isCloseTo(-1, within(1e-4));
+        assertThat(robot.body().position().y()).isCloseTo(1, within(1e-4));
+        assertThat(robot.body().hingeDegrees())
+                .usingComparatorWithPrecision(1e-6)
+                .containsOnly(0);
     }
 
     /** Waits for a snapshot that is as wanted. */
@@ -197,11 +206,5 @@ class SimulationControlTest {
                 return snapshot;
             }
         }
-    }
-
-    /** How far the torso's forward axis points along y. */
-    private static double forwardY(RobotSnapshot robot) {
-        double z = robot.linkPoses()[6];
-        return 1 - 2 * z * z;
     }
 }

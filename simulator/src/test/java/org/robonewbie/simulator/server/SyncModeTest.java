@@ -10,8 +10,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.robonewbie.protocol.frame.TcpAgentLink;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
 
 @Timeout(60)

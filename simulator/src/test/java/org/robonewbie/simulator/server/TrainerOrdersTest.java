@@ -15,10 +15,10 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.monitor.MeshNode;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
-import org.robonewbie.protocol.monitor.PlayerNumber;
 import org.robonewbie.protocol.monitor.SceneNode;
-import org.robonewbie.protocol.monitor.TrainerCommand;
 import org.robonewbie.protocol.monitor.TransformNode;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
 @Timeout(60)
@@ -39,21 +39,21 @@ class TrainerOrdersTest {
 
     @Test
     void playModeIsSet() throws IOException {
-        match.order(new TrainerCommand.ChangePlayMode(PlayMode.CORNER_KICK_RIGHT));
+        match.order(new Order.ChangePlayMode(PlayMode.CORNER_KICK_RIGHT));
 
         match.await(seen -> isMode(seen, PlayMode.CORNER_KICK_RIGHT));
     }
 
     @Test
     void namedTeamKicksOff() throws IOException {
-        match.order(new TrainerCommand.KickOff(Optional.of(TeamSide.RIGHT)));
+        match.order(new Order.KickOff(Optional.of(TeamSide.RIGHT)));
 
         match.await(seen -> isMode(seen, PlayMode.KICK_OFF_RIGHT));
     }
 
     @Test
     void leftTeamKicksOffFirstByTheRules() throws IOException {
-        match.order(new TrainerCommand.KickOff(Optional.empty()));
+        match.order(new Order.KickOff(Optional.empty()));
 
         match.await(seen -> isMode(seen, PlayMode.KICK_OFF_LEFT));
     }
@@ -61,24 +61,24 @@ class TrainerOrdersTest {
     @Test
     void ballIsMovedPushedAndDropped() throws IOException {
         match.order(
-                new TrainerCommand.ChangePlayMode(PlayMode.PLAY_ON),
-                new TrainerCommand.MoveBall(Optional.of(new Vector3(3, 2, 0.042)), Optional.empty()));
+                new Order.ChangePlayMode(PlayMode.PLAY_ON),
+                new Order.MoveBall(Optional.of(new Vector3(3, 2, 0.042)), Optional.empty()));
         match.await(seen -> ball(seen).distanceTo(new Vector3(3, 2, 0.042)) < 0.05);
 
-        match.order(new TrainerCommand.MoveBall(Optional.empty(), Optional.of(new Vector3(0, -2, 0))));
+        match.order(new Order.MoveBall(Optional.empty(), Optional.of(new Vector3(0, -2, 0))));
         match.await(seen -> ball(seen).y() < 1);
 
-        match.order(new TrainerCommand.ChangePlayMode(PlayMode.KICK_IN_LEFT), new TrainerCommand.DropBall());
+        match.order(new Order.ChangePlayMode(PlayMode.KICK_IN_LEFT), new Order.DropBall());
         match.await(seen -> isMode(seen, PlayMode.PLAY_ON));
     }
 
     @Test
     void robotIsMovedWithoutTurning() throws IOException {
         match.join("us", 1);
-        match.order(new TrainerCommand.ChangePlayMode(PlayMode.PLAY_ON));
+        match.order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
         Vector3 forward = match.torso(LEFT_1).axisY();
 
-        match.order(new TrainerCommand.MoveRobot(LEFT_1, new Vector3(-4, 3, 0.5)));
+        match.order(new Order.MoveRobot(LEFT_1, new Vector3(-4, 3, 0.5)));
 
         match.await(seen -> isNear(LEFT_1, -4, 3));
         assertThat(match.torso(LEFT_1).axisY().distanceTo(forward)).isLessThan(0.2);
@@ -88,8 +88,8 @@ class TrainerOrdersTest {
     void robotIsMovedUprightAndTurned() throws IOException {
         match.join("us", 1);
         match.order(
-                new TrainerCommand.ChangePlayMode(PlayMode.PLAY_ON),
-                new TrainerCommand.MoveAndTurnRobot(LEFT_1, new Vector3(2, -3, 0.5), 90));
+                new Order.ChangePlayMode(PlayMode.PLAY_ON),
+                new Order.MoveAndTurnRobot(LEFT_1, new Vector3(2, -3, 0.5), 90));
 
         match.await(seen -> isNear(LEFT_1, 2, -3));
         assertThat(match.torso(LEFT_1).axisY().x()).isLessThan(-0.95);
@@ -101,11 +101,11 @@ class TrainerOrdersTest {
         match.join("us", 1);
         match.join("us", 2);
 
-        match.order(new TrainerCommand.SelectRobot(LEFT_2));
+        match.order(new Order.SelectRobot(LEFT_2));
         match.await(seen -> !isSelected(seen, 0) && isSelected(seen, 1));
-        match.order(new TrainerCommand.SelectNextRobot());
+        match.order(new Order.SelectNextRobot());
         match.await(seen -> isSelected(seen, 0) && !isSelected(seen, 1));
-        match.order(new TrainerCommand.SelectNoRobot());
+        match.order(new Order.SelectNoRobot());
         match.await(seen -> !isSelected(seen, 0) && !isSelected(seen, 1));
     }
 
@@ -113,9 +113,9 @@ class TrainerOrdersTest {
     void robotIsPutBesideThePitchOppositeToTheBall() throws IOException {
         match.join("us", 2);
         match.order(
-                new TrainerCommand.ChangePlayMode(PlayMode.PLAY_ON),
-                new TrainerCommand.MoveBall(Optional.of(new Vector3(0, -5, 0.042)), Optional.empty()),
-                new TrainerCommand.RepositionRobot(Optional.of(LEFT_2)));
+                new Order.ChangePlayMode(PlayMode.PLAY_ON),
+                new Order.MoveBall(Optional.of(new Vector3(0, -5, 0.042)), Optional.empty()),
+                new Order.RepositionRobot(Optional.of(LEFT_2)));
 
         match.await(seen -> isNear(LEFT_2, -3, 10.5));
     }
@@ -124,14 +124,14 @@ class TrainerOrdersTest {
     void selectedRobotIsMovedBackAndPutBesideThePitch() throws IOException {
         match.join("us", 2);
         match.order(
-                new TrainerCommand.ChangePlayMode(PlayMode.PLAY_ON),
-                new TrainerCommand.SelectRobot(LEFT_2),
-                new TrainerCommand.MoveRobot(LEFT_2, new Vector3(0, 4, 0.5)));
+                new Order.ChangePlayMode(PlayMode.PLAY_ON),
+                new Order.SelectRobot(LEFT_2),
+                new Order.MoveRobot(LEFT_2, new Vector3(0, 4, 0.5)));
         match.await(seen -> isNear(LEFT_2, 0, 4));
 
-        match.order(new TrainerCommand.RepelSelectedRobot());
+        match.order(new Order.RepelSelectedRobot());
         match.await(seen -> isNear(LEFT_2, -2.5, 4));
-        match.order(new TrainerCommand.RepositionRobot(Optional.empty()));
+        match.order(new Order.RepositionRobot(Optional.empty()));
         match.await(seen -> Math.abs(match.torso(LEFT_2).position().y()) > 10);
     }
 
@@ -139,7 +139,7 @@ class TrainerOrdersTest {
     void killedRobotLeavesThePitchWhileItsAgentStaysConnected() throws IOException {
         TestAgent agent = match.join("us", 2);
 
-        match.order(new TrainerCommand.KillRobot(Optional.of(LEFT_2)));
+        match.order(new Order.KillRobot(Optional.of(LEFT_2)));
         match.await(seen -> seen.robots().isEmpty());
         PerceptorMessage message = rejoin(agent);
 
@@ -149,10 +149,7 @@ class TrainerOrdersTest {
 
     @Test
     void timeAndScoreAreSet() throws IOException {
-        match.order(
-                new TrainerCommand.ChangePlayMode(PlayMode.PLAY_ON),
-                new TrainerCommand.SetTime(100),
-                new TrainerCommand.SetScore(4, 2));
+        match.order(new Order.ChangePlayMode(PlayMode.PLAY_ON), new Order.SetTime(100), new Order.SetScore(4, 2));
 
         match.await(seen -> seen.gameState().timeSeconds() >= 100);
         assertThat(match.world().gameState().timeSeconds()).isLessThan(150);
@@ -164,14 +161,14 @@ class TrainerOrdersTest {
     void fullStateIsSentOnRequest() throws IOException {
         match.awaitFullMessage();
 
-        match.order(new TrainerCommand.RequestFullState());
+        match.order(new Order.RequestFullState());
 
         assertThat(match.awaitFullMessage()).startsWith("((FieldLength 30)");
     }
 
     @Test
     void simulationEndsOnRequest() throws Exception {
-        match.order(new TrainerCommand.EndSimulation());
+        match.order(new Order.EndSimulation());
 
         match.simulator().awaitEnd();
         while (match.monitor().receive()) {
@@ -184,13 +181,13 @@ class TrainerOrdersTest {
         PlayerNumber nobody = new PlayerNumber(TeamSide.RIGHT, 11);
 
         match.order(
-                new TrainerCommand.MoveRobot(nobody, Vector3.ZERO),
-                new TrainerCommand.KillRobot(Optional.of(nobody)),
-                new TrainerCommand.KillRobot(Optional.empty()),
-                new TrainerCommand.RepositionRobot(Optional.empty()),
-                new TrainerCommand.RepelSelectedRobot(),
-                new TrainerCommand.SelectNextRobot(),
-                new TrainerCommand.SetScore(1, 0));
+                new Order.MoveRobot(nobody, Vector3.ZERO),
+                new Order.KillRobot(Optional.of(nobody)),
+                new Order.KillRobot(Optional.empty()),
+                new Order.RepositionRobot(Optional.empty()),
+                new Order.RepelSelectedRobot(),
+                new Order.SelectNextRobot(),
+                new Order.SetScore(1, 0));
 
         match.await(seen -> seen.gameState().scoreLeft() == 1);
         assertThat(match.world().robots()).isEmpty();
@@ -199,10 +196,10 @@ class TrainerOrdersTest {
     @Test
     void agentMayBeamAgainAndItsTimeGoesOnAfterATrainerStopsTheGame() throws IOException {
         TestAgent agent = match.join("us", 1);
-        match.order(new TrainerCommand.ChangePlayMode(PlayMode.PLAY_ON));
+        match.order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
         match.await(seen -> seen.gameState().timeSeconds() > 0.5);
 
-        match.order(new TrainerCommand.ChangePlayMode(PlayMode.BEFORE_KICK_OFF));
+        match.order(new Order.ChangePlayMode(PlayMode.BEFORE_KICK_OFF));
         match.await(seen -> isMode(seen, PlayMode.BEFORE_KICK_OFF));
         double stopped = match.world().gameState().timeSeconds();
         agent.send("(beam -7 -2 0)");

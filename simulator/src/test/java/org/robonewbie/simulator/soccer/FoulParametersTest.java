@@ -13,7 +13,7 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.monitor.Foul;
 import org.robonewbie.protocol.monitor.FoulType;
-import org.robonewbie.protocol.monitor.PlayerNumber;
+import org.robonewbie.protocol.order.PlayerNumber;
 
 /** Each parameter of the automatic referee changes its judgement as it says. */
 class FoulParametersTest {

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.physics.RotationMatrix;
 
 /** Agents of the league beam their robot in each cycle until the kick-off, which may take minutes. */
 class BeamedRobotTest {
@@ -22,7 +22,7 @@ class BeamedRobotTest {
         for (int i = 0; i < 1000; i++) {
             robot.beam(new Vector3(-5, 2, 0.4), 7 * i);
             world.step();
-            Rotation turn = robot.torso().rotation();
+            RotationMatrix turn = robot.torso().rotation();
             assertThat(turn.axisX().length()).isCloseTo(1, within(1e-11));
             assertThat(turn.axisY().dot(turn.axisZ())).isCloseTo(0, within(1e-11));
         }

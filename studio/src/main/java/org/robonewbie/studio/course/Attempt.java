@@ -30,11 +30,11 @@ public record Attempt(
 
     /** The stages of an attempt. */
     public enum State {
-        /** Nothing is being tried. */
+        /** No trial is running. */
         NONE,
-        /** The program has not come onto the pitch. */
+        /** The program has not joined the pitch yet. */
         WAITING,
-        /** A trial goes on. */
+        /** A trial is running. */
         RUNNING,
         /** All trials are judged. */
         OVER

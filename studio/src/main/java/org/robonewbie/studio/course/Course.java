@@ -6,18 +6,10 @@ import java.util.List;
 /** The exercises behind the page, and the one that is being tried. Any thread may ask. */
 public interface Course {
 
-    /**
-     * Lists the exercises.
-     *
-     * @return all, in the order of the course
-     */
+    /** {@return all exercises, in the order of the course} */
     List<Lesson> lessons();
 
-    /**
-     * Lists programs that could solve an exercise.
-     *
-     * @return Java files of the working directory
-     */
+    /** {@return programs that could solve an exercise: Java files of the working directory} */
     List<String> programs();
 
     /**
@@ -44,10 +36,6 @@ public interface Course {
     /** Ends what is being tried, and shows the free pitch again. */
     void leave();
 
-    /**
-     * Tells how far the trials are.
-     *
-     * @return the present state
-     */
+    /** {@return the present state of the trials} */
     Attempt attempt();
 }

@@ -16,11 +16,11 @@ import org.eclipse.jetty.util.Fields;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Lets pages work with the exercises.
+ * Serves the exercises to the pages.
  *
  * <pre>
  * GET    /api/course                the exercises, and programs that are there
- * GET    /api/course/attempt        how far the program is that is being tried
+ * GET    /api/course/attempt        the progress of the program that is being tried
  * POST   /api/course/NAME?program=FILE&amp;trials=N   begins to try a program
  * PUT    /api/course/NAME           writes the program to begin with
  * DELETE /api/course/attempt        ends the attempt

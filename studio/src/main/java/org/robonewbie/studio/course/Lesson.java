@@ -3,13 +3,13 @@ package org.robonewbie.studio.course;
 /**
  * An exercise as a page shows it.
  *
- * @param number its place in the course, from 1
+ * @param number its position in the course, from 1
  * @param name such as {@code kick}
  * @param title such as {@code A kick of your own}
- * @param goal what the robot shall do, as a sentence
+ * @param goal what the robot has to do, as a sentence
  * @param level how hard it is, in a word or two
  * @param minutes how long it takes
- * @param points the most points that it gives
+ * @param points the maximum number of points
  * @param worksheet page of the documentation that explains it
  * @param file usual name of the program that solves it
  */

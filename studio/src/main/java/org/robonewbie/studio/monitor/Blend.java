@@ -2,6 +2,10 @@ package org.robonewbie.studio.monitor;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 
@@ -35,7 +39,7 @@ final class Blend {
                                 .plus(to.ballPosition()
                                         .minus(from.ballPosition())
                                         .times(part)),
-                blended(from.ballOrientation(), to.ballOrientation(), part),
+                blended(from.ballRotation(), to.ballRotation(), part),
                 robots(from.robots(), to.robots(), part),
                 to.paused(),
                 to.speed(),
@@ -59,37 +63,40 @@ final class Blend {
     }
 
     private static RobotSnapshot robot(RobotSnapshot from, RobotSnapshot to, double part) {
-        double way = Math.hypot(to.linkPoses()[0] - from.linkPoses()[0], to.linkPoses()[1] - from.linkPoses()[1]);
-        double step = way > JUMP_METRES ? 0 : part;
+        Pose torso = from.body().torso();
+        Pose later = to.body().torso();
+        Vector3 way = later.position().minus(torso.position());
+        double step = Math.hypot(way.x(), way.y()) > JUMP_METRES ? 0 : part;
+        Pose between =
+                new Pose(torso.position().plus(way.times(step)), blended(torso.rotation(), later.rotation(), step));
         return new RobotSnapshot(
                 from.id(),
                 from.team(),
                 from.side(),
                 from.number(),
-                from.type(),
-                blendedPoses(from.linkPoses(), to.linkPoses(), step),
-                blended(from.jointDegrees(), to.jointDegrees(), step));
+                BodyState.ofHinges(
+                        from.type(),
+                        between,
+                        blended(from.body().hingeDegrees(), to.body().hingeDegrees(), step)));
     }
 
-    /** Positions and quaternions are blended alike; a quaternion that points the other way is turned round first. */
-    private static float[] blendedPoses(float[] from, float[] to, double part) {
-        float[] turned = to.clone();
-        for (int at = 3; at < to.length; at += 7) {
-            double dot = from[at] * to[at]
-                    + from[at + 1] * to[at + 1]
-                    + from[at + 2] * to[at + 2]
-                    + from[at + 3] * to[at + 3];
-            for (int i = at; i < at + 4 && dot < 0; i++) {
-                turned[i] = -to[i];
-            }
-        }
-        return blended(from, turned, part);
+    /** The parts of quaternions are blended alike; a quaternion that points the other way is turned round first. */
+    private static Rotation blended(Rotation from, Rotation to, double part) {
+        double dot = from.w() * to.w() + from.x() * to.x() + from.y() * to.y() + from.z() * to.z();
+        double sign = dot < 0 ? -1 : 1;
+        double rest = 1 - part;
+        double w = rest * from.w() + sign * part * to.w();
+        double x = rest * from.x() + sign * part * to.x();
+        double y = rest * from.y() + sign * part * to.y();
+        double z = rest * from.z() + sign * part * to.z();
+        double length = Math.sqrt(w * w + x * x + y * y + z * z);
+        return new Rotation(w / length, x / length, y / length, z / length);
     }
 
-    private static float[] blended(float[] from, float[] to, double part) {
-        float[] between = new float[from.length];
+    private static double[] blended(double[] from, double[] to, double part) {
+        double[] between = new double[from.length];
         for (int i = 0; i < between.length; i++) {
-            between[i] = (float) (from[i] + part * (to[i] - from[i]));
+            between[i] = from[i] + part * (to[i] - from[i]);
         }
         return between;
     }

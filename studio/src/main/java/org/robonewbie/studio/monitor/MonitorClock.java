@@ -1,13 +1,13 @@
 package org.robonewbie.studio.monitor;
 
 import java.util.function.LongSupplier;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.protocol.monitor.MonitoredGame;
-import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * Counts cycles of a server that tells only the time of play, which stands still before each kick-off. There a message counts as
- * the two cycles that usually lie between messages.
+ * Counts cycles of a server that sends only the game time, which is stopped before each kick-off. There a message counts as the
+ * two cycles that usually lie between messages.
  */
 final class MonitorClock {
 
@@ -40,7 +40,7 @@ final class MonitorClock {
         lastPlaySeconds = game.timeSeconds();
         messagesWithoutTime = moves || mayStand ? 0 : messagesWithoutTime + 1;
         if (moves) {
-            long cycles = Math.max(1, Math.round(seconds / WorldSnapshot.CYCLE_SECONDS));
+            long cycles = Math.max(1, Math.round(seconds / Cycle.SECONDS));
             follow(cycles);
             cycle += cycles;
         } else if (mayStand) {
@@ -53,19 +53,19 @@ final class MonitorClock {
         long now = nanoTime.getAsLong();
         double real = Math.max(1e-4, (now - lastNanos) / 1e9);
         lastNanos = now;
-        realTimeFactor += FOLLOWING * (Math.min(100, cycles * WorldSnapshot.CYCLE_SECONDS / real) - realTimeFactor);
+        realTimeFactor += FOLLOWING * (Math.min(100, cycles * Cycle.SECONDS / real) - realTimeFactor);
     }
 
     long cycle() {
         return cycle;
     }
 
-    /** Tells how many simulated seconds pass per second, roughly. */
+    /** The approximate number of simulated seconds per second. */
     double realTimeFactor() {
         return realTimeFactor;
     }
 
-    /** Tells whether messages come in which no time has passed, as from a server that is paused. */
+    /** Whether messages arrive in which no time has passed, as from a paused server. */
     boolean isStandingStill() {
         return messagesWithoutTime > MESSAGES_UNTIL_STANDSTILL;
     }

@@ -19,7 +19,8 @@ import org.robonewbie.protocol.monitor.Foul;
 import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.simulator.recording.SnapshotRecording;
+import org.robonewbie.simulator.file.RecordingFile;
+import org.robonewbie.simulator.recording.RecordingWriter;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /**
@@ -36,7 +37,7 @@ public final class MonitorLogReader {
     private final MonitorClock clock = new MonitorClock(() -> 0);
     private final MessageBuffer message = new MessageBuffer();
     private final List<String> events = new ArrayList<>();
-    private Optional<SnapshotRecording> recording = Optional.empty();
+    private Optional<RecordingWriter> recording = Optional.empty();
     private Optional<WorldSnapshot> last = Optional.empty();
     private MonitoredGame game = MonitoredGame.UNKNOWN;
 
@@ -58,7 +59,7 @@ public final class MonitorLogReader {
         } catch (UncheckedIOException damaged) {
             throw new IOException("\"" + log + "\" cannot be read to its end: " + damaged.getMessage(), damaged);
         } finally {
-            reader.recording.ifPresent(SnapshotRecording::close);
+            reader.recording.ifPresent(RecordingWriter::close);
         }
         if (reader.recording.isEmpty()) {
             throw new IOException("\"" + log + "\" is no log of a SimSpark server: no line of it tells a whole scene.");
@@ -88,12 +89,12 @@ public final class MonitorLogReader {
         clock.tick(world.gameState());
         noteEvents();
         if (recording.isEmpty()) {
-            recording = Optional.of(SnapshotRecording.open(file, header(), problem -> {}));
+            recording = Optional.of(RecordingWriter.open(RecordingFile.open(file, problem -> {}), header()));
         }
         write(recording.get(), MonitorSnapshots.of(world, clock.cycle(), 1, false));
     }
 
-    private void write(SnapshotRecording target, WorldSnapshot now) {
+    private void write(RecordingWriter target, WorldSnapshot now) {
         if (last.isPresent() && now.cycle() == last.get().cycle()) {
             return;
         }

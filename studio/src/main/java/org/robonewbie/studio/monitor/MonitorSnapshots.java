@@ -1,15 +1,13 @@
 package org.robonewbie.studio.monitor;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.model.Hinge;
-import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.protocol.monitor.Environment;
 import org.robonewbie.protocol.monitor.MonitoredGame;
@@ -18,17 +16,16 @@ import org.robonewbie.protocol.monitor.MonitoredWorld;
 import org.robonewbie.protocol.monitor.TransformNode;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.physics.BodyPose;
+import org.robonewbie.simulator.physics.RotationMatrix;
 
 /**
- * Turns what a monitor is told into states of our world. A monitor knows where each limb is, but no joint angles; they follow from
- * how the two limbs of a hinge are turned against each other.
+ * Converts what a monitor receives to states of our world. A monitor knows the pose of each limb, but no joint angles; they
+ * follow from the relative rotation of the two limbs of a hinge.
  */
 final class MonitorSnapshots {
 
-    private static final int NUMBERS_PER_LINK = 7;
     private static final int ROBOTS_PER_SIDE = 100;
-    private static final float[] UPRIGHT = {1, 0, 0, 0};
 
     private MonitorSnapshots() {}
 
@@ -44,7 +41,7 @@ final class MonitorSnapshots {
                 game.scoreRight(),
                 game.half(),
                 world.ball().map(TransformNode::position).orElse(Vector3.ZERO),
-                world.ball().map(MonitorSnapshots::quaternion).orElse(UPRIGHT),
+                world.ball().map(ball -> rotation(ball).toTurn()).orElse(org.robonewbie.nao.kinematics.Rotation.NONE),
                 world.robots().stream().map(robot -> robot(robot, game)).toList(),
                 standing,
                 1,
@@ -82,44 +79,24 @@ final class MonitorSnapshots {
                 name.isEmpty() ? side.name().toLowerCase(Locale.ROOT) : name,
                 Optional.of(side),
                 robot.player().number(),
-                robot.type(),
-                linkPoses(robot, model),
-                jointDegrees(robot, model));
+                BodyState.ofHinges(robot.type(), torso(robot), hingeDegrees(robot, model)));
     }
 
-    /** A part that this server's robots do not have is where the torso is. */
-    private static float[] linkPoses(MonitoredRobot robot, NaoModel model) {
-        List<Link> links = model.links();
-        float[] poses = new float[NUMBERS_PER_LINK * links.size()];
-        Optional<TransformNode> torso = robot.link(NaoModel.TORSO);
-        for (int i = 0; i < links.size(); i++) {
-            Optional<TransformNode> part = robot.link(links.get(i).name()).or(() -> torso);
-            Vector3 position = part.map(TransformNode::position).orElse(Vector3.ZERO);
-            int at = NUMBERS_PER_LINK * i;
-            poses[at] = (float) position.x();
-            poses[at + 1] = (float) position.y();
-            poses[at + 2] = (float) position.z();
-            System.arraycopy(part.map(MonitorSnapshots::quaternion).orElse(UPRIGHT), 0, poses, at + 3, UPRIGHT.length);
-        }
-        return poses;
+    private static org.robonewbie.nao.kinematics.Pose torso(MonitoredRobot robot) {
+        return robot.link(NaoModel.TORSO)
+                .map(part -> new BodyPose(part.position(), rotation(part)).toBodyAxes())
+                .orElse(org.robonewbie.nao.kinematics.Pose.ORIGIN);
     }
 
-    private static float[] jointDegrees(MonitoredRobot robot, NaoModel model) {
-        List<Float> degrees = new ArrayList<>();
-        for (Hinge hinge : model.hinges()) {
-            degrees.add((float) robot.link(hinge.parent())
-                    .flatMap(parent -> robot.link(hinge.child()).map(child -> degrees(hinge, parent, child)))
-                    .orElse(0.0)
-                    .doubleValue());
-        }
-        float[] numbers = new float[degrees.size()];
-        for (int i = 0; i < numbers.length; i++) {
-            numbers[i] = degrees.get(i);
-        }
-        return numbers;
+    private static double[] hingeDegrees(MonitoredRobot robot, NaoModel model) {
+        return model.hinges().stream()
+                .mapToDouble(hinge -> robot.link(hinge.parent())
+                        .flatMap(parent -> robot.link(hinge.child()).map(child -> degrees(hinge, parent, child)))
+                        .orElse(0.0))
+                .toArray();
     }
 
-    /** Finds the turn about the hinge's axis that is nearest to how the child is turned against its parent. */
+    /** The rotation about the hinge's axis that is closest to the child's rotation relative to its parent. */
     private static double degrees(Hinge hinge, TransformNode parent, TransformNode child) {
         double[] turn = rotation(parent).inverse().after(rotation(child)).toQuaternion();
         Vector3 axis = hinge.axis();
@@ -127,15 +104,10 @@ final class MonitorSnapshots {
         return Math.toDegrees(2 * Math.atan2(sine, turn[0]));
     }
 
-    private static float[] quaternion(TransformNode node) {
-        double[] exact = rotation(node).toQuaternion();
-        return new float[] {(float) exact[0], (float) exact[1], (float) exact[2], (float) exact[3]};
-    }
-
-    private static Rotation rotation(TransformNode node) {
+    private static RotationMatrix rotation(TransformNode node) {
         Vector3 x = node.axisX();
         Vector3 y = node.axisY();
         Vector3 z = node.axisZ();
-        return new Rotation(x.x(), y.x(), z.x(), x.y(), y.y(), z.y(), x.z(), y.z(), z.z());
+        return new RotationMatrix(x.x(), y.x(), z.x(), x.y(), y.y(), z.y(), x.z(), y.z(), z.z());
     }
 }

@@ -2,19 +2,16 @@ package org.robonewbie.studio.monitor;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
-import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.protocol.monitor.MonitorLink;
 import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
-import org.robonewbie.protocol.monitor.PlayerNumber;
-import org.robonewbie.protocol.monitor.TrainerCommand;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.tcp.MonitorLink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
@@ -55,12 +52,12 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
     }
 
     /**
-     * Connects to a server and begins to watch it.
+     * Connects to a server and starts watching it.
      *
      * @param host name or address of its computer
      * @param port its monitor port, 3200 by default
      * @return the simulation that runs there
-     * @throws IOException if nobody answers there; the message says what to do
+     * @throws IOException if no server answers there; the message says what to do
      */
     public static MonitoredSimulation connect(String host, int port) throws IOException {
         MonitoredSimulation simulation = new MonitoredSimulation(host, port, MonitorLink.connect(host, port));
@@ -100,7 +97,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
 
     private void take(MonitoredWorld world) throws IOException {
         if (!world.isCurrent()) {
-            link.send(new TrainerCommand.RequestFullState());
+            link.send(new Order.RequestFullState());
             return;
         }
         field = MonitorSnapshots.field(world.environment());
@@ -121,9 +118,9 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
         observers.forEach(observer -> observer.happened(event));
     }
 
-    private void order(TrainerCommand... commands) {
+    private void send(Order.Trainer... orders) {
         try {
-            link.send(commands);
+            link.send(orders);
         } catch (IOException lost) {
             throw new IllegalStateException(
                     "The server at " + host + ":" + port + " cannot be reached any more. Start it again.", lost);
@@ -141,58 +138,25 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
     }
 
     @Override
-    public void pause() {
-        throw new UnsupportedOperationException(NO_CLOCK);
+    public void order(Order order) {
+        if (order instanceof Order.Clock) {
+            throw new UnsupportedOperationException(NO_CLOCK);
+        } else if (order instanceof Order.Trainer known) {
+            send(known);
+        } else if (order instanceof Order.PlaceRobot place) {
+            send(new Order.MoveAndTurnRobot(place.player(), place.position(), place.headingDegrees() - 90));
+        } else if (order instanceof Order.Reset) {
+            reset();
+        }
     }
 
-    @Override
-    public void resume() {
-        throw new UnsupportedOperationException(NO_CLOCK);
-    }
-
-    @Override
-    public void step(int cycles) {
-        throw new UnsupportedOperationException(NO_CLOCK);
-    }
-
-    @Override
-    public void setSpeed(double factor) {
-        throw new UnsupportedOperationException(NO_CLOCK);
-    }
-
-    /** Puts ball, clock and score back to the start of the game; robots stay where they are. */
-    @Override
-    public void reset() {
-        order(
-                new TrainerCommand.ChangePlayMode(PlayMode.BEFORE_KICK_OFF),
-                new TrainerCommand.SetTime(0),
-                new TrainerCommand.SetScore(0, 0),
-                new TrainerCommand.MoveBall(Optional.of(new Vector3(0, 0, BALL_RADIUS)), Optional.of(Vector3.ZERO)));
-    }
-
-    @Override
-    public void placeBall(Vector3 position, Vector3 velocity) {
-        order(new TrainerCommand.MoveBall(Optional.of(position), Optional.of(velocity)));
-    }
-
-    @Override
-    public void placeRobot(TeamSide side, int number, Vector3 position, double headingDegrees) {
-        order(new TrainerCommand.MoveAndTurnRobot(new PlayerNumber(side, number), position, headingDegrees - 90));
-    }
-
-    @Override
-    public void kickOff(TeamSide side) {
-        order(new TrainerCommand.KickOff(Optional.of(side)));
-    }
-
-    @Override
-    public void dropBall() {
-        order(new TrainerCommand.DropBall());
-    }
-
-    @Override
-    public void setPlayMode(PlayMode playMode) {
-        order(new TrainerCommand.ChangePlayMode(playMode));
+    /** Resets ball, clock and score to the start of the game; robots stay where they are. */
+    private void reset() {
+        send(
+                new Order.ChangePlayMode(PlayMode.BEFORE_KICK_OFF),
+                new Order.SetTime(0),
+                new Order.SetScore(0, 0),
+                new Order.MoveBall(new Vector3(0, 0, BALL_RADIUS), Vector3.ZERO));
     }
 
     @Override

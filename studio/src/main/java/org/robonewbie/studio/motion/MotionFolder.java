@@ -16,7 +16,7 @@ import java.util.stream.Stream;
 
 /**
  * A folder with text files that a page may read and write, and nothing else of this computer. Files are named without folder
- * and ending; they are replaced in one move, so that nobody ever sees one half written.
+ * and extension; they are replaced atomically, so that no reader ever sees one half written.
  */
 final class MotionFolder {
 
@@ -44,7 +44,7 @@ final class MotionFolder {
         return folder;
     }
 
-    /** Lists the files in alphabetical order. */
+    /** The files in alphabetical order. */
     List<Entry> list() throws IOException {
         if (!Files.isDirectory(folder)) {
             return List.of();
@@ -79,13 +79,13 @@ final class MotionFolder {
     }
 
     /**
-     * Writes a file, if it is still as the writer knows it.
+     * Writes a file, if it is unchanged since the writer last saw it.
      *
      * @param name its name
      * @param content its new content
      * @param knownVersion the version that the writer has seen; empty if the file must not exist yet
      * @return the new version
-     * @throws RefusedException if somebody else has changed the file meanwhile
+     * @throws RefusedException if the file has been changed meanwhile
      */
     synchronized String write(String name, byte[] content, String knownVersion) throws IOException {
         Path target = checked(name);
@@ -123,7 +123,7 @@ final class MotionFolder {
         }
     }
 
-    /** Finds the path of a name; also a link must not lead out of the folder. */
+    /** The path of a name; a link must not lead out of the folder either. */
     private Path checked(String name) throws IOException {
         if (!isName(name)) {
             throw new RefusedException(

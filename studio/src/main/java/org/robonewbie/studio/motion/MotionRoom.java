@@ -23,10 +23,11 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.MotionFormatException;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /**
- * Answers the motion editor below {@code /api/}: the robot, motion files, drafts of unsaved work, the own postures, and trials
- * on a physical robot.
+ * Serves the motion editor below {@code /api/}: the robot, motion files, drafts of unsaved work, the user's own postures, and
+ * trials on a physical robot.
  *
  * <pre>
  * GET              /api/robot
@@ -127,7 +128,7 @@ public final class MotionRoom extends Handler.Abstract {
     private Answer fileAnswer(Request request, String order, String name) throws IOException {
         return switch (order) {
             case "GET motions" -> Answer.file(found(motions.read(name), name));
-            case "GET library" -> Answer.file(found(ShippedMotions.read(name), name));
+            case "GET library" -> Answer.file(found(shipped(name), name));
             case "GET drafts" -> Answer.file(found(drafts.read(name), name));
             case "PUT motions" -> {
                 String known = Optional.ofNullable(request.getHeaders().get("Known-Version"))
@@ -145,6 +146,11 @@ public final class MotionRoom extends Handler.Abstract {
             }
             default -> throw new RefusedException(405, "The studio cannot do " + order + ".");
         };
+    }
+
+    private static Optional<byte[]> shipped(String name) {
+        ShippedMotions shipped = new ShippedMotions();
+        return shipped.names().contains(name) ? shipped.read(name) : Optional.empty();
     }
 
     private static byte[] found(Optional<byte[]> content, String name) {
@@ -170,7 +176,7 @@ public final class MotionRoom extends Handler.Abstract {
         json.add("own", entries(motions.list()));
         json.add("drafts", entries(drafts.list()));
         JsonArray library = new JsonArray();
-        ShippedMotions.names().forEach(library::add);
+        new ShippedMotions().names().forEach(library::add);
         json.add("library", library);
         return json.toString();
     }

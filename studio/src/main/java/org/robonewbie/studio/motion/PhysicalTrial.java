@@ -3,9 +3,10 @@ package org.robonewbie.studio.motion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.motion.Motion;
-import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.simulator.physics.Pose;
+import org.robonewbie.nao.motion.file.ShippedMotions;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
 
 /**
@@ -19,13 +20,12 @@ import org.robonewbie.simulator.world.Robot;
 record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
 
     /** Time between two frames in seconds: every second cycle. */
-    static final double FRAME_SECONDS = 2 * WorldSnapshot.CYCLE_SECONDS;
+    static final double FRAME_SECONDS = 2 * Cycle.SECONDS;
 
     private static final int POSE_NUMBERS = 7;
     private static final int LONGEST_MILLIS = 60_000;
     private static final double SETTLE_SECONDS = 0.4;
     private static final double LOOK_ON_SECONDS = 1;
-    private static final double FALLEN_COSINE = 0.5;
 
     /** How the robot is before the motion. */
     enum Start {
@@ -87,15 +87,15 @@ record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
             if (cycles % 2 == 0) {
                 frames.add(frame(robot));
             }
-            if (standsAtFirst && fall.isEmpty() && robot.torso().rotation().zz() < FALLEN_COSINE) {
-                fall = OptionalDouble.of(cycles * WorldSnapshot.CYCLE_SECONDS);
+            if (standsAtFirst && fall.isEmpty() && robot.isFallen()) {
+                fall = OptionalDouble.of(cycles * Cycle.SECONDS);
             }
             cycles++;
         }
     }
 
     private static float[] frame(Robot robot) {
-        Pose torso = robot.torso();
+        BodyPose torso = robot.torso();
         double[] rotation = torso.rotation().toQuaternion();
         float[] frame = new float[POSE_NUMBERS + robot.model().hinges().size()];
         frame[0] = (float) torso.position().x();

@@ -6,9 +6,10 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.model.Shape;
 import org.robonewbie.nao.motion.Mirror;
 
-/** Tells the pages what they must know of the robot to edit its motions: joints in the order of the files, and masses. */
+/** What the pages need to know about the robot to edit its motions: joints in the order of the files, and masses. */
 final class RobotDescription {
 
     private RobotDescription() {}
@@ -29,6 +30,9 @@ final class RobotDescription {
             JsonObject json = new JsonObject();
             json.addProperty("massKg", link.massKg());
             json.addProperty("solid", link.collides());
+            if (link.shape() instanceof Shape.Sphere ball) {
+                json.addProperty("radius", ball.radius());
+            }
             links.add(json);
         }
         JsonObject json = new JsonObject();

@@ -1,5 +1,5 @@
 /**
- * The server's side of the motion editor: files below one folder, and a robot in a world of its own that tries a motion. Read
+ * The server side of the motion editor: files below one folder, and a robot in a world of its own that tries a motion. Read
  * {@link org.robonewbie.studio.motion.MotionRoom} first.
  */
 @org.jspecify.annotations.NullMarked

@@ -21,11 +21,11 @@ import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
+import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.monitor.RecordedLog;
-import org.robonewbie.simulator.recording.RecordingShelf;
 
 /**
- * Gives recordings to the pages.
+ * Serves recordings to the pages.
  *
  * <pre>
  * GET /api/recordings                 all recordings, the newest first
@@ -134,10 +134,10 @@ public final class ReplayRoom extends Handler.Abstract {
     }
 
     /**
-     * Finds a recording.
+     * Looks up a recording.
      *
      * @param name its name in the list
-     * @return its file, or empty if there is none of that name
+     * @return its file; empty if there is none of that name
      */
     public Optional<Path> recording(String name) {
         try {
@@ -188,7 +188,7 @@ public final class ReplayRoom extends Handler.Abstract {
         }
     }
 
-    /** Tells whether a recording grows at this moment. */
+    /** Whether a recording is still being written. */
     static boolean isRunning(Path file) {
         try {
             long age =

@@ -12,11 +12,11 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.robonewbie.protocol.telemetry.TelemetryItem.LogEntry;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
-import org.robonewbie.simulator.recording.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingShelf;
 
 /**
- * Keeps what robots write into their logs beside the recording of the run, one line of JSON each, so that a replay shows
- * them on its time line. They are no part of the recording, which is the same for the same seed whoever looks on.
+ * Stores the robots' log lines next to the recording of the run, one line of JSON each, so that a replay shows them on its time
+ * line. They are not part of the recording, which is the same for the same seed whoever watches.
  */
 public final class RunNotes {
 
@@ -70,7 +70,7 @@ public final class RunNotes {
         }
     }
 
-    /** Finds the recording that grows now, and removes notes whose recording has gone. */
+    /** Opens the notes of the recording that is being written, and deletes notes whose recording is gone. */
     private Optional<Path> begin() throws IOException {
         if (shelf.isEmpty()) {
             return Optional.empty();
@@ -93,7 +93,7 @@ public final class RunNotes {
         return String.valueOf(file.getFileName()).endsWith(ENDING);
     }
 
-    /** Finds the notes that belong to a recording. */
+    /** The notes that belong to a recording. */
     static Path of(Path recording) {
         return recording.resolveSibling(ReplayRoom.name(recording) + ENDING);
     }

@@ -1,31 +1,32 @@
 package org.robonewbie.studio.scene;
 
+import java.util.Optional;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.state.WorldState;
 
 /** The running simulation, as scenes need it. */
 public interface LivingWorld {
 
-    /**
-     * Tells on which pitch is played.
-     *
-     * @return the pitch
-     */
+    /** {@return the pitch} */
     SoccerField field();
 
     /**
-     * Gives the present state.
-     *
-     * @return the state
+     * {@return the present state}
      * @throws IllegalStateException if there was none yet
      */
     WorldSnapshot now();
 
+    /** {@return the present state to the bit; empty where it cannot be saved, as in a server of another process} */
+    Optional<WorldState> save();
+
     /**
-     * Goes on from a state, with the clock stopped. Puppets stand in for robots that do not play now.
+     * Goes on from a state, with the clock stopped: to the bit if it was saved so and the same robots play now, else nearly.
+     * Puppets stand in for robots that do not play now.
      *
      * @param moment the state
+     * @return whether the world is now as it was to the bit
      * @throws IllegalStateException if that is not possible; the message says why
      */
-    void goOnFrom(KeptMoment moment);
+    boolean goOnFrom(KeptMoment moment);
 }

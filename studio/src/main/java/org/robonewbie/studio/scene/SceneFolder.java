@@ -12,10 +12,13 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.file.RecordingFile;
+import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.StateFile;
 import org.robonewbie.simulator.recording.RecordedCycle;
 import org.robonewbie.simulator.recording.RecordingReader;
-import org.robonewbie.simulator.recording.RecordingShelf;
-import org.robonewbie.simulator.recording.SnapshotRecording;
+import org.robonewbie.simulator.recording.RecordingWriter;
+import org.robonewbie.simulator.state.WorldState;
 
 /**
  * The folder of saved scenes. A scene is a recording of one cycle, so whatever shows recordings shows it too.
@@ -45,15 +48,20 @@ record SceneFolder(Path folder) {
      *
      * @throws IllegalArgumentException if the name cannot be a file's name or is taken; the message says so
      */
-    void save(String name, SoccerField field, WorldSnapshot state, boolean replace) throws IOException {
+    void save(String name, SoccerField field, WorldSnapshot state, Optional<WorldState> exact, boolean replace)
+            throws IOException {
         Path file = file(name);
         if (!replace) {
             refuseTaken(name);
         }
         Files.createDirectories(folder);
         List<String> header = List.of("FieldLength=" + field.length(), "FieldWidth=" + field.width());
-        try (SnapshotRecording recording = SnapshotRecording.open(file, header, problem -> {})) {
+        try (RecordingWriter recording = RecordingWriter.open(RecordingFile.open(file, problem -> {}), header)) {
             recording.write(state, List.of());
+        }
+        Files.deleteIfExists(exact(file));
+        if (exact.isPresent()) {
+            StateFile.write(exact.get(), exact(file));
         }
     }
 
@@ -62,7 +70,7 @@ record SceneFolder(Path folder) {
         move(file(name), removed(name), name);
     }
 
-    /** Brings back what was taken away. */
+    /** Restores a scene that was removed. */
     void bringBack(String name) throws IOException {
         refuseTaken(name);
         move(removed(name), file(name), name);
@@ -82,6 +90,10 @@ record SceneFolder(Path folder) {
     private static void move(Path from, Path to, String name) throws IOException {
         try {
             Files.move(from, to, StandardCopyOption.REPLACE_EXISTING);
+            Files.deleteIfExists(exact(to));
+            if (Files.exists(exact(from))) {
+                Files.move(exact(from), exact(to));
+            }
         } catch (NoSuchFileException gone) {
             throw new IllegalArgumentException(
                     "There is no scene \"" + name + "\" any more. Load the page again.", gone);
@@ -89,13 +101,24 @@ record SceneFolder(Path folder) {
     }
 
     KeptMoment load(String name) throws IOException {
-        return moment(file(name), 0)
+        Path file = file(name);
+        KeptMoment moment = moment(file, 0)
                 .orElseThrow(() -> new IllegalArgumentException("The scene \"" + name + "\" is damaged."));
+        return new KeptMoment(moment.before(), moment.state(), exactState(file));
+    }
+
+    /** Reads the state to the bit; a scene without, or with one of another version, is still good for a start nearby. */
+    private static Optional<WorldState> exactState(Path scene) throws IOException {
+        try {
+            return Files.exists(exact(scene)) ? Optional.of(StateFile.read(exact(scene))) : Optional.empty();
+        } catch (IllegalArgumentException unreadable) {
+            return Optional.empty();
+        }
     }
 
     /** Reads a moment of any recording; empty if it has no such moment. */
     static Optional<KeptMoment> moment(Path recording, long index) throws IOException {
-        try (RecordingReader reader = RecordingReader.open(recording)) {
+        try (RecordingReader reader = RecordingFile.read(recording)) {
             Optional<WorldSnapshot> before = Optional.empty();
             for (long i = 0; i <= index; i++) {
                 Optional<WorldSnapshot> state = reader.next().map(RecordedCycle::snapshot);
@@ -106,11 +129,16 @@ record SceneFolder(Path folder) {
                     before = state;
                 }
                 if (i == index) {
-                    return Optional.of(new KeptMoment(before.orElse(state.get()), state.get()));
+                    return Optional.of(new KeptMoment(before.orElse(state.get()), state.get(), Optional.empty()));
                 }
             }
             return Optional.empty();
         }
+    }
+
+    /** Scenes that were saved from a living world have the world's state to the bit beside them. */
+    private static Path exact(Path scene) {
+        return scene.resolveSibling(scene.getFileName() + StateFile.ENDING);
     }
 
     private Path removed(String name) {

@@ -17,17 +17,19 @@ import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.Fields;
 
 /**
- * Keeps scenes and starts from them, and from any moment of a recording.
+ * Stores scenes and starts from them, and from any moment of a recording.
  *
  * <pre>
  * GET  /api/scenes                  the names of all scenes
- * PUT  /api/scenes/NAME             saves the present state; header Replace: yes writes over an older scene
- * PUT  /api/scenes/NAME?was=OLD     gives the scene OLD this name
- * PUT  /api/scenes/NAME?removed=yes brings back the scene that was taken away
- * DELETE /api/scenes/NAME           takes it away
- * POST /api/scenes/NAME             goes on from it
- * POST /api/start/RECORDING?moment=N    goes on from the N-th moment of a recording
+ * PUT  /api/scenes/NAME             saves the present state; header Replace: yes overwrites an older scene
+ * PUT  /api/scenes/NAME?was=OLD     renames the scene OLD
+ * PUT  /api/scenes/NAME?removed=yes restores the scene that was removed
+ * DELETE /api/scenes/NAME           removes it
+ * POST /api/scenes/NAME             continues from it
+ * POST /api/start/RECORDING?moment=N    continues from the N-th moment of a recording
  * </pre>
+ *
+ * <p>The answer to the last two says whether the world is now as it was to the bit.
  */
 public final class SceneRoom extends Handler.Abstract {
 
@@ -71,19 +73,26 @@ public final class SceneRoom extends Handler.Abstract {
 
     private String answer(Request request, String path) throws IOException {
         if (path.startsWith(START) && request.getMethod().equals("POST")) {
-            start(decoded(path.substring(START.length())), moment(request));
-            return "{}";
+            return exactness(start(decoded(path.substring(START.length())), moment(request)));
         }
         String name = path.equals(SCENES) ? "" : decoded(path.substring(SCENES.length() + 1));
         switch (request.getMethod()) {
             case "PUT" -> put(request, name);
             case "DELETE" -> folder.remove(name);
-            case "POST" -> world.goOnFrom(folder.load(name));
+            case "POST" -> {
+                return exactness(world.goOnFrom(folder.load(name)));
+            }
             default -> {
                 return list();
             }
         }
         return "{}";
+    }
+
+    private static String exactness(boolean exact) {
+        JsonObject json = new JsonObject();
+        json.addProperty("exact", exact);
+        return json.toString();
     }
 
     private void put(Request request, String name) throws IOException {
@@ -95,16 +104,16 @@ public final class SceneRoom extends Handler.Abstract {
             folder.bringBack(name);
         } else {
             boolean replace = "yes".equals(request.getHeaders().get("Replace"));
-            folder.save(name, world.field(), world.now(), replace);
+            folder.save(name, world.field(), world.now(), world.save(), replace);
         }
     }
 
-    private void start(String name, long moment) throws IOException {
+    private boolean start(String name, long moment) throws IOException {
         Path file = recordings
                 .apply(name)
                 .orElseThrow(
                         () -> new IllegalArgumentException("There is no such recording any more. Choose another one."));
-        world.goOnFrom(SceneFolder.moment(file, moment)
+        return world.goOnFrom(SceneFolder.moment(file, moment)
                 .orElseThrow(() -> new IllegalArgumentException(
                         "The recording has no moment " + moment + " on the disk yet. Try again in a second.")));
     }

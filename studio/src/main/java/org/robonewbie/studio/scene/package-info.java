@@ -1,5 +1,5 @@
 /**
- * Lets the simulation go on from a moment that was kept: a saved scene or any cycle of a recording. Read {@link
+ * Continues the simulation from a moment that was kept: a saved scene or any cycle of a recording. Read {@link
  * org.robonewbie.studio.scene.SceneRoom} first.
  */
 @org.jspecify.annotations.NullMarked

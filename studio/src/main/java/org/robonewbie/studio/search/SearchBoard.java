@@ -10,8 +10,8 @@ import java.util.Set;
 import java.util.function.BooleanSupplier;
 
 /**
- * Where a search writes down how far it is, for all pages that look at it: each page gets all that has been written so far, and
- * then what is new. May be written to by any thread.
+ * Where a search reports its progress to all pages that watch it: each page receives everything written so far, and then what
+ * is new. Thread-safe.
  */
 public final class SearchBoard {
 
@@ -27,9 +27,9 @@ public final class SearchBoard {
     private final Set<SearchSpectator> spectators = new LinkedHashSet<>();
 
     /**
-     * Puts up a board.
+     * Creates an empty board.
      *
-     * @param task what is searched for
+     * @param task the task of the search
      */
     public SearchBoard(SearchTask task) {
         known.addProperty("kind", "whole");
@@ -38,7 +38,7 @@ public final class SearchBoard {
     }
 
     /**
-     * Tells where people see the board.
+     * Returns the address of the board.
      *
      * @param studio the address of the studio that shows it
      * @return the address of the page, with its token
@@ -90,19 +90,15 @@ public final class SearchBoard {
         tellWhole();
     }
 
-    /**
-     * Tells whether anybody looks.
-     *
-     * @return whether a page is open
-     */
+    /** {@return whether a page is open} */
     public synchronized boolean isWatched() {
         return !spectators.isEmpty();
     }
 
     /**
-     * Waits until nobody looks any more; a page may be loaded again meanwhile.
+     * Waits until no page is open any more; a page may be reloaded meanwhile.
      *
-     * @param elsewhere whether somebody looks at another page of the same studio
+     * @param elsewhere whether another page of the same studio is open
      * @throws InterruptedException if this thread is interrupted
      */
     public synchronized void awaitUnwatched(BooleanSupplier elsewhere) throws InterruptedException {
@@ -122,7 +118,7 @@ public final class SearchBoard {
         spectators.remove(spectator);
     }
 
-    /** Tells everything to a page that has missed something. */
+    /** Sends everything to a page that has missed something. */
     synchronized void tellAgain(SearchSpectator spectator) {
         spectator.offer(known.toString());
     }

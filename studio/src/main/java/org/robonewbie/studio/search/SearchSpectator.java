@@ -4,7 +4,10 @@ import org.eclipse.jetty.websocket.api.Callback;
 import org.eclipse.jetty.websocket.api.Session;
 import org.jspecify.annotations.Nullable;
 
-/** A page that looks at a {@link SearchBoard}. If it is slower than the search it misses something, and then gets all anew. */
+/**
+ * A page that watches a {@link SearchBoard}. If it is slower than the search it misses something, and then receives everything
+ * again.
+ */
 public final class SearchSpectator extends Session.Listener.AbstractAutoDemanding {
 
     private final SearchBoard board;
@@ -37,7 +40,7 @@ public final class SearchSpectator extends Session.Listener.AbstractAutoDemandin
         board.remove(this);
     }
 
-    /** Sends news, unless the page is still busy with others. Called by the board only, which nobody else writes to meanwhile. */
+    /** Sends news, unless the page is still busy. Called by the board only, which no other thread writes to meanwhile. */
     synchronized void offer(String json) {
         missed |= busy;
         if (!busy) {

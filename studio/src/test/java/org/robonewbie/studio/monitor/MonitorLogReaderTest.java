@@ -17,6 +17,7 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.RecordedCycle;
 import org.robonewbie.simulator.recording.RecordingReader;
@@ -34,7 +35,7 @@ class MonitorLogReaderTest {
         Path recording = folder.resolve("log.rec");
         MonitorLogReader.convert(log, recording);
         List<RecordedCycle> cycles = new ArrayList<>();
-        try (RecordingReader reader = RecordingReader.open(recording)) {
+        try (RecordingReader reader = RecordingFile.read(recording)) {
             assertThat(reader.header()).containsEntry("FieldLength", "30.0");
             for (Optional<RecordedCycle> cycle = reader.next(); cycle.isPresent(); cycle = reader.next()) {
                 cycles.add(cycle.get());
@@ -62,16 +63,17 @@ class MonitorLogReaderTest {
         int neck = NaoModel.of(RobotType.TYPE_0).hingeIndex(Joint.NECK_YAW);
         int knee = NaoModel.of(RobotType.TYPE_0).hingeIndex(Joint.LEFT_KNEE_PITCH);
 
-        List<Float> yaws = cycles.stream()
-                .map(cycle -> cycle.snapshot().robots().get(0).jointDegrees()[neck])
+        List<Double> yaws = cycles.stream()
+                .map(cycle -> cycle.snapshot().robots().get(0).body().hingeDegrees()[neck])
                 .toList();
 
         assertThat(yaws).anyMatch(yaw -> Math.abs(yaw) > 2).allMatch(yaw -> Math.abs(yaw) < 30);
         for (int i = 1; i < yaws.size(); i++) {
-            assertThat(yaws.get(i)).isCloseTo(yaws.get(i - 1), within(3f));
+            assertThat(yaws.get(i)).isCloseTo(yaws.get(i - 1), within(3.0));
         }
         assertThat(cycles)
-                .allMatch(cycle -> Math.abs(cycle.snapshot().robots().get(0).jointDegrees()[knee]) < 2);
+                .allMatch(cycle ->
+                        Math.abs(cycle.snapshot().robots().get(0).body().hingeDegrees()[knee]) < 2);
     }
 
     @Test
@@ -103,8 +105,8 @@ class MonitorLogReaderTest {
         assertThat(last.teamLeft()).isEqualTo("X");
         assertThat(last.playMode()).isEqualTo(same.playMode());
         for (int i = 0; i < 22; i++) {
-            assertThat(last.robots().get(0).jointDegrees()[i])
-                    .isCloseTo(same.robots().get(0).jointDegrees()[i], within(1.5f));
+            assertThat(last.robots().get(0).body().hingeDegrees()[i])
+                    .isCloseTo(same.robots().get(0).body().hingeDegrees()[i], within(1.5));
         }
     }
 

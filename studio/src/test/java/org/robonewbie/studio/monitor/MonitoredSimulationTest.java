@@ -24,10 +24,12 @@ import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.simulator.server.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.MatchEvent;
@@ -114,17 +116,17 @@ class MonitoredSimulationTest implements SimulationObserver {
 
     @Test
     void robotIsSeenWithItsJoints() throws InterruptedException {
-        WorldSnapshot snapshot =
-                await(now -> !now.robots().isEmpty() && now.robots().get(0).jointDegrees()[ELBOW] < -45);
+        WorldSnapshot snapshot = await(
+                now -> !now.robots().isEmpty() && now.robots().get(0).body().hingeDegrees()[ELBOW] < -45);
 
         RobotSnapshot seenRobot = snapshot.robots().get(0);
         assertThat(seenRobot.team()).isEqualTo("Ada");
         assertThat(seenRobot.number()).isEqualTo(7);
         assertThat(seenRobot.side()).contains(TeamSide.LEFT);
         assertThat(seenRobot.type()).isEqualTo(RobotType.TYPE_4);
-        assertThat(seenRobot.jointDegrees()[ELBOW]).isBetween(-75f, -45f);
-        assertThat(seenRobot.jointDegrees()[ELBOW + 1]).isCloseTo(0f, within(3f));
-        assertThat(seenRobot.linkPoses()[0]).isCloseTo(-1f, within(0.2f));
+        assertThat(seenRobot.body().hingeDegrees()[ELBOW]).isBetween(-75.0, -45.0);
+        assertThat(seenRobot.body().hingeDegrees()[ELBOW + 1]).isCloseTo(0, within(3.0));
+        assertThat(seenRobot.body().position().x()).isCloseTo(-1, within(0.2));
         assertThat(watched.field().length()).isEqualTo(12);
         assertThat(watched.field().penaltyWidth()).isCloseTo(2.6, within(1e-6));
     }
@@ -133,18 +135,18 @@ class MonitoredSimulationTest implements SimulationObserver {
     void trainerOrdersGoThroughThePort() throws InterruptedException {
         await(now -> !now.robots().isEmpty());
 
-        watched.placeRobot(TeamSide.LEFT, 7, new Vector3(2, 1, 0.4), 90);
-        watched.placeBall(new Vector3(-2, 1, 0.042), Vector3.ZERO);
-        watched.dropBall();
+        watched.order(new Order.PlaceRobot(new PlayerNumber(TeamSide.LEFT, 7), new Vector3(2, 1, 0.4), 90));
+        watched.order(new Order.MoveBall(new Vector3(-2, 1, 0.042), Vector3.ZERO));
+        watched.order(new Order.DropBall());
         await(now -> now.playMode() == PlayMode.PLAY_ON
                 && now.ballPosition().x() < -1.5
-                && now.robots().get(0).linkPoses()[0] > 1.5);
-        watched.kickOff(TeamSide.LEFT);
+                && now.robots().get(0).body().position().x() > 1.5);
+        watched.order(new Order.KickOff(TeamSide.LEFT));
         await(now -> now.playMode() == PlayMode.KICK_OFF_LEFT);
-        watched.setPlayMode(PlayMode.CORNER_KICK_RIGHT);
+        watched.order(new Order.ChangePlayMode(PlayMode.CORNER_KICK_RIGHT));
         await(now -> now.playMode() == PlayMode.CORNER_KICK_RIGHT);
         await(now -> now.gameTime() > 2);
-        watched.reset();
+        watched.order(new Order.Reset());
 
         WorldSnapshot reset = await(now -> now.gameTime() < 1);
         assertThat(reset.ballPosition().length()).isLessThan(0.1);
@@ -153,10 +155,10 @@ class MonitoredSimulationTest implements SimulationObserver {
     @Test
     void goalsAreReported() throws InterruptedException {
         await(now -> !now.robots().isEmpty());
-        watched.dropBall();
+        watched.order(new Order.DropBall());
         await(now -> now.playMode() == PlayMode.PLAY_ON);
 
-        watched.placeBall(new Vector3(6.2, 0, 0.1), Vector3.ZERO);
+        watched.order(new Order.MoveBall(new Vector3(6.2, 0, 0.1), Vector3.ZERO));
 
         WorldSnapshot scored = await(now -> now.scoreLeft() == 1);
         assertThat(scored.teamLeft()).isEqualTo("Ada");
@@ -166,7 +168,8 @@ class MonitoredSimulationTest implements SimulationObserver {
     @Test
     void clockOfAnotherProcessCannotBeStopped() {
         assertThat(watched.hasClock()).isFalse();
-        assertThatThrownBy(watched::pause).hasMessage("A monitor cannot stop or speed up a server of another process.");
+        assertThatThrownBy(() -> watched.order(new Order.Pause()))
+                .hasMessage("A monitor cannot stop or speed up a server of another process.");
     }
 
     @Test

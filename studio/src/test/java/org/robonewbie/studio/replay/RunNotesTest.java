@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
-import org.robonewbie.simulator.recording.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingShelf;
 
 class RunNotesTest {
 

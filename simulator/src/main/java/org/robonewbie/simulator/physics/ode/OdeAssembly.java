@@ -10,12 +10,12 @@ import org.ode4j.ode.OdeHelper;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Shape;
 import org.robonewbie.simulator.physics.Assembly;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.Collider;
 import org.robonewbie.simulator.physics.HingeDefinition;
 import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.MotorHinge;
-import org.robonewbie.simulator.physics.Pose;
 import org.robonewbie.simulator.physics.RigidBody;
 
 /** A collision space of ODE with the bodies and joints that were made for it. */
@@ -63,12 +63,12 @@ final class OdeAssembly implements Assembly {
     }
 
     @Override
-    public Collider addFixture(Pose pose, Shape shape, Material material, Object owner) {
+    public Collider addFixture(BodyPose pose, Shape shape, Material material, Object owner) {
         return OdeCollider.solid(placed(shape, pose), material, owner);
     }
 
     @Override
-    public Collider addTrigger(Pose pose, Shape shape, Object owner) {
+    public Collider addTrigger(BodyPose pose, Shape shape, Object owner) {
         return OdeCollider.trigger(placed(shape, pose), owner);
     }
 
@@ -84,7 +84,7 @@ final class OdeAssembly implements Assembly {
         bodies.clear();
     }
 
-    private DGeom placed(Shape shape, Pose pose) {
+    private DGeom placed(Shape shape, BodyPose pose) {
         DGeom geometry = geometry(space, shape);
         geometry.setPosition(
                 pose.position().x(), pose.position().y(), pose.position().z());

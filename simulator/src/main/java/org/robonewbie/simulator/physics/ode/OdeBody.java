@@ -7,7 +7,7 @@ import org.ode4j.ode.OdeHelper;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.RigidBody;
-import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.physics.RotationMatrix;
 
 /** A body of ODE. */
 final class OdeBody implements RigidBody {
@@ -33,7 +33,7 @@ final class OdeBody implements RigidBody {
     }
 
     @Override
-    public Rotation rotation() {
+    public RotationMatrix rotation() {
         return OdeVectors.from(body.getRotation());
     }
 
@@ -53,7 +53,7 @@ final class OdeBody implements RigidBody {
     }
 
     @Override
-    public void setRotation(Rotation rotation) {
+    public void setRotation(RotationMatrix rotation) {
         body.setRotation(OdeVectors.to(rotation));
     }
 

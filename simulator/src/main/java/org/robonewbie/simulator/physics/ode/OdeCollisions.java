@@ -1,5 +1,9 @@
 package org.robonewbie.simulator.physics.ode;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
 import org.ode4j.ode.DContactBuffer;
 import org.ode4j.ode.DContactGeom;
 import org.ode4j.ode.DGeom;
@@ -7,6 +11,9 @@ import org.ode4j.ode.DHashSpace;
 import org.ode4j.ode.DSpace;
 import org.ode4j.ode.OdeHelper;
 import org.robonewbie.nao.model.Shape;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.Collider;
 
 /**
@@ -14,7 +21,7 @@ import org.robonewbie.simulator.physics.Collider;
  *
  * <p>Forms are kept in the same nested spaces as in {@link OdePhysicsWorld}, so that pairs are found in the same order.
  */
-public final class OdeCollisions {
+public final class OdeCollisions implements Restorable {
 
     /** How many numbers describe a point: its place, the normal that looks towards the first form, and the depth. */
     public static final int NUMBERS_PER_POINT = 7;
@@ -29,10 +36,12 @@ public final class OdeCollisions {
 
     private final DHashSpace space = OdeHelper.createHashSpace();
     private final Group scenery = new Group(space);
+    private final List<Group> groups = new ArrayList<>();
+    private int searches;
     private final DContactBuffer buffer = new DContactBuffer(MAX_CONTACTS_PER_PAIR);
     private final double[] points = new double[MAX_CONTACTS_PER_PAIR * NUMBERS_PER_POINT];
 
-    /** Is told of every pair of forms that touch. */
+    /** Receives every pair of shapes that touch. */
     public interface Listener {
 
         /**
@@ -50,16 +59,18 @@ public final class OdeCollisions {
     public static final class Form {
 
         private final DGeom geometry;
+        private int firstSearch;
 
-        private Form(DGeom geometry) {
+        private Form(DGeom geometry, int firstSearch) {
             this.geometry = geometry;
+            this.firstSearch = firstSearch;
         }
 
         /**
-         * Puts the form somewhere.
+         * Moves the shape.
          *
          * @param position its centre, metres
-         * @param rotation the nine numbers of its rotation matrix, row by row
+         * @param rotation the nine elements of its rotation matrix in row-major order
          */
         public void place(double[] position, double[] rotation) {
             geometry.setPosition(position[0], position[1], position[2]);
@@ -68,9 +79,10 @@ public final class OdeCollisions {
     }
 
     /** Forms that never touch each other, but for those of the scenery. */
-    public static final class Group {
+    public final class Group {
 
         private final DHashSpace space;
+        private final List<Form> forms = new ArrayList<>();
 
         private Group(DHashSpace space) {
             this.space = space;
@@ -89,12 +101,45 @@ public final class OdeCollisions {
             geometry.setCategoryBits(movable ? MOVABLE : FIXED);
             geometry.setCollideBits(movable ? MOVABLE | FIXED : MOVABLE);
             geometry.setData(collider);
-            return new Form(geometry);
+            Form form = new Form(geometry, searches);
+            forms.add(form);
+            return form;
         }
 
         /** Takes all its forms out. */
         public void remove() {
+            groups.remove(this);
             space.destroy();
+        }
+
+        private List<DGeom> geometries() {
+            return forms.stream().map(form -> form.geometry).toList();
+        }
+
+        private void save(StateWriter out) {
+            forms.forEach(form -> out.putBoolean(form.firstSearch == searches));
+            if (this != scenery) {
+                saveOrder(space, geometries(), out);
+            }
+        }
+
+        private void restore(StateReader in) {
+            forms.forEach(form -> form.firstSearch = in.getBoolean() ? searches : searches - 1);
+            if (this != scenery) {
+                arrange(geometries(), in);
+            }
+        }
+
+        private void markUnseen() {
+            inReverse(space).forEach(this::markUnseen);
+        }
+
+        private void markUnseen(DGeom geometry) {
+            for (Form form : forms) {
+                if (form.geometry == geometry && form.firstSearch == searches) {
+                    move(geometry);
+                }
+            }
         }
     }
 
@@ -104,24 +149,23 @@ public final class OdeCollisions {
      * @return the empty group
      */
     public Group addGroup() {
-        return new Group(OdeHelper.createHashSpace(space));
+        Group group = new Group(OdeHelper.createHashSpace(space));
+        groups.add(group);
+        return group;
     }
 
-    /**
-     * Gives access to the group whose forms touch each other too.
-     *
-     * @return the scenery
-     */
+    /** {@return the group whose shapes also touch each other} */
     public Group scenery() {
         return scenery;
     }
 
     /**
-     * Looks for pairs that touch.
+     * Finds the pairs that touch.
      *
-     * @param listener is told of each of them
+     * @param listener receives each of them
      */
     public void find(Listener listener) {
+        searches++;
         OdeHelper.spaceCollide(space, listener, (data, first, second) -> collide(listener, first, second));
     }
 
@@ -147,5 +191,63 @@ public final class OdeCollisions {
             }
             points[at + 6] = point.depth;
         }
+    }
+
+    /**
+     * Writes the order of ODE's lists, on which the order of pairs hangs, and which forms no search has seen yet, for those
+     * keep their places in the lists when they are moved.
+     */
+    @Override
+    public void save(StateWriter out) {
+        scenery.save(out);
+        groups.forEach(group -> group.save(out));
+        saveOrder(space, members(), out);
+    }
+
+    /** Takes on a state after all forms have been put in their places; their number must be as it was then. */
+    @Override
+    public void restore(StateReader in) {
+        space.cleanGeoms();
+        scenery.restore(in);
+        groups.forEach(group -> group.restore(in));
+        arrange(members(), in);
+        for (DGeom member : inReverse(space)) {
+            groups.stream().filter(group -> group.space == member).forEach(Group::markUnseen);
+            scenery.markUnseen(member);
+        }
+    }
+
+    private List<DGeom> members() {
+        List<DGeom> members = new ArrayList<>(scenery.geometries());
+        groups.forEach(group -> members.add(group.space));
+        return members;
+    }
+
+    private static void saveOrder(DSpace list, List<DGeom> members, StateWriter out) {
+        for (DGeom member : list.getGeoms()) {
+            out.putInt(members.indexOf(member));
+        }
+    }
+
+    /** Brings forms and groups into the order that was saved: whatever moves comes to the front. */
+    @SuppressWarnings("deprecation") // there is no other way to look into a group
+    private void arrange(List<DGeom> members, StateReader in) {
+        DGeom[] order = new DGeom[members.size()];
+        Arrays.setAll(order, i -> members.get(in.getIndex(order.length)));
+        for (int i = order.length - 1; i >= 0; i--) {
+            move(order[i] instanceof DSpace group ? group.getGeoms().iterator().next() : order[i]);
+        }
+        space.cleanGeoms();
+    }
+
+    private static void move(DGeom geometry) {
+        geometry.setPosition(geometry.getPosition());
+    }
+
+    private static List<DGeom> inReverse(DSpace list) {
+        List<DGeom> members = new ArrayList<>(list.getNumGeoms());
+        list.getGeoms().forEach(members::add);
+        Collections.reverse(members);
+        return members;
     }
 }

@@ -12,6 +12,8 @@ import org.ode4j.ode.DJointGroup;
 import org.ode4j.ode.DSpace;
 import org.ode4j.ode.DWorld;
 import org.ode4j.ode.OdeHelper;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.Collider;
 import org.robonewbie.simulator.physics.Contact;
@@ -19,11 +21,11 @@ import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.PhysicsWorld;
 
 /**
- * The engine with SimSpark's settings: exact solver, gravity 9.81, soft constraints, sleeping bodies, at most four
- * contacts per pair of colliders.
+ * The engine with SimSpark's settings: exact solver, gravity 9.81, soft constraints, sleeping bodies, at most four contacts per
+ * pair of colliders.
  *
- * <p>Source: {@code odeworld.cpp}, {@code odespace.cpp} and {@code spark.rb} of SimSpark 0.3.2. Every assembly has a
- * collision space of its own, as in the original, because that fixes the order in which pairs are found.
+ * <p>Source: {@code odeworld.cpp}, {@code odespace.cpp} and {@code spark.rb} of SimSpark 0.3.2. Every assembly has its own
+ * collision space, as in SimSpark, because that determines the order in which pairs are found.
  */
 public final class OdePhysicsWorld implements PhysicsWorld {
 
@@ -43,7 +45,7 @@ public final class OdePhysicsWorld implements PhysicsWorld {
     private final DContactBuffer buffer = new DContactBuffer(MAX_CONTACTS_PER_PAIR);
     private final List<Contact> contacts = new ArrayList<>();
 
-    /** Makes an empty world. */
+    /** Creates an empty world. */
     public OdePhysicsWorld() {
         world.setGravity(0, 0, GRAVITY);
         world.setCFM(GLOBAL_CFM);
@@ -114,5 +116,22 @@ public final class OdePhysicsWorld implements PhysicsWorld {
         DContactJoint joint = OdeHelper.createContactJoint(world, contactJoints, details);
         joint.attach(details.geom.g1.getBody(), details.geom.g2.getBody());
         joint.setFeedback(contact.feedback());
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        throw notRestorable();
+    }
+
+    @Override
+    public void restore(StateReader in) {
+        throw notRestorable();
+    }
+
+    /** ODE counts in private how long each body has rested, and normalises every rotation that is set from outside. */
+    private static UnsupportedOperationException notRestorable() {
+        return new UnsupportedOperationException(
+                "The exact physics engine cannot be saved or restored to the bit: ODE does not reveal how soon a resting body"
+                        + " falls asleep. Choose the fast engine.");
     }
 }

@@ -5,9 +5,9 @@ import java.util.Arrays;
 /**
  * The matrix A of an island in blocks, and its Cholesky factor L with A = L Lᵀ.
  *
- * <p>Only rows that are free take part: a row at its limit is replaced by one of the unit matrix. Columns are computed
- * from left to right, each from its own blocks of A and the finished columns that reach into it; when some rows change
- * their state, only the columns that depend on them are computed again.
+ * <p>Only free rows take part: a row at its limit is replaced by one of the unit matrix. Columns are computed from left to
+ * right, each from its own blocks of A and the finished columns that reach into it; when some rows change their state, only the
+ * columns that depend on them are recomputed.
  */
 final class BlockCholesky {
 
@@ -81,7 +81,7 @@ final class BlockCholesky {
         }
     }
 
-    /** Says that a row has changed its state, so that the joint's column must be computed again. */
+    /** Marks a row as changed, so that the joint's column is recomputed. */
     void rowChanged(int joint) {
         changed[joint] = true;
     }

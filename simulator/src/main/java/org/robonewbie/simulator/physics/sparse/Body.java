@@ -4,16 +4,19 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.RigidBody;
-import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.physics.RotationMatrix;
 
 /**
  * A rigid body: Newton and Euler for one lump of matter.
  *
  * <p>Arrays hold x, y, z; arrays of six hold a linear part and then an angular part, all along the world's axes.
  */
-final class Body implements RigidBody {
+final class Body implements RigidBody, Restorable {
 
     /** Stands where no body is known yet. */
     static final Body NONE = new Body(new MassDistribution(1, new Vector3(1, 1, 1)), Vector3.ZERO, new MoveClock());
@@ -36,7 +39,7 @@ final class Body implements RigidBody {
     /** What the constraints' forces add: M⁻¹ Jᵀ λ. */
     final double[] acceleration = new double[6];
     /** Joints that hold on to this body, hinges first, then the contacts of this step. */
-    final List<Joint> joints = new ArrayList<>();
+    final List<ConstraintJoint> joints = new ArrayList<>();
     /** Number of this body in its island, while the island is stepped. */
     int islandIndex;
     /** Whether this step has put the body in an island already. */
@@ -71,7 +74,7 @@ final class Body implements RigidBody {
         return quaternion;
     }
 
-    /** Counts how often the body has been turned, so that others know whether what they derived from it still holds. */
+    /** A counter of the body's rotations, which shows whether a value derived from its orientation is still valid. */
     int turns() {
         return turns;
     }
@@ -87,7 +90,7 @@ final class Body implements RigidBody {
         }
     }
 
-    /** Says that body and joints are in no island yet. */
+    /** Marks body and joints as belonging to no island yet. */
     void unvisit() {
         visited = false;
         for (int i = 0; i < joints.size(); i++) {
@@ -95,7 +98,7 @@ final class Body implements RigidBody {
         }
     }
 
-    /** Counts the steps at rest, as ODE's auto-disable does, and falls asleep after ten. */
+    /** Counts the steps at rest and puts the body to sleep after ten, like ODE's auto-disable. */
     void watchRest() {
         if (asleep || joints.isEmpty()) {
             return;
@@ -107,7 +110,7 @@ final class Body implements RigidBody {
         }
     }
 
-    /** Takes part in the step since something that is awake is joined to it; its count of steps at rest goes on. */
+    /** Takes part in the step because something awake is joined to it; its count of steps at rest continues. */
     void stir() {
         asleep = false;
     }
@@ -168,9 +171,9 @@ final class Body implements RigidBody {
     }
 
     @Override
-    public Rotation rotation() {
+    public RotationMatrix rotation() {
         double[] r = rotation;
-        return new Rotation(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]);
+        return new RotationMatrix(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]);
     }
 
     @Override
@@ -190,7 +193,7 @@ final class Body implements RigidBody {
     }
 
     @Override
-    public void setRotation(Rotation turn) {
+    public void setRotation(RotationMatrix turn) {
         Rotations.copy(turn, rotation);
         Rotations.toQuaternion(rotation, quaternion);
         Rotations.straighten(rotation);
@@ -239,5 +242,29 @@ final class Body implements RigidBody {
         array[0] = vector.x();
         array[1] = vector.y();
         array[2] = vector.z();
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.putDoubles(position);
+        out.putDoubles(quaternion);
+        out.putDoubles(rotation);
+        out.putDoubles(velocity);
+        out.putDoubles(force);
+        out.putBoolean(asleep);
+        out.putInt(restingStepsLeft);
+    }
+
+    /** Takes on a state; the forms of the body take on theirs afterwards. */
+    @Override
+    public void restore(StateReader in) {
+        in.getDoubles(position);
+        in.getDoubles(quaternion);
+        in.getDoubles(rotation);
+        in.getDoubles(velocity);
+        in.getDoubles(force);
+        asleep = in.getBoolean();
+        restingStepsLeft = in.getInt();
+        turns++;
     }
 }

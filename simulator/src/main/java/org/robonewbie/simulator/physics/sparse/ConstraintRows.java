@@ -3,10 +3,10 @@ package org.robonewbie.simulator.physics.sparse;
 import java.util.Arrays;
 
 /**
- * All constraint rows of an island, one after the other in the order of elimination.
+ * All constraint rows of an island in the order of elimination.
  *
- * <p>Six numbers per row and body: how fast the row's gap opens per unit of the body's linear and angular velocity. A
- * row is <i>free</i> while its force is sought; else its force stands at its lower or upper limit.
+ * <p>Six numbers per row and body: how fast the row's gap opens per unit of the body's linear and angular velocity. A row is
+ * <i>free</i> while its force is unknown; otherwise its force is at its lower or upper limit.
  */
 final class ConstraintRows {
 
@@ -90,7 +90,7 @@ final class ConstraintRows {
     }
 
     /** Computes the right-hand side and the responses of a joint's rows; the bodies are prepared. */
-    void prepare(Joint joint, double rate) {
+    void prepare(ConstraintJoint joint, double rate) {
         int from = joint.firstRow;
         int to = from + joint.rowCount();
         Body one = joint.first;
@@ -117,7 +117,7 @@ final class ConstraintRows {
     }
 
     /** Adds what a row's force does to the accelerations of the bodies. */
-    void accelerate(Joint joint) {
+    void accelerate(ConstraintJoint joint) {
         int from = joint.firstRow;
         int to = from + joint.rowCount();
         for (int row = from; row < to; row++) {
@@ -134,8 +134,8 @@ final class ConstraintRows {
         }
     }
 
-    /** Tells by how much a row is exceeded: (A λ - b), with the accelerations of the present forces. */
-    double excess(Joint joint, int row) {
+    /** The residual of a row: (A λ - b), with the accelerations of the present forces. */
+    double excess(ConstraintJoint joint, int row) {
         double motion = dot6(first, 6 * row, joint.first.acceleration);
         if (joint.second != null) {
             motion += dot6(second, 6 * row, joint.second.acceleration);

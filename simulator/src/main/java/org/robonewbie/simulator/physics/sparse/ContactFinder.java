@@ -83,7 +83,7 @@ final class ContactFinder {
         return false;
     }
 
-    /** Tells ODE of all moves since the last time, in their order, since ODE's order of pairs comes from it. */
+    /** Reports all moves to ODE since the last time, in their order, since ODE's order of pairs comes from it. */
     private void placeTwins() {
         for (FormGroup mover : movers) {
             for (Form form : mover.forms()) {

@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Three rows per point: along the normal the bodies must not come closer and only push; in the two directions across,
  * unlimited friction holds them but gives way softly (ODE's force dependent slip).
  */
-final class ContactJoint extends Joint {
+final class ContactJoint extends ConstraintJoint {
 
     private static final int ROWS_PER_POINT = 3;
 
@@ -22,7 +22,7 @@ final class ContactJoint extends Joint {
     private final double[] across = new double[3];
     private final double[] along = new double[3];
 
-    /** Makes a joint that holds nothing yet. */
+    /** Creates an unused joint. */
     ContactJoint() {
         super(Body.NONE, null);
     }

@@ -47,7 +47,7 @@ final class ContactList implements OdeCollisions.Listener {
         mayPointAtRemoved = false;
     }
 
-    /** Lets go of all that may still refer to bodies that have left the world; the points can still be read. */
+    /** Drops all references to bodies that have left the world; the points can still be read. */
     void bodiesLeft() {
         dissolve();
         spentJoints.clear();

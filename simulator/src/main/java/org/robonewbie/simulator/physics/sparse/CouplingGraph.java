@@ -38,7 +38,7 @@ final class CouplingGraph {
         couple();
     }
 
-    /** Lists the joints on each body, each as twice its number, plus one if it is held by its second end. */
+    /** The joints on each body, each as twice its number, plus one if the body is at its second end. */
     int[][] endsOnBody() {
         return endsOnBody;
     }

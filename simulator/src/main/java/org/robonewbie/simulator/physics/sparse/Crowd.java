@@ -13,7 +13,7 @@ final class Crowd {
     private long step;
     private int points;
 
-    /** Tells whether more points may push in this step. */
+    /** Whether more points may push in this step. */
     boolean hasRoom(long thisStep) {
         return step != thisStep || points < MOST_POINTS;
     }

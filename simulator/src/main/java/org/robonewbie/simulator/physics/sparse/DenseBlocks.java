@@ -1,6 +1,6 @@
 package org.robonewbie.simulator.physics.sparse;
 
-/** Arithmetic on small dense matrices that lie one after the other in an array, each row by row. */
+/** Arithmetic on small dense matrices that are stored in one array, each in row-major order. */
 final class DenseBlocks {
 
     private DenseBlocks() {}

@@ -43,10 +43,10 @@ final class EliminationPlan {
     private final int numbers;
 
     /**
-     * Makes a plan.
+     * Creates a plan.
      *
      * @param key {@link CouplingGraph#NUMBERS_PER_JOINT} numbers for each joint
-     * @param bodies how many bodies the island has
+     * @param bodies the number of bodies of the island
      */
     EliminationPlan(int[] key, int bodies) {
         this.key = key;
@@ -71,12 +71,12 @@ final class EliminationPlan {
         return Arrays.stream(lists).mapToInt(list -> list.length).sum();
     }
 
-    /** Tells whether this plan was made for the same joints between the same bodies. */
+    /** Whether this plan was made for the same joints between the same bodies. */
     boolean suits(int[] joints, int length) {
         return Arrays.equals(key, 0, key.length, joints, 0, length);
     }
 
-    /** Tells how much memory the plan takes, in integers. */
+    /** The memory that the plan takes, in integers. */
     int numbers() {
         return numbers;
     }

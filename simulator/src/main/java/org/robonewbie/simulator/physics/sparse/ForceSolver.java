@@ -3,13 +3,13 @@ package org.robonewbie.simulator.physics.sparse;
 import java.util.List;
 
 /**
- * Finds forces that fulfil every row or stand at one of its limits: a linear complementarity problem.
+ * Finds forces that satisfy every row or are at one of its limits: a linear complementarity problem.
  *
- * <p>Block principal pivoting: guess which rows are free, solve for their forces, and look which guesses were wrong: a
- * free row's force is beyond a limit, or a row at its limit would rather let go. All wrong guesses are changed at once;
- * that nearly always ends after one or two rounds. If it makes no progress for a while, only the last wrong guess is
- * changed, which must end since A is positive definite (Murty's rule). Source: Júdice and Pires, "A block principal
- * pivoting algorithm for large-scale strictly monotone linear complementarity problems" (1994).
+ * <p>Block principal pivoting: guess which rows are free, solve for their forces, and check which guesses were wrong: a free
+ * row's force is beyond a limit, or a row at its limit would rather let go. All wrong guesses are changed at once; that nearly
+ * always converges in one or two rounds. If it makes no progress for a while, only the last wrong guess is changed, which must
+ * converge since A is positive definite (Murty's rule). Source: Júdice and Pires, "A block principal pivoting algorithm for
+ * large-scale strictly monotone linear complementarity problems" (1994).
  */
 final class ForceSolver {
 
@@ -28,7 +28,7 @@ final class ForceSolver {
     }
 
     /** Solves; afterwards the rows hold the forces and the bodies the accelerations that come from them. */
-    void solve(EliminationPlan plan, List<Joint> joints, List<Body> bodies) {
+    void solve(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
         cholesky.assemble(plan, rows);
         guess();
         int fewest = Integer.MAX_VALUE;
@@ -49,7 +49,7 @@ final class ForceSolver {
         }
     }
 
-    /** A pile of robots in each other, which no forces part well, shall not stop the world for long. */
+    /** Limits the time that a pile of interpenetrating robots, which no forces separate well, can take. */
     private int mostRounds() {
         int affordable = MOST_ROUNDS_TIMES_ROWS / Math.max(1, rows.count);
         return Math.max(FEWEST_ROUNDS, Math.min(MOST_ROUNDS, affordable));
@@ -62,13 +62,13 @@ final class ForceSolver {
         }
     }
 
-    private void computeForces(EliminationPlan plan, List<Joint> joints, List<Body> bodies) {
+    private void computeForces(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
         cholesky.factorise(rows.state);
         boolean pushed = setLimits();
         if (pushed) {
             accelerate(joints, bodies);
             for (int k = 0; k < plan.joints(); k++) {
-                Joint joint = joints.get(plan.order[k]);
+                ConstraintJoint joint = joints.get(plan.order[k]);
                 for (int row = plan.firstRow[k]; row < plan.firstRow[k + 1]; row++) {
                     rows.solution[row] = -rows.excess(joint, row);
                 }
@@ -85,7 +85,7 @@ final class ForceSolver {
         accelerate(joints, bodies);
     }
 
-    /** Sets the forces of all rows at a limit and clears the others; tells whether any of them pushes. */
+    /** Sets the forces of all rows at a limit and clears the others; returns whether any of them pushes. */
     private boolean setLimits() {
         boolean pushed = false;
         for (int row = 0; row < rows.count; row++) {
@@ -99,7 +99,7 @@ final class ForceSolver {
         return pushed;
     }
 
-    private void accelerate(List<Joint> joints, List<Body> bodies) {
+    private void accelerate(List<ConstraintJoint> joints, List<Body> bodies) {
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).clearAcceleration();
         }
@@ -108,10 +108,10 @@ final class ForceSolver {
         }
     }
 
-    private int countWrong(EliminationPlan plan, List<Joint> joints) {
+    private int countWrong(EliminationPlan plan, List<ConstraintJoint> joints) {
         int wrong = 0;
         for (int k = 0; k < plan.joints(); k++) {
-            Joint joint = joints.get(plan.order[k]);
+            ConstraintJoint joint = joints.get(plan.order[k]);
             for (int row = plan.firstRow[k]; row < plan.firstRow[k + 1]; row++) {
                 rows.next[row] = nextState(joint, row);
                 wrong += rows.next[row] == rows.state[row] ? 0 : 1;
@@ -120,7 +120,7 @@ final class ForceSolver {
         return wrong;
     }
 
-    private byte nextState(Joint joint, int row) {
+    private byte nextState(ConstraintJoint joint, int row) {
         double force = rows.force[row];
         if (rows.state[row] == ConstraintRows.FREE) {
             if (force < rows.lower[row] - FORCE_TOLERANCE) {

@@ -1,6 +1,9 @@
 package org.robonewbie.simulator.physics.sparse;
 
 import org.robonewbie.nao.model.Shape;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
 /**
@@ -9,7 +12,7 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
  * <p>It finds its contacts with the ground itself, since a robot has some in nearly every step; for all other pairs it has
  * a double in ODE's collision, which is put in place only when something is near.
  */
-abstract class Form {
+abstract class Form implements Restorable {
 
     final SparseCollider collider;
     /** Corner of the box around the form with the smallest coordinates. */
@@ -71,7 +74,7 @@ abstract class Form {
         misplaced = false;
     }
 
-    /** Brings the box around the form up to date. */
+    /** Updates the bounding box of the shape. */
     final void measure() {
         if (unmeasured) {
             for (int axis = 0; axis < 3; axis++) {
@@ -83,7 +86,7 @@ abstract class Form {
         }
     }
 
-    /** Tells how far the form reaches from its centre along an axis of the world. */
+    /** The extent of the shape from its centre along an axis of the world. */
     abstract double reach(int axis);
 
     /**
@@ -103,5 +106,24 @@ abstract class Form {
         points[at + 4] = 0;
         points[at + 5] = 1;
         points[at + 6] = depth;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.putBoolean(misplaced);
+        out.putInt(movedInPeriod);
+        out.putInt(turn);
+    }
+
+    /** Takes on a state after its body did so. A double that was up to date is put in place at once. */
+    @Override
+    public void restore(StateReader in) {
+        unmeasured = true;
+        misplaced = in.getBoolean();
+        movedInPeriod = in.getInt();
+        turn = in.getInt();
+        if (!misplaced) {
+            placeTwin();
+        }
     }
 }

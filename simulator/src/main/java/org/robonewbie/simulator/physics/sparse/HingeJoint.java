@@ -1,6 +1,10 @@
 package org.robonewbie.simulator.physics.sparse;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.HingeDefinition;
 import org.robonewbie.simulator.physics.MotorHinge;
 
@@ -10,7 +14,7 @@ import org.robonewbie.simulator.physics.MotorHinge;
  * <p>Six rows: three hold the anchors together, two the axes, and the sixth is the motor, or a stop while the angle is at
  * or beyond it.
  */
-final class HingeJoint extends Joint implements MotorHinge {
+final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable {
 
     private static final int ROWS = 6;
 
@@ -81,7 +85,7 @@ final class HingeJoint extends Joint implements MotorHinge {
         double z = -now[0] * start[3] + now[3] * start[0] - now[1] * start[2] + now[2] * start[1];
         double sine = Math.sqrt(x * x + y * y + z * z);
         boolean forward = x * axisOnChild[0] + y * axisOnChild[1] + z * axisOnChild[2] >= 0;
-        double turned = 2 * Math.atan2(sine, forward ? w : -w);
+        double turned = 2 * PortableMath.atan2(sine, forward ? w : -w);
         return -(turned > Math.PI ? turned - 2 * Math.PI : turned);
     }
 
@@ -194,5 +198,15 @@ final class HingeJoint extends Joint implements MotorHinge {
 
     private double openingSpeed() {
         return Rotations.dot(child.velocity, 3, axis, 0) - Rotations.dot(parent.velocity, 3, axis, 0);
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.putDouble(speed);
+    }
+
+    @Override
+    public void restore(StateReader in) {
+        speed = in.getDouble();
     }
 }

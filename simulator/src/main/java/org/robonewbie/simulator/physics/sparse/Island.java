@@ -7,14 +7,14 @@ import java.util.List;
 final class Island {
 
     private final List<Body> bodies = new ArrayList<>();
-    private final List<Joint> joints = new ArrayList<>();
+    private final List<ConstraintJoint> joints = new ArrayList<>();
     private final List<Body> stack = new ArrayList<>();
 
     List<Body> bodies() {
         return bodies;
     }
 
-    List<Joint> joints() {
+    List<ConstraintJoint> joints() {
         return joints;
     }
 
@@ -33,13 +33,13 @@ final class Island {
         }
     }
 
-    /** Lets go of everything. */
+    /** Removes everything. */
     void clear() {
         bodies.clear();
         joints.clear();
     }
 
-    private void visit(Joint joint, Body from) {
+    private void visit(ConstraintJoint joint, Body from) {
         if (joint.visited) {
             return;
         }

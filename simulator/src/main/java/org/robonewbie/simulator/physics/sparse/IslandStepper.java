@@ -17,7 +17,7 @@ final class IslandStepper {
      */
     void step(Island island, double seconds) {
         List<Body> bodies = island.bodies();
-        List<Joint> joints = island.joints();
+        List<ConstraintJoint> joints = island.joints();
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).addOwnForces(seconds);
             bodies.get(i).clearAcceleration();
@@ -30,12 +30,12 @@ final class IslandStepper {
         }
     }
 
-    private void findForces(List<Body> bodies, List<Joint> joints, double seconds) {
+    private void findForces(List<Body> bodies, List<ConstraintJoint> joints, double seconds) {
         double rate = 1 / seconds;
         EliminationPlan plan = plans.planFor(joints, bodies.size());
         rows.reset(plan.rows(), PhysicsConstants.SOFTNESS);
         for (int k = 0; k < plan.joints(); k++) {
-            Joint joint = joints.get(plan.order[k]);
+            ConstraintJoint joint = joints.get(plan.order[k]);
             joint.firstRow = plan.firstRow[k];
             joint.writeRows(rows, rate);
         }

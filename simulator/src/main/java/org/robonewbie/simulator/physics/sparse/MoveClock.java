@@ -1,7 +1,11 @@
 package org.robonewbie.simulator.physics.sparse;
 
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
+
 /** Counts the moves of forms, so that ODE can be told of them later in the order in which they happened. */
-final class MoveClock {
+final class MoveClock implements Restorable {
 
     private int period;
     private int turn;
@@ -17,5 +21,17 @@ final class MoveClock {
 
     int nextTurn() {
         return turn++;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.putInt(period);
+        out.putInt(turn);
+    }
+
+    @Override
+    public void restore(StateReader in) {
+        period = in.getInt();
+        turn = in.getInt();
     }
 }

@@ -23,7 +23,7 @@ final class PlanCache {
     private int[] key = {};
     private int numbers;
 
-    EliminationPlan planFor(List<Joint> joints, int bodies) {
+    EliminationPlan planFor(List<ConstraintJoint> joints, int bodies) {
         int length = writeKey(joints);
         useless++;
         if (useless > PATIENCE) {
@@ -44,18 +44,18 @@ final class PlanCache {
         return plan;
     }
 
-    /** Tells how much memory all plans but the large one take, in integers. */
+    /** The memory that all plans but the large one take, in integers. */
     int numbers() {
         return numbers;
     }
 
-    private int writeKey(List<Joint> joints) {
+    private int writeKey(List<ConstraintJoint> joints) {
         int length = CouplingGraph.NUMBERS_PER_JOINT * joints.size();
         if (key.length < length) {
             key = new int[2 * length];
         }
         for (int i = 0; i < joints.size(); i++) {
-            Joint joint = joints.get(i);
+            ConstraintJoint joint = joints.get(i);
             int at = CouplingGraph.NUMBERS_PER_JOINT * i;
             key[at] = joint.first.islandIndex;
             key[at + 1] = joint.second == null ? CouplingGraph.FIXED : joint.second.islandIndex;

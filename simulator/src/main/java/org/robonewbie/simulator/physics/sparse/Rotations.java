@@ -1,6 +1,6 @@
 package org.robonewbie.simulator.physics.sparse;
 
-import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.physics.RotationMatrix;
 
 /**
  * Rotations and vectors in plain arrays: matrices have nine numbers, row by row, quaternions w, x, y, z.
@@ -65,9 +65,8 @@ final class Rotations {
     }
 
     /**
-     * Makes the rows of a matrix unit vectors that are square to each other again, as {@code dOrthogonalizeR} of ODE does. Else
-     * the rounding of a turn that is multiplied with the next one grows with each of them, as for a sleeping robot that is
-     * beamed in each cycle.
+     * Orthonormalises the rows of a matrix, as {@code dOrthogonalizeR} of ODE does. Otherwise rounding errors grow with each
+     * rotation that is multiplied on, as for a sleeping robot that is beamed in each cycle.
      */
     static void straighten(double[] matrix) {
         if (Math.sqrt(dot(matrix, 0, matrix, 0)) != 1) {
@@ -85,7 +84,7 @@ final class Rotations {
         matrix[8] = matrix[0] * matrix[4] - matrix[1] * matrix[3];
     }
 
-    /** Gives a row the length 1; divides by its largest number first, as ODE does, so that even the rounding is the same. */
+    /** Normalises a row; divides by its largest element first, as ODE does, so that even the rounding is the same. */
     private static void normalise(double[] matrix, int row) {
         int largest = Math.abs(matrix[row + 1]) > Math.abs(matrix[row]) ? row + 1 : row;
         largest = Math.abs(matrix[row + 2]) > Math.abs(matrix[largest]) ? row + 2 : largest;
@@ -149,7 +148,7 @@ final class Rotations {
         q[0] = (matrix[3 * k + j] - matrix[3 * j + k]) * factor;
     }
 
-    static void copy(Rotation from, double[] to) {
+    static void copy(RotationMatrix from, double[] to) {
         to[0] = from.xx();
         to[1] = from.xy();
         to[2] = from.xz();
@@ -161,7 +160,7 @@ final class Rotations {
         to[8] = from.zz();
     }
 
-    /** Finds two directions that are square to a unit vector and to each other, the very ones that ODE takes. */
+    /** Finds two directions perpendicular to a unit vector and to each other, the same ones as ODE. */
     static void squareTo(double[] normal, double[] one, double[] two) {
         double x = normal[0];
         double y = normal[1];

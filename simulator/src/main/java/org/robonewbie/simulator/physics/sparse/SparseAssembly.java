@@ -4,24 +4,28 @@ import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Shape;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.Assembly;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.Collider;
 import org.robonewbie.simulator.physics.HingeDefinition;
 import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.MotorHinge;
-import org.robonewbie.simulator.physics.Pose;
 import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
 /** Bodies, hinges and forms that belong together. */
-final class SparseAssembly implements Assembly {
+final class SparseAssembly implements Assembly, Restorable {
 
     private final SparsePhysicsWorld world;
     private final OdeCollisions.Group twins;
     private final boolean removable;
     private final Crowd crowd = new Crowd();
     private final List<Body> bodies = new ArrayList<>();
+    private final List<HingeJoint> hinges = new ArrayList<>();
     private final List<FormGroup> movers = new ArrayList<>();
     private final List<Form> fixtures = new ArrayList<>();
 
@@ -43,6 +47,7 @@ final class SparseAssembly implements Assembly {
     public MotorHinge addHinge(RigidBody child, RigidBody parent, HingeDefinition definition) {
         HingeJoint hinge = new HingeJoint((Body) child, (Body) parent, definition);
         hinge.attach();
+        hinges.add(hinge);
         return hinge;
     }
 
@@ -59,16 +64,16 @@ final class SparseAssembly implements Assembly {
     }
 
     @Override
-    public Collider addFixture(Pose pose, Shape shape, Material material, Object owner) {
+    public Collider addFixture(BodyPose pose, Shape shape, Material material, Object owner) {
         return place(pose, shape, new SparseCollider(null, world.surfaces().numberOf(material), owner, null));
     }
 
     @Override
-    public Collider addTrigger(Pose pose, Shape shape, Object owner) {
+    public Collider addTrigger(BodyPose pose, Shape shape, Object owner) {
         return place(pose, shape, new SparseCollider(null, SparseCollider.NO_MATERIAL, owner, null));
     }
 
-    /** A robot's parts never touch each other and make one group; of the scenery each part is one of its own. */
+    /** A robot's parts never touch each other and form one group; each part of the scenery is a group by itself. */
     private FormGroup groupOfNext() {
         if (movers.isEmpty() || !removable) {
             FormGroup group = new FormGroup();
@@ -78,7 +83,7 @@ final class SparseAssembly implements Assembly {
         return movers.get(movers.size() - 1);
     }
 
-    private Collider place(Pose pose, Shape shape, SparseCollider collider) {
+    private Collider place(BodyPose pose, Shape shape, SparseCollider collider) {
         double[] rotation = new double[9];
         Rotations.copy(pose.rotation(), rotation);
         Vector3 position = pose.position();
@@ -94,10 +99,24 @@ final class SparseAssembly implements Assembly {
         if (!removable) {
             throw new UnsupportedOperationException("The scenery cannot be removed. Drop the whole world instead.");
         }
-        world.remove(bodies);
+        world.remove(this, bodies);
         twins.remove();
         movers.forEach(world.finder()::remove);
         fixtures.forEach(world.finder()::removeFixture);
         bodies.clear();
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        bodies.forEach(body -> body.save(out));
+        hinges.forEach(hinge -> hinge.save(out));
+        movers.forEach(group -> group.forms().forEach(form -> form.save(out)));
+    }
+
+    @Override
+    public void restore(StateReader in) {
+        bodies.forEach(body -> body.restore(in));
+        hinges.forEach(hinge -> hinge.restore(in));
+        movers.forEach(group -> group.forms().forEach(form -> form.restore(in)));
     }
 }

@@ -15,12 +15,12 @@ final class SparseCollider implements Collider {
     private final @Nullable Crowd crowd;
 
     /**
-     * Makes a collider.
+     * Creates a collider.
      *
-     * @param body what carries it; none for ground, walls and triggers
+     * @param body the body that carries it; none for ground, walls and triggers
      * @param material number of its material in {@link Surfaces}, or {@link #NO_MATERIAL}
      * @param owner what it belongs to
-     * @param crowd counts what touches its robot; none for all else
+     * @param crowd counts the contacts of its robot; none for everything else
      */
     SparseCollider(@Nullable Body body, int material, Object owner, @Nullable Crowd crowd) {
         this.body = body;

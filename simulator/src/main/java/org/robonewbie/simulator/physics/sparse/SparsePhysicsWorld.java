@@ -3,30 +3,33 @@ package org.robonewbie.simulator.physics.sparse;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.Collider;
 import org.robonewbie.simulator.physics.Contact;
 import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.PhysicsWorld;
+import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
 /**
- * A world that steps with our own solver and finds contacts with ODE's collision.
+ * A world that steps with our own solver and finds contacts with ODE's collision detection.
  *
- * <p>Its settings are those of SimSpark, and so is the order in which islands are gathered and forms are moved, since the
- * order of contacts hangs on it.
+ * <p>Its settings are those of SimSpark, and so is the order in which islands are gathered and shapes are moved, since the
+ * order of contacts depends on it.
  */
 public final class SparsePhysicsWorld implements PhysicsWorld {
 
     private final Surfaces surfaces = new Surfaces();
     private final ContactFinder finder = new ContactFinder();
-    private final Assembly scenery =
-            new SparseAssembly(this, finder.collisions().scenery(), false);
+    private final List<SparseAssembly> assemblies = new ArrayList<>();
+    private final Assembly scenery = add(finder.collisions().scenery(), false);
     private final List<Body> bodies = new ArrayList<>();
     private final ContactList contacts = new ContactList(surfaces);
     private final Island island = new Island();
     private final IslandStepper stepper = new IslandStepper();
 
-    /** Makes an empty world. */
+    /** Creates an empty world. */
     public SparsePhysicsWorld() {}
 
     Surfaces surfaces() {
@@ -41,15 +44,22 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
         bodies.add(body);
     }
 
-    void remove(Collection<Body> removed) {
+    void remove(SparseAssembly assembly, Collection<Body> removed) {
         contacts.bodiesLeft();
         island.clear();
         bodies.removeAll(removed);
+        assemblies.remove(assembly);
     }
 
     @Override
     public Assembly addAssembly() {
-        return new SparseAssembly(this, finder.collisions().addGroup(), true);
+        return add(finder.collisions().addGroup(), true);
+    }
+
+    private SparseAssembly add(OdeCollisions.Group twins, boolean removable) {
+        SparseAssembly assembly = new SparseAssembly(this, twins, removable);
+        assemblies.add(assembly);
+        return assembly;
     }
 
     @Override
@@ -89,5 +99,21 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
             }
         }
         contacts.dissolve();
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        finder.clock().save(out);
+        assemblies.forEach(assembly -> assembly.save(out));
+        finder.collisions().save(out);
+    }
+
+    /** Takes on a state; plans and arrays stay, since what they are reused for does not depend on them. */
+    @Override
+    public void restore(StateReader in) {
+        contacts.begin();
+        finder.clock().restore(in);
+        assemblies.forEach(assembly -> assembly.restore(in));
+        finder.collisions().restore(in);
     }
 }

@@ -10,7 +10,7 @@ final class Surfaces {
     private final List<Material> materials = new ArrayList<>();
     private final List<List<ContactSurface>> mixed = new ArrayList<>();
 
-    /** Gives a material its number. */
+    /** Returns the number of a material. */
     int numberOf(Material material) {
         int known = materials.indexOf(material);
         if (known >= 0) {

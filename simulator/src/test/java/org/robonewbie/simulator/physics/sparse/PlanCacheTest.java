@@ -13,7 +13,7 @@ class PlanCacheTest {
     private final PlanCache cache = new PlanCache();
 
     /** A joint that is known by its bodies and rows only. */
-    private static final class Link extends Joint {
+    private static final class Link extends ConstraintJoint {
 
         private final int rows;
 
@@ -65,7 +65,7 @@ class PlanCacheTest {
     @Test
     void theLargePlanIsForgottenWhenThePileIsGone() {
         EliminationPlan pile = cache.planFor(star(80), 81);
-        List<Joint> single = chain(20, 6);
+        List<ConstraintJoint> single = chain(20, 6);
 
         for (int i = 0; i < 60_000; i++) {
             cache.planFor(single, 21);
@@ -74,9 +74,9 @@ class PlanCacheTest {
         assertThat(cache.planFor(star(80), 81)).isNotSameAs(pile);
     }
 
-    private static List<Joint> chain(int length, int rows) {
+    private static List<ConstraintJoint> chain(int length, int rows) {
         List<Body> bodies = bodies(length + 1);
-        List<Joint> joints = new ArrayList<>();
+        List<ConstraintJoint> joints = new ArrayList<>();
         for (int i = 0; i < length; i++) {
             joints.add(new Link(bodies.get(i), bodies.get(i + 1), rows));
         }
@@ -84,9 +84,9 @@ class PlanCacheTest {
     }
 
     /** All joints hold the same body, so that each is coupled with each. */
-    private static List<Joint> star(int size) {
+    private static List<ConstraintJoint> star(int size) {
         List<Body> bodies = bodies(size + 1);
-        List<Joint> joints = new ArrayList<>();
+        List<ConstraintJoint> joints = new ArrayList<>();
         for (int i = 0; i < size; i++) {
             joints.add(new Link(bodies.get(0), bodies.get(i + 1), 3));
         }

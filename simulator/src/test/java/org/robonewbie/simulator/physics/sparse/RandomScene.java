@@ -14,7 +14,7 @@ import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.MotorHinge;
 import org.robonewbie.simulator.physics.PhysicsWorld;
 import org.robonewbie.simulator.physics.RigidBody;
-import org.robonewbie.simulator.physics.Rotation;
+import org.robonewbie.simulator.physics.RotationMatrix;
 
 /** A few trees of bodies in random poses close to the ground and to each other; equal seeds give equal scenes. */
 final class RandomScene {
@@ -113,15 +113,15 @@ final class RandomScene {
         body.setVelocity(direction().times(between(0, 2)));
         body.setAngularVelocity(direction().times(between(0, 10)));
         if (random.nextBoolean()) {
-            body.setRotation(Rotation.aboutZ(between(-0.02, 0.02)).after(aboutX(between(-0.02, 0.02))));
+            body.setRotation(RotationMatrix.aboutZ(between(-0.02, 0.02)).after(aboutX(between(-0.02, 0.02))));
         }
     }
 
     /** Turned about one axis only, boxes would keep parallel edges, and rounding would choose where they touch. */
-    private static Rotation aboutX(double radians) {
+    private static RotationMatrix aboutX(double radians) {
         double cos = Math.cos(radians);
         double sin = Math.sin(radians);
-        return new Rotation(1, 0, 0, 0, cos, -sin, 0, sin, cos);
+        return new RotationMatrix(1, 0, 0, 0, cos, -sin, 0, sin, cos);
     }
 
     void command() {

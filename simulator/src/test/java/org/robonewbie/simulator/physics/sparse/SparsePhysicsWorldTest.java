@@ -18,13 +18,13 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.model.Shape;
 import org.robonewbie.simulator.physics.Assembly;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.Contact;
 import org.robonewbie.simulator.physics.HingeDefinition;
 import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.MotorHinge;
 import org.robonewbie.simulator.physics.PhysicsWorld;
-import org.robonewbie.simulator.physics.Pose;
 import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.ode.OdePhysicsWorld;
 import org.robonewbie.simulator.world.BallProperties;
@@ -113,8 +113,8 @@ class SparsePhysicsWorldTest {
     @ParameterizedTest
     @CsvSource({"1, 300, 1e-8", "3, 60, 1e-7"})
     void robotsThatThrashMoveAsInTheEngine(int robots, int cycles, double metres) {
-        List<Pose> ours = thrash(PhysicsEngine.FAST, robots, cycles);
-        List<Pose> theirs = thrash(PhysicsEngine.EXACT, robots, cycles);
+        List<BodyPose> ours = thrash(PhysicsEngine.FAST, robots, cycles);
+        List<BodyPose> theirs = thrash(PhysicsEngine.EXACT, robots, cycles);
 
         for (int i = 0; i < ours.size(); i++) {
             assertThat(ours.get(i).position().distanceTo(theirs.get(i).position()))
@@ -127,7 +127,7 @@ class SparsePhysicsWorldTest {
         assertThat(thrash(PhysicsEngine.FAST, 3, 100)).isEqualTo(thrash(PhysicsEngine.FAST, 3, 100));
     }
 
-    private static List<Pose> thrash(PhysicsEngine engine, int robots, int cycles) {
+    private static List<BodyPose> thrash(PhysicsEngine engine, int robots, int cycles) {
         SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, engine.newWorld());
         Random random = new Random(5);
         for (int i = 0; i < robots; i++) {
@@ -143,7 +143,7 @@ class SparsePhysicsWorldTest {
             }
             world.step();
         }
-        List<Pose> poses = new ArrayList<>();
+        List<BodyPose> poses = new ArrayList<>();
         for (Robot robot : world.robots()) {
             for (int link = 0; link < robot.model().links().size(); link++) {
                 poses.add(robot.linkPose(link));

@@ -45,7 +45,13 @@ function pentagonCentres() {
   const corners = new Map();
   for (let i = 0; i < places.count; i++) {
     const corner = new THREE.Vector3().fromBufferAttribute(places, i);
-    corners.set(corner.toArray().map((value) => value.toFixed(3)).join(), corner);
+    corners.set(
+      corner
+        .toArray()
+        .map((value) => value.toFixed(3))
+        .join(),
+      corner,
+    );
   }
   return [...corners.values()];
 }
@@ -61,9 +67,15 @@ function isInPentagon(direction, corners) {
   const nearest = [...corners].sort((a, b) => b.dot(direction) - a.dot(direction)).slice(0, 3);
   const triangle = new THREE.Matrix3();
   triangle.set(
-    nearest[0].x, nearest[1].x, nearest[2].x,
-    nearest[0].y, nearest[1].y, nearest[2].y,
-    nearest[0].z, nearest[1].z, nearest[2].z,
+    nearest[0].x,
+    nearest[1].x,
+    nearest[2].x,
+    nearest[0].y,
+    nearest[1].y,
+    nearest[2].y,
+    nearest[0].z,
+    nearest[1].z,
+    nearest[2].z,
   );
   const weights = direction.clone().applyMatrix3(triangle.invert());
   return weights.x / (weights.x + weights.y + weights.z) > 2 / 3;

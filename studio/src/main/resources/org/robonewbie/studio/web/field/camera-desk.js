@@ -1,5 +1,4 @@
 /** The camera: which of four ways of looking is chosen, and how mouse and keys turn it. */
-import * as THREE from 'three';
 import { POSE, rotated } from '../state/kinematics.js';
 import { eye, moved, overview, turned, zoomed } from '../state/view-point.js';
 
@@ -23,7 +22,7 @@ const FOLLOW_HEIGHT = 0.29;
 const CATCH_UP_PER_SECOND = 6;
 
 export class CameraDesk {
-  /** @param {THREE.PerspectiveCamera} camera */
+  /** @param {import('three').PerspectiveCamera} camera */
   constructor(camera) {
     this.camera = camera;
     /** @type {CameraMode} */

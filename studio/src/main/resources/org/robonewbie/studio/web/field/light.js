@@ -16,8 +16,26 @@ import { flatMaterial, HAZE_METRES, screenColour } from './flat-material.js';
 
 /** @type {{light: Palette, dark: Palette}} */
 export const PALETTES = {
-  light: { sky: 0xe9eff3, zenith: 0xb4cfe6, surround: 0xc3ced4, grass: 0x55a362, grassStripe: 0x5cab69, line: 0xffffff, skyLight: 1.55, sunLight: 2.1 },
-  dark: { sky: 0x232c36, zenith: 0x0d1217, surround: 0x1b2229, grass: 0x2d6a3c, grassStripe: 0x327243, line: 0xe6ece8, skyLight: 1.15, sunLight: 2.0 },
+  light: {
+    sky: 0xe9eff3,
+    zenith: 0xb4cfe6,
+    surround: 0xc3ced4,
+    grass: 0x55a362,
+    grassStripe: 0x5cab69,
+    line: 0xffffff,
+    skyLight: 1.55,
+    sunLight: 2.1,
+  },
+  dark: {
+    sky: 0x232c36,
+    zenith: 0x0d1217,
+    surround: 0x1b2229,
+    grass: 0x2d6a3c,
+    grassStripe: 0x327243,
+    line: 0xe6ece8,
+    skyLight: 1.15,
+    sunLight: 2.0,
+  },
 };
 
 const SHADOW_REACH = 2;

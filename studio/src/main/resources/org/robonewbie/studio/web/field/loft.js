@@ -121,11 +121,13 @@ function closeSeam(geometry, rings, segments) {
   for (let ring = 0; ring <= rings; ring++) {
     const first = ring * (segments + 1);
     const last = first + segments;
-    sum.set(
-      normals.getX(first) + normals.getX(last),
-      normals.getY(first) + normals.getY(last),
-      normals.getZ(first) + normals.getZ(last),
-    ).normalize();
+    sum
+      .set(
+        normals.getX(first) + normals.getX(last),
+        normals.getY(first) + normals.getY(last),
+        normals.getZ(first) + normals.getZ(last),
+      )
+      .normalize();
     normals.setXYZ(first, sum.x, sum.y, sum.z);
     normals.setXYZ(last, sum.x, sum.y, sum.z);
   }
@@ -168,11 +170,24 @@ export function barrel(radius, length, options = {}) {
  */
 function edgeOf(half, radius, round, rings) {
   if (rings < 4) {
-    return [[half, 0], [half, radius]];
+    return [
+      [half, 0],
+      [half, radius],
+    ];
   }
   return rings < 9
-    ? [[half, 0], [half, radius - round], [half - round, radius]]
-    : [[half, 0], [half, 0.6 * (radius - round)], [half, radius - round], [half - 0.3 * round, radius - 0.3 * round], [half - round, radius]];
+    ? [
+        [half, 0],
+        [half, radius - round],
+        [half - round, radius],
+      ]
+    : [
+        [half, 0],
+        [half, 0.6 * (radius - round)],
+        [half, radius - round],
+        [half - 0.3 * round, radius - 0.3 * round],
+        [half - round, radius],
+      ];
 }
 
 /**

@@ -17,10 +17,16 @@ export function robotMaterial(glossy) {
   material.onBeforeCompile = (shader) => {
     shader.vertexShader = shader.vertexShader
       .replace('#include <common>', '#include <common>\nattribute vec2 paint;\nvarying float glow;')
-      .replace('#include <color_vertex>', '#include <color_vertex>\nvColor.rgb = mix(vColor.rgb, robotPaint().rgb, paint.x);\nglow = paint.y;');
+      .replace(
+        '#include <color_vertex>',
+        '#include <color_vertex>\nvColor.rgb = mix(vColor.rgb, robotPaint().rgb, paint.x);\nglow = paint.y;',
+      );
     shader.fragmentShader = shader.fragmentShader
       .replace('#include <common>', '#include <common>\nvarying float glow;')
-      .replace('#include <emissivemap_fragment>', '#include <emissivemap_fragment>\ntotalEmissiveRadiance += diffuseColor.rgb * glow;');
+      .replace(
+        '#include <emissivemap_fragment>',
+        '#include <emissivemap_fragment>\ntotalEmissiveRadiance += diffuseColor.rgb * glow;',
+      );
   };
   return material;
 }

@@ -63,7 +63,9 @@ export function naoBody(detail) {
     shank: () => shank(facets),
     ankle: () => ankle(facets),
     foot: () => foot(facets),
-    toe: () => [piece('trim', loft(boxRibs(0.043, 0.018, 0.005), { ...small, rings: facets.trinkets ? 5 : 3, square: 5 }))],
+    toe: () => [
+      piece('trim', loft(boxRibs(0.043, 0.018, 0.005), { ...small, rings: facets.trinkets ? 5 : 3, square: 5 })),
+    ],
   };
   for (const name of SIDED) {
     bodies.set(`r${name}`, joined(limbs[name]()));
@@ -100,7 +102,11 @@ function torso({ body, small, disc: round, trinkets }) {
     piece('shell', loft(TORSO, body)),
     piece('team', loft(TORSO, { ...band, around: [-62, 62], along: [0.735, 0.8] })),
     piece('team', loft(TORSO, { ...band, around: [118, 242], along: [0.75, 0.8] })),
-    piece('joint', loft(boxRibs(0.05, 0.036, 0.022), { ...small, rings: trinkets ? 5 : 3, square: 3 }), [0, -0.004, -0.11]),
+    piece(
+      'joint',
+      loft(boxRibs(0.05, 0.036, 0.022), { ...small, rings: trinkets ? 5 : 3, square: 3 }),
+      [0, -0.004, -0.11],
+    ),
     ...(trinkets ? onlyNear() : []),
   ];
 }

@@ -118,7 +118,13 @@ export function assembled(parts) {
   starts.reduce((sum, count, i) => ((starts[i] = sum), sum + count), 0);
   whole.setIndex(parts.flatMap(({ body }, i) => Array.from(indexOf(body), (corner) => corner + starts[i])));
   for (const [name, { itemSize }] of Object.entries(parts[0].body.attributes)) {
-    whole.setAttribute(name, new THREE.Float32BufferAttribute(parts.flatMap(({ body }) => [...body.getAttribute(name).array]), itemSize));
+    whole.setAttribute(
+      name,
+      new THREE.Float32BufferAttribute(
+        parts.flatMap(({ body }) => [...body.getAttribute(name).array]),
+        itemSize,
+      ),
+    );
   }
   const limbs = parts.flatMap(({ body, limb }) => new Array(body.getAttribute('position').count).fill(limb));
   whole.setAttribute('limb', new THREE.Float32BufferAttribute(limbs, 1));

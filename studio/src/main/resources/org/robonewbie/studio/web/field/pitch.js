@@ -28,7 +28,13 @@ const AFTER_GRASS = 1;
  */
 export function pitch(field, colours, blades) {
   const group = new THREE.Group();
-  group.add(surround(colours), grass(field, colours, blades), lines(field, colours.line), shadowSheet(), ...goals(field));
+  group.add(
+    surround(colours),
+    grass(field, colours, blades),
+    lines(field, colours.line),
+    shadowSheet(),
+    ...goals(field),
+  );
   return group;
 }
 
@@ -63,7 +69,9 @@ function grass(field, colours, blades) {
   geometry.setAttribute('color', new THREE.Float32BufferAttribute(tints, 3));
   const corners = places.filter((_, i) => i % 3 < 2).map((value) => value / BLADES_METRES);
   geometry.setAttribute('uv', new THREE.Float32BufferAttribute(corners, 2));
-  const material = blades ? new THREE.MeshBasicMaterial({ vertexColors: true, map: grain() }) : flatMaterial(colours.sky);
+  const material = blades
+    ? new THREE.MeshBasicMaterial({ vertexColors: true, map: grain() })
+    : flatMaterial(colours.sky);
   const mesh = new THREE.Mesh(geometry, material);
   mesh.name = 'grass';
   return mesh;
@@ -100,7 +108,12 @@ function grain() {
 function lines(field, colour) {
   const mesh = new THREE.Mesh(
     flat(linePlaces(field)),
-    new THREE.MeshBasicMaterial({ color: colour, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 }),
+    new THREE.MeshBasicMaterial({
+      color: colour,
+      polygonOffset: true,
+      polygonOffsetFactor: -2,
+      polygonOffsetUnits: -2,
+    }),
   );
   mesh.position.z = OVER_GRASS;
   return mesh;
@@ -198,7 +211,7 @@ function goals(field) {
     new THREE.MeshLambertMaterial({ color: 0xfafcfd, emissive: 0x3c4044 }),
     frames.length,
   );
-  frames.forEach((bar, i) => bars.setMatrixAt(i, bar));
+  frames.forEach((place, i) => bars.setMatrixAt(i, place));
   bars.name = 'goals';
   bars.castShadow = true;
   bars.frustumCulled = false;

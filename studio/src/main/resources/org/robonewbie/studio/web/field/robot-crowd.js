@@ -76,7 +76,9 @@ export class RobotCrowd {
     this.poses = scene.robots.map(({ type }) => new Float32Array(scene.models[type].links.length * POSE));
     this.places = scene.robots.flatMap(({ type }, robot) => placesOf(scene.models[type], robot));
     this.table.clear(scene.robots.length, LIMBS.length);
-    scene.robots.forEach(({ side, number }, robot) => this.table.setPaint(robot, colour.set(TEAM_COLOURS[side]), number));
+    scene.robots.forEach(({ side, number }, robot) =>
+      this.table.setPaint(robot, colour.set(TEAM_COLOURS[side]), number),
+    );
     this.meshes.forEach(({ geometry }) => geometry.dispose());
     this.meshes = this.looks.map(({ body, material }) => this.#mesh(body, material, scene.robots.length));
     this.group.clear();
@@ -128,7 +130,10 @@ export class RobotCrowd {
   #mesh(body, material, robots) {
     const geometry = new THREE.InstancedBufferGeometry();
     geometry.index = body.index;
-    geometry.attributes = { ...body.attributes, robot: new THREE.InstancedBufferAttribute(new Float32Array(robots), 1) };
+    geometry.attributes = {
+      ...body.attributes,
+      robot: new THREE.InstancedBufferAttribute(new Float32Array(robots), 1),
+    };
     const mesh = new THREE.Mesh(geometry, material);
     mesh.customDepthMaterial = this.depthMaterial;
     mesh.frustumCulled = false;
@@ -185,11 +190,11 @@ const unit = new THREE.Vector3(1, 1, 1);
 /**
  * @param {ArrayLike<number>} poses
  * @param {number} link
- * @param {THREE.Matrix4} matrix
+ * @param {THREE.Matrix4} target
  */
-export function poseMatrix(poses, link, matrix) {
+export function poseMatrix(poses, link, target) {
   const at = link * POSE;
   position.set(poses[at], poses[at + 1], poses[at + 2]);
   rotation.set(poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 3]);
-  return matrix.compose(position, rotation, unit);
+  return target.compose(position, rotation, unit);
 }

@@ -103,7 +103,10 @@ export class RobotTable {
       shader.vertexShader = shader.vertexShader
         .replace('#include <common>', `#include <common>${READ_TABLE}`)
         .replace('#include <beginnormal_vertex>', `#include <beginnormal_vertex>${isLit ? POSE_NORMAL : ''}`)
-        .replace('#include <begin_vertex>', `#include <begin_vertex>\ntransformed = (${isLit ? 'pose' : 'limbPose()'} * vec4(transformed, 1.0)).xyz;`);
+        .replace(
+          '#include <begin_vertex>',
+          `#include <begin_vertex>\ntransformed = (${isLit ? 'pose' : 'limbPose()'} * vec4(transformed, 1.0)).xyz;`,
+        );
     };
     material.customProgramCacheKey = () => `posed ${paint}`;
     return material;

@@ -1,4 +1,5 @@
 /** The motion editor without its picture: keeps the state, and brings files, drafts and trials together with it. */
+import { Drafts, namelessDrafts } from './drafts.js';
 import { bodyMarks, jointMarks } from '../state/motion/checks.js';
 import {
   atTime,
@@ -6,7 +7,6 @@ import {
   edited,
   framesOf,
   initialEditor,
-  isUnsaved,
   judgeDisk,
   played,
   selected,
@@ -27,9 +27,7 @@ import { secondsText } from '../state/motion/timing.js';
  * @typedef {import('./motion-files.js').MotionList} MotionList
  */
 
-const DRAFT_MILLISECONDS = 400;
 const MARKS_MILLISECONDS = 120;
-const NAMELESS = 'untitled';
 const LAST_FILE = 'robonewbie-motion';
 
 export class Editor {
@@ -44,6 +42,7 @@ export class Editor {
     this.state = initialEditor(body);
     this.files = files;
     this.listener = listener;
+    this.drafts = this.#makeDrafts();
     /** @type {MotionList} */
     this.list = { folder: '', own: [], drafts: [], library: [] };
     /** @type {readonly Keyframe[]} */
@@ -59,8 +58,21 @@ export class Editor {
     this.saving = false;
     /** How often a motion was asked for; an answer that comes after a later wish is not shown. */
     this.wishes = 0;
-    this.draftTimer = 0;
     this.marksTimer = 0;
+  }
+
+  #makeDrafts() {
+    return new Drafts(this.files, {
+      state: () => this.state,
+      list: () => this.list,
+      named: async (draft) => {
+        if (this.state.name === '' && this.state.draft === '') {
+          this.state = { ...this.state, draft };
+        }
+        await this.refresh();
+      },
+      note: this.listener.note,
+    });
   }
 
   /** @param {EditorState} state */
@@ -68,8 +80,7 @@ export class Editor {
     const before = this.state;
     this.state = state;
     if (state.history !== before.history || state.saved !== before.saved) {
-      clearTimeout(this.draftTimer);
-      this.draftTimer = window.setTimeout(() => this.#keepDraft(), DRAFT_MILLISECONDS);
+      this.drafts.keepSoon();
     }
     if (state.history.present !== before.history.present || state.manner !== before.manner) {
       clearTimeout(this.marksTimer);
@@ -92,13 +103,19 @@ export class Editor {
     }
     const last = wanted ?? localStorage.getItem(LAST_FILE) ?? '';
     const isOwn = this.list.own.some(({ name }) => name === last);
-    if (this.list.drafts.some(({ name }) => name === NAMELESS) && !isOwn) {
-      await this.#openDraft();
+    const drafts = namelessDrafts(this.list);
+    if (drafts.length > 0 && !isOwn) {
+      await this.#recover(drafts.includes(last) ? last : drafts[drafts.length - 1]);
     } else if (isOwn || this.list.library.includes(last)) {
       await this.open(isOwn ? 'motions' : 'library', last);
     } else {
       await this.open('library', 'wave');
     }
+  }
+
+  /** Whether closing the page would lose work. */
+  get isAtRisk() {
+    return this.drafts.isAtRisk(this.state);
   }
 
   async refresh() {
@@ -147,16 +164,20 @@ export class Editor {
    */
   async open(shelf, name) {
     const wish = ++this.wishes;
-    await this.#keepDraft();
+    await this.drafts.keep();
     const { document, version } = await this.files.read(shelf, name);
     const isOwn = shelf === 'motions';
-    const draft = this.list.drafts.some((each) => each.name === name) ? (await this.files.read('drafts', name)).document : undefined;
+    const draft = this.list.drafts.some((each) => each.name === name)
+      ? (await this.files.read('drafts', name)).document
+      : undefined;
     const isNew = draft !== undefined && textOf(draft) !== textOf(document);
     if (wish !== this.wishes) {
       return;
     }
     this.conflict = false;
-    this.set(withFile(this.state, { name, version: isOwn ? version : '', document, draft: isNew ? draft : undefined }));
+    const recovered = isNew ? draft : undefined;
+    this.drafts.kept = recovered;
+    this.set(withFile(this.state, { name, version: isOwn ? version : '', document, recovered }));
     localStorage.setItem(LAST_FILE, name);
     if (isNew) {
       this.listener.note(`Unsaved work on “${name}” was recovered. Undo takes it back.`);
@@ -170,7 +191,8 @@ export class Editor {
 
   /** @param {readonly Keyframe[]} frames @param {string} name */
   async take(frames, name) {
-    await this.#begin(frames.reduce((each, frame, i) => withInserted(each, i, frame), EMPTY_DOCUMENT));
+    const document = frames.reduce((each, frame, i) => withInserted(each, i, frame), EMPTY_DOCUMENT);
+    await this.#begin(document, await this.drafts.newName());
     this.listener.note(`${frames.length} keyframes were taken from ${name}. Save them under a name of your own.`);
   }
 
@@ -179,7 +201,7 @@ export class Editor {
     const name = asName ?? this.state.name;
     const document = documentOf(this.state);
     const known = asName === undefined || asName === this.state.name ? this.state.version : '';
-    const nameBefore = this.state.name || NAMELESS;
+    const nameBefore = this.state.name || this.state.draft || name;
     const wish = this.wishes;
     this.saving = true;
     try {
@@ -192,9 +214,10 @@ export class Editor {
     } finally {
       this.saving = false;
     }
-    await Promise.all([nameBefore, name].map((each) => this.files.removeDraft(each)));
+    await Promise.all([...new Set([nameBefore, name])].map((each) => this.files.removeDraft(each)));
     await this.refresh();
-    this.listener.note(`Saved. An agent plays it with motions.start("${name}").`);
+    const hides = this.list.library.includes(name) ? ', instead of the library’s' : '';
+    this.listener.note(`Saved. An agent plays it with motions.start("${name}")${hides}.`);
   }
 
   /** @param {string} start standing, back or front */
@@ -211,7 +234,9 @@ export class Editor {
       this.set({ ...atTime({ ...this.state, trial }, 0), playing: true });
       const fall = trial.fallSeconds;
       if (start === 'standing') {
-        this.listener.note(fall === undefined ? 'The robot stays on its feet.' : `The robot falls after ${secondsText(1000 * fall)}.`);
+        this.listener.note(
+          fall === undefined ? 'The robot stays on its feet.' : `The robot falls after ${secondsText(1000 * fall)}.`,
+        );
       }
     } finally {
       this.busy = false;
@@ -233,37 +258,37 @@ export class Editor {
     }
   }
 
-  /** Begins with something that has no name yet. @param {import('../state/motion/motion-text.js').MotionDocument} document */
-  async #begin(document) {
+  /**
+   * Begins with something that has no name yet.
+   *
+   * @param {import('../state/motion/motion-text.js').MotionDocument} document
+   * @param {string} [draft] its name among the drafts, if it is worth to be kept at once
+   */
+  async #begin(document, draft = '') {
     const wish = ++this.wishes;
-    await this.#keepDraft();
+    await this.drafts.keep();
     if (wish === this.wishes) {
-      this.set(withFile(this.state, { name: '', version: '', document }));
+      this.set(withFile(this.state, { name: '', draft, version: '', document }));
     }
   }
 
-  async #openDraft() {
-    const { document } = await this.files.read('drafts', NAMELESS);
-    if (this.wishes > 0) {
-      return;
+  /** Goes on with a motion that was never saved. @param {string} draft */
+  async openDraft(draft) {
+    const wish = ++this.wishes;
+    await this.drafts.keep();
+    const { document } = await this.files.read('drafts', draft);
+    if (wish === this.wishes) {
+      this.conflict = false;
+      this.drafts.kept = document;
+      this.set(withFile(this.state, { name: '', draft, version: '', document }));
+      localStorage.setItem(LAST_FILE, draft);
     }
-    this.set(withFile(this.state, { name: '', version: '', document }));
+  }
+
+  /** @param {string} draft */
+  async #recover(draft) {
+    await this.openDraft(draft);
     this.listener.note('Your unsaved new motion was recovered.');
-  }
-
-  async #keepDraft() {
-    clearTimeout(this.draftTimer);
-    const { state } = this;
-    const name = state.name || NAMELESS;
-    try {
-      if (isUnsaved(state) && framesOf(state).length > 0 && (state.history.past.length > 0 || state.name === '')) {
-        await this.files.writeDraft(name, documentOf(state));
-      } else if (this.list.drafts.some((each) => each.name === name)) {
-        await this.files.removeDraft(name);
-      }
-    } catch {
-      this.listener.note('Unsaved work cannot be kept on the disk just now. It stays in this page; save it soon.');
-    }
   }
 
   #check() {

@@ -2,6 +2,8 @@
 import { button, element } from '../panels/elements.js';
 import { isUnsaved, postureNow, posed } from '../state/motion/editor-state.js';
 import { usualPostures } from '../state/motion/poses.js';
+import { namelessDrafts } from './drafts.js';
+import { takeTyped } from './number-field.js';
 import { ask } from './questions.js';
 
 /** @typedef {import('./editor.js').Editor} Editor */
@@ -14,47 +16,88 @@ import { ask } from './questions.js';
  * @returns {() => void} draws the lists
  */
 export function filesPanel(place, editor, run, orders) {
-  const own = element('ul', { class: 'list', id: 'own-motions' });
-  const library = element('ul', { class: 'list', id: 'library-motions' });
-  const postures = element('div', { class: 'postures' });
-  const folder = element('p', { class: 'faint folder' });
+  const panel = new FilesPanel(editor, run);
   const order = orders.find(({ id }) => id === 'import');
-  const importing = button(order?.name ?? '', order?.hint ?? '', () => order?.act());
-  importing.id = 'import';
-  const keep = button('Keep this posture…', 'Remember the posture under a name', () => run(keepPosture(editor)));
-  keep.id = 'keep-posture';
-  const create = button('+ New', 'A new motion that begins with standing', () => run(editor.create()));
-  create.id = 'new-motion';
-  place.append(
-    element('div', { class: 'list-head' }, element('h2', {}, 'Your motions'), create),
-    own,
-    folder,
-    importing,
-    element('h2', {}, 'Library'),
-    library,
-    element('h2', {}, 'Postures'),
-    postures,
-    keep,
-  );
-  let shown = '';
-  return () => {
-    const { state, list } = editor;
-    const now = JSON.stringify([list, state.name, state.version, isUnsaved(state), editor.postures.map(({ name }) => name)]);
-    if (now === shown) {
-      return;
+  const importing = button(order?.name ?? '', order?.hint ?? '', () => order?.act(), { id: 'import' });
+  place.append(...panel.parts(importing));
+  return () => panel.draw();
+}
+
+class FilesPanel {
+  #shown = '';
+  #own = element('ul', { class: 'list', id: 'own-motions' });
+  #library = element('ul', { class: 'list', id: 'library-motions' });
+  #postures = element('div', { class: 'postures' });
+  #folder = element('p', { class: 'faint folder' });
+
+  /** @param {Editor} editor @param {(work: Promise<unknown>) => void} run */
+  constructor(editor, run) {
+    this.editor = editor;
+    this.run = run;
+  }
+
+  /** @param {HTMLElement} importing */
+  parts(importing) {
+    const { editor, run } = this;
+    const begin = () => (takeTyped(), run(editor.create()));
+    const keep = () => run(keepPosture(editor));
+    const create = button('+ New', 'A new motion that begins with standing', begin, { id: 'new-motion' });
+    return [
+      element('div', { class: 'list-head' }, element('h2', {}, 'Your motions'), create),
+      this.#own,
+      this.#folder,
+      importing,
+      element('h2', {}, 'Library'),
+      this.#library,
+      element('h2', {}, 'Postures'),
+      this.#postures,
+      button('Keep this posture…', 'Remember the posture under a name', keep, { id: 'keep-posture' }),
+    ];
+  }
+
+  draw() {
+    const { state, list, postures } = this.editor;
+    const names = postures.map(({ name }) => name);
+    const now = JSON.stringify([list, state.name, state.draft, state.version, isUnsaved(state), names]);
+    if (now !== this.#shown) {
+      this.#shown = now;
+      this.#drawMotions();
+      this.#drawPostures();
     }
-    shown = now;
-    const isOwn = state.version !== '';
-    own.replaceChildren(...list.own.map(({ name }) => entry(name, isOwn && name === state.name, () => run(editor.open('motions', name)), hasDraft(editor, name))));
-    own.hidden = list.own.length === 0;
-    folder.textContent = list.own.length === 0 ? `None yet. They are kept in ${list.folder}` : '';
-    folder.hidden = list.own.length > 0;
-    library.replaceChildren(...list.library.map((name) => entry(name, !isOwn && name === state.name, () => run(editor.open('library', name)), false)));
-    const all = [...usualPostures(state.body), ...editor.postures];
-    postures.replaceChildren(
-      ...all.map(({ name, degrees }) => button(name, `Give the keyframe the posture “${name}”`, () => editor.apply((each) => posed({ ...each, symmetric: false }, degrees, `Posture ${name}`)))),
+  }
+
+  #drawMotions() {
+    const { editor, run } = this;
+    const { state, list } = editor;
+    const openOwn = state.version === '' ? undefined : state.name;
+    const openShipped = state.version === '' ? state.name : undefined;
+    this.#own.replaceChildren(
+      ...list.own.map(({ name }) =>
+        entry(name, name === openOwn, () => run(editor.open('motions', name)), hasDraft(editor, name)),
+      ),
     );
-  };
+    this.#own.append(
+      ...namelessDrafts(list).map((draft) =>
+        entry(draft, state.name === '' && draft === state.draft, () => run(editor.openDraft(draft)), true),
+      ),
+    );
+    this.#own.hidden = this.#own.children.length === 0;
+    this.#folder.textContent = list.own.length === 0 ? `None yet. They are kept in ${list.folder}` : '';
+    this.#folder.hidden = list.own.length > 0;
+    this.#library.replaceChildren(
+      ...list.library.map((name) => entry(name, name === openShipped, () => run(editor.open('library', name)), false)),
+    );
+  }
+
+  #drawPostures() {
+    const { editor } = this;
+    const all = [...usualPostures(editor.state.body), ...editor.postures];
+    const give = (/** @type {string} */ name, /** @type {readonly number[]} */ degrees) => () =>
+      editor.apply((each) => posed({ ...each, symmetric: false }, degrees, `Posture ${name}`));
+    this.#postures.replaceChildren(
+      ...all.map(({ name, degrees }) => button(name, `Give the keyframe the posture “${name}”`, give(name, degrees))),
+    );
+  }
 }
 
 /** @param {Editor} editor @param {string} name */
@@ -69,7 +112,8 @@ function hasDraft(editor, name) {
  * @param {boolean} changed
  */
 function entry(name, isOpen, open, changed) {
-  const made = button(changed ? `${name} •` : name, changed ? 'Has unsaved changes' : `Open “${name}”`, open);
+  const act = () => (takeTyped(), open());
+  const made = button(changed ? `${name} •` : name, changed ? 'Has unsaved changes' : `Open “${name}”`, act);
   made.dataset.motion = name;
   if (isOpen) {
     made.setAttribute('aria-current', 'true');

@@ -1,11 +1,20 @@
 /** All joints of the robot with slider and number; typed angles keep their decimals. */
-import { button, element } from '../panels/elements.js';
+import { button, check, element } from '../panels/elements.js';
 import { postureNow } from '../state/motion/editor-state.js';
 import { JOINT_GROUPS, jointName, shortJointName } from '../state/motion/names.js';
 import { numberText } from '../state/motion/motion-text.js';
+import { numberField, showNumber, takeTyped } from './number-field.js';
 
 /**
  * @typedef {import('../state/motion/editor-state.js').EditorState} EditorState
+ * @typedef {import('../state/motion/body.js').Body} Body
+ *
+ * @typedef {object} JointEditor
+ * @property {(joint: number, degrees: number, gesture: string) => void} turn
+ * @property {(joint: number) => void} choose
+ * @property {(side: 'LEFT' | 'RIGHT') => void} copySide
+ * @property {(on: boolean) => void} setSymmetric
+ * @property {(text: string) => void} note
  *
  * @typedef {object} Row
  * @property {HTMLElement} line
@@ -15,89 +24,92 @@ import { numberText } from '../state/motion/motion-text.js';
 
 /**
  * @param {HTMLElement} place
- * @param {import('../state/motion/body.js').Body} body
- * @param {object} editor
- * @param {(joint: number, degrees: number, gesture: string) => void} editor.turn
- * @param {(joint: number) => void} editor.choose
- * @param {(side: 'LEFT' | 'RIGHT') => void} editor.copySide
- * @param {(on: boolean) => void} editor.setSymmetric
+ * @param {Body} body
+ * @param {JointEditor} editor
  * @returns {(state: EditorState) => void} draws the angles
  */
 export function jointPanel(place, body, editor) {
-  let gestures = 0;
-  let gesture = '';
-  /** @type {Row[]} */
-  const rows = body.joints.map((joint, i) => {
-    const { name, minDegrees, maxDegrees } = joint;
-    const range = `${minDegrees}° to ${maxDegrees}°`;
-    const slider = element('input', {
-      type: 'range',
-      min: String(minDegrees),
-      max: String(maxDegrees),
-      step: '0.1',
-      'aria-label': jointName(name),
-      title: range,
-    });
-    const number = element('input', { type: 'text', inputmode: 'decimal', 'aria-label': `${jointName(name)} in degrees`, title: range });
-    number.dataset.joint = name;
-    slider.dataset.slider = name;
-    slider.addEventListener('pointerdown', () => {
-      gesture = `slider ${++gestures}`;
-    });
-    slider.addEventListener('input', () => editor.turn(i, Number(slider.value), gesture));
-    const take = () => {
-      const degrees = Number(number.value.replace(',', '.'));
-      if (number.value.trim() !== '' && Number.isFinite(degrees)) {
-        editor.turn(i, degrees, '');
-      }
-      number.dataset.typed = '';
-    };
-    number.addEventListener('input', () => {
-      number.dataset.typed = 'yes';
-    });
-    number.addEventListener('change', take);
-    number.addEventListener('keydown', (event) => {
-      if (event.key === 'Enter') {
-        take();
-      } else if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
-        event.preventDefault();
-        const step = (event.shiftKey ? 10 : 1) * (event.key === 'ArrowUp' ? 1 : -1);
-        editor.turn(i, Math.round((Number(number.value) + step) * 1e4) / 1e4, `keys ${i}`);
-      }
-    });
-    for (const field of [slider, number]) {
-      field.addEventListener('focus', () => editor.choose(i));
-    }
-    const line = element('div', { class: 'joint' }, element('span', { class: 'joint-name' }, shortJointName(name)), slider, number);
-    return { line, slider, number };
-  });
-  const symmetric = element('input', { type: 'checkbox', id: 'symmetric' });
-  symmetric.addEventListener('change', () => editor.setSymmetric(symmetric.checked));
+  const rows = body.joints.map((joint, i) => jointRow(joint, i, editor));
+  const symmetric = check('symmetric', 'Both sides alike', 'What one arm or leg does, the other does too', (on) =>
+    editor.setSymmetric(on),
+  );
   place.append(
     element(
       'div',
       { class: 'both-sides' },
-      element('label', { class: 'check', title: 'What one arm or leg does, the other does too' }, symmetric, 'Both sides alike'),
+      symmetric.label,
       button('L→R', 'Copy the left arm and leg to the right', () => editor.copySide('LEFT')),
       button('R→L', 'Copy the right arm and leg to the left', () => editor.copySide('RIGHT')),
     ),
     ...JOINT_GROUPS.map(({ title, test }) =>
-      element('section', { class: 'joint-group', 'aria-label': title }, element('h2', {}, title), ...rows.filter((_, i) => test.test(body.joints[i].name)).map(({ line }) => line)),
+      jointGroup(
+        title,
+        rows.filter((_, i) => test.test(body.joints[i].name)),
+      ),
     ),
   );
   return (state) => {
     const posture = postureNow(state);
-    symmetric.checked = state.symmetric;
-    rows.forEach(({ line, slider, number }, i) => {
-      const { minDegrees, maxDegrees } = body.joints[i];
-      slider.value = String(posture[i]);
-      if (number.dataset.typed !== 'yes') {
-        number.value = shownAngle(posture[i]);
-      }
-      line.classList.toggle('beyond', posture[i] < minDegrees || posture[i] > maxDegrees);
-      line.classList.toggle('chosen', i === state.joint);
-    });
+    symmetric.box.checked = state.symmetric;
+    rows.forEach((row, i) => drawRow(row, body.joints[i], posture[i], i === state.joint));
   };
+}
+
+/** @param {string} title @param {Row[]} rows */
+function jointGroup(title, rows) {
+  const lines = rows.map(({ line }) => line);
+  return element('section', { class: 'joint-group', 'aria-label': title }, element('h2', {}, title), ...lines);
+}
+
+/** @param {Body['joints'][number]} joint @param {number} index @param {JointEditor} editor @returns {Row} */
+function jointRow({ name, minDegrees, maxDegrees }, index, editor) {
+  const [min, max] = [String(minDegrees), String(maxDegrees)];
+  const title = `${min}° to ${max}°`;
+  const slider = element('input', { type: 'range', min, max, step: '0.1', 'aria-label': jointName(name), title });
+  const label = `${jointName(name)} in degrees`;
+  const number = numberField(
+    { inputmode: 'decimal', 'aria-label': label, title },
+    (degrees) => editor.turn(index, degrees, ''),
+    (text) => editor.note(`“${text}” is not a number; ${jointName(name).toLowerCase()} stays as it is.`),
+  );
+  number.dataset.joint = name;
+  slider.dataset.slider = name;
+  for (const field of [slider, number]) {
+    field.addEventListener('focus', () => editor.choose(index));
+  }
+  listenToSlider(slider, (degrees, gesture) => editor.turn(index, degrees, gesture));
+  listenToArrows(number, (degrees) => editor.turn(index, degrees, `keys ${index}`));
+  const text = element('span', { class: 'joint-name' }, shortJointName(name));
+  return { line: element('div', { class: 'joint' }, text, slider, number), slider, number };
+}
+
+/** One drag of the slider is one step of undo. @param {HTMLInputElement} slider @param {(degrees: number, gesture: string) => void} turn */
+function listenToSlider(slider, turn) {
+  let drags = 0;
+  slider.addEventListener('pointerdown', () => {
+    drags += 1;
+  });
+  slider.addEventListener('input', () => turn(Number(slider.value), `slider ${slider.dataset.slider} ${drags}`));
+}
+
+/** Up and down turn by a degree, with Shift by ten. @param {HTMLInputElement} number @param {(degrees: number) => void} turn */
+function listenToArrows(number, turn) {
+  number.addEventListener('keydown', (event) => {
+    if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
+      event.preventDefault();
+      takeTyped();
+      const step = (event.shiftKey ? 10 : 1) * (event.key === 'ArrowUp' ? 1 : -1);
+      turn(Math.round((Number(number.value) + step) * 1e4) / 1e4);
+    }
+  });
+}
+
+/** @param {Row} row @param {Body['joints'][number]} joint @param {number} degrees @param {boolean} isChosen */
+function drawRow({ line, slider, number }, { minDegrees, maxDegrees }, degrees, isChosen) {
+  slider.value = String(degrees);
+  showNumber(number, shownAngle(degrees));
+  line.classList.toggle('beyond', degrees < minDegrees || degrees > maxDegrees);
+  line.classList.toggle('chosen', isChosen);
 }
 
 /** @param {number} degrees @returns {string} as it is in the file, but between keyframes not longer than needed */

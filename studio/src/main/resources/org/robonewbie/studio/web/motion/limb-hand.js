@@ -29,7 +29,7 @@ export class LimbHand {
    * @param {MotionStage} stage
    * @param {object} editor
    * @param {() => {posture: readonly number[], torso: number[]} | undefined} editor.now what can be kneaded, if anything
-   * @param {(posture: number[], gesture: string, torso: number[]) => void} editor.pose
+   * @param {(posture: number[], from: Grip, torso: number[]) => void} editor.pose
    * @param {() => void} editor.released
    * @param {(link: number) => void} editor.over
    * @param {() => void} editor.changed the picture must be drawn again
@@ -58,26 +58,29 @@ export class LimbHand {
     }
     const now = this.editor.now();
     const hit = event.button === 0 && now ? this.#limbAt(event, now) : undefined;
-    this.view.stage.setPointerCapture(event.pointerId);
     const moves = event.button !== 0 || (event.shiftKey && !hit);
-    const plane = new THREE.Plane();
-    if (hit) {
-      const forward = this.view.camera.getWorldDirection(new THREE.Vector3());
-      plane.setFromNormalAndCoplanarPoint(forward, vector(hit.point));
-    }
+    this.view.stage.setPointerCapture(event.pointerId);
     this.grip = {
       action: hit ? 'knead' : moves ? 'move' : 'turn',
       x: event.clientX,
       y: event.clientY,
       link: hit?.link ?? -1,
       local: hit?.local ?? [0, 0, 0],
-      plane,
       from: hit?.point ?? [0, 0, 0],
-      posture: [...(now?.posture ?? [])],
-      reached: [...(now?.posture ?? [])],
-      torso: [...(now?.torso ?? [])],
+      plane: this.#planeThrough(hit?.point),
+      ...startOf(now),
       gesture: `drag ${++this.gestures}`,
     };
+  }
+
+  /** The plane in which a limb is dragged. @param {number[]} [point] */
+  #planeThrough(point) {
+    const plane = new THREE.Plane();
+    if (point) {
+      const forward = this.view.camera.getWorldDirection(new THREE.Vector3());
+      plane.setFromNormalAndCoplanarPoint(forward, vector(point));
+    }
+    return plane;
   }
 
   /** @param {PointerEvent} event */
@@ -140,7 +143,7 @@ export class LimbHand {
     if (grip.link === 0) {
       const way = target.map((value, axis) => value - grip.from[axis]);
       const moved = torsoMoved(body, grip.posture, grip.torso, way);
-      this.editor.pose(tenths(moved.posture, grip.posture), grip.gesture, moved.torso);
+      this.editor.pose(tenths(moved.posture, grip.posture), grip, moved.torso);
       return;
     }
     const { link, local } = grip;
@@ -150,7 +153,7 @@ export class LimbHand {
     const up = whole && isFoot ? rotated(posesOf(body, grip.posture, grip.torso), link, [0, 0, 1]) : undefined;
     const posture = followed(body, grip.reached, grip.torso, { link, local, target, up, joints });
     grip.reached = posture;
-    this.editor.pose(tenths(posture, grip.posture), grip.gesture, grip.torso);
+    this.editor.pose(tenths(posture, grip.posture), grip, grip.torso);
   }
 
   /**
@@ -189,6 +192,12 @@ export class LimbHand {
     const local = vector(point).applyMatrix4(new THREE.Matrix4().copy(matrixOf(poses, limb)).invert());
     return { link: limb, point, local: local.toArray() };
   }
+}
+
+/** @param {{posture: readonly number[], torso: number[]} | undefined} now */
+function startOf(now) {
+  const { posture = [], torso = [] } = now ?? {};
+  return { posture: [...posture], reached: [...posture], torso: [...torso] };
 }
 
 /**

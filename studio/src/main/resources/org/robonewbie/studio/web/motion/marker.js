@@ -27,7 +27,10 @@ export class Marker {
     this.support = new THREE.Mesh(new THREE.BufferGeometry(), flat(0.34));
     this.edge = new THREE.LineLoop(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
     this.centre = new THREE.Mesh(new THREE.SphereGeometry(0.012, 16, 12), solid());
-    this.plumb = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ depthTest: false, transparent: true }));
+    this.plumb = new THREE.Line(
+      new THREE.BufferGeometry(),
+      new THREE.LineBasicMaterial({ depthTest: false, transparent: true }),
+    );
     this.foot = new THREE.Mesh(new THREE.CircleGeometry(0.011, 20), flat(1));
     for (const part of [this.centre, this.plumb, this.foot]) {
       part.renderOrder = 4;
@@ -63,16 +66,28 @@ export class Marker {
     for (const part of [this.support, this.edge, this.centre, this.plumb, this.foot]) {
       /** @type {THREE.MeshBasicMaterial} */ (part.material).color.set(colour);
     }
-    const corners = balance.support.map(([a, b]) => new THREE.Vector3(a, b, OVER_GROUND));
-    const outline = balance.support.map(([a, b]) => new THREE.Vector2(a, b));
-    this.support.geometry.dispose();
-    this.support.geometry = new THREE.ShapeGeometry(new THREE.Shape(outline));
-    this.support.position.z = OVER_GROUND;
-    this.edge.geometry.dispose();
-    this.edge.geometry = new THREE.BufferGeometry().setFromPoints(corners);
+    this.#setSupport(balance.support);
     this.centre.position.set(x, y, z);
     this.plumb.geometry.setFromPoints([new THREE.Vector3(x, y, z), new THREE.Vector3(x, y, OVER_GROUND)]);
     this.foot.position.set(x, y, 2 * OVER_GROUND);
+  }
+
+  /** A robot in the air, or on an edge, has no polygon to stand on. @param {readonly number[][]} support */
+  #setSupport(support) {
+    const isArea = support.length >= 3;
+    this.support.visible = isArea;
+    this.edge.visible = isArea;
+    if (isArea) {
+      this.support.geometry.dispose();
+      this.support.geometry = new THREE.ShapeGeometry(
+        new THREE.Shape(support.map(([x, y]) => new THREE.Vector2(x, y))),
+      );
+      this.support.position.z = OVER_GROUND;
+      this.edge.geometry.dispose();
+      this.edge.geometry = new THREE.BufferGeometry().setFromPoints(
+        support.map(([x, y]) => new THREE.Vector3(x, y, OVER_GROUND)),
+      );
+    }
   }
 }
 

@@ -34,7 +34,10 @@ export class MotionFiles {
    */
   async read(shelf, name) {
     const answer = await this.#ask('GET', `${shelf}/${encodeURIComponent(name)}`);
-    return { document: decode(new Uint8Array(await answer.arrayBuffer())), version: answer.headers.get('Version') ?? '' };
+    return {
+      document: decode(new Uint8Array(await answer.arrayBuffer())),
+      version: answer.headers.get('Version') ?? '',
+    };
   }
 
   /**
@@ -44,7 +47,9 @@ export class MotionFiles {
    * @returns {Promise<string>} the new version
    */
   async write(name, document, known) {
-    const answer = await this.#ask('PUT', `motions/${encodeURIComponent(name)}`, encode(document), { 'Known-Version': known });
+    const answer = await this.#ask('PUT', `motions/${encodeURIComponent(name)}`, encode(document), {
+      'Known-Version': known,
+    });
     return answer.headers.get('Version') ?? '';
   }
 
@@ -85,7 +90,11 @@ export class MotionFiles {
    */
   async #ask(method, path, body, headers = {}) {
     const content = /** @type {BodyInit | undefined} */ (body);
-    const answer = await fetch(`api/${path}`, { method, body: content, headers: { ...headers, 'Studio-Token': this.token } });
+    const answer = await fetch(`api/${path}`, {
+      method,
+      body: content,
+      headers: { ...headers, 'Studio-Token': this.token },
+    });
     if (!answer.ok) {
       throw Object.assign(new Error(await answer.text()), { status: answer.status });
     }

@@ -3,16 +3,28 @@ import { button, byId, element } from '../panels/elements.js';
 import { balanceOf } from '../state/motion/balance.js';
 import { bodyOf, placed, posesOf, postureOfHinges } from '../state/motion/body.js';
 import { sideCopied, timed, turned } from '../state/motion/edits.js';
-import { atTime, framesOf, isOnKeyframe, posed, postureNow, selected, withKeyframeHere } from '../state/motion/editor-state.js';
+import {
+  atTime,
+  framesOf,
+  isOnKeyframe,
+  posed,
+  postureNow,
+  selected,
+  withKeyframeHere,
+} from '../state/motion/editor-state.js';
+import { mostTurned } from '../state/motion/posture.js';
 import { Editor } from './editor.js';
 import { filesPanel } from './files-panel.js';
 import { jointPanel } from './joint-panel.js';
 import { LimbHand } from './limb-hand.js';
 import { MotionFiles } from './motion-files.js';
 import { MotionStage } from './motion-stage.js';
+import { takeTyped } from './number-field.js';
 import { ordersOf } from './orders.js';
+import { stageOptions } from './stage-options.js';
 import { Timeline } from './timeline.js';
-import { toolbar, transportBar } from './toolbar.js';
+import { toolbar } from './toolbar.js';
+import { transportBar } from './transport-bar.js';
 
 const DISK_MILLISECONDS = 2000;
 
@@ -47,49 +59,73 @@ class MotionRoom {
     /** @type {number[] | undefined} the torso while a limb is dragged */
     this.heldTorso = undefined;
     this.editor = new Editor(body, files, { changed: () => this.touch(), note: surroundings.note });
+    this.run = (/** @type {Promise<unknown>} */ work) =>
+      void work.catch((error) => surroundings.note(problemText(error)));
+    this.orders = ordersOf(this.editor, this.run);
     const place = byId('motion-room');
-    const part = (/** @type {string} */ id, /** @type {string} */ label) => {
-      const made = element('section', { id, 'aria-label': label });
-      place.append(made);
-      return made;
-    };
-    const run = (/** @type {Promise<unknown>} */ work) => void work.catch((error) => surroundings.note(problemText(error)));
-    this.orders = ordersOf(this.editor, run);
-    const tools = part('motion-tools', 'Motion');
-    const fileList = part('motion-files', 'Motions and postures');
-    const picture = part('motion-stage', 'The robot; drag its limbs');
-    const joints = part('motion-joints', 'Joints');
-    const bar = part('motion-transport', 'Play and try');
-    const line = part('motion-timeline', 'Timeline. The left and right arrow keys choose a keyframe.');
-    this.stage = new MotionStage(picture, body, surroundings.quality);
-    picture.append(this.#options(), this.#conflict(run));
-    this.timeline = new Timeline(line, {
-      select: (index, extending) => this.editor.apply((state) => selected({ ...state, trial: undefined }, index, extending)),
-      scrub: (time) => this.editor.apply((state) => ({ ...atTime(state, time), playing: false })),
-      setTime: (index, millis, gesture) => this.editor.apply((state) => timed(state, index, millis, gesture)),
-    });
+    const parts = partsOf(place);
+    this.stage = new MotionStage(parts.picture, body, surroundings.quality);
+    parts.picture.append(this.#options(), this.#conflict());
+    this.timeline = this.#timeline(parts.line);
     this.draws = [
-      toolbar(tools, this.editor, this.orders),
-      filesPanel(fileList, this.editor, run, this.orders),
-      transportBar(bar, this.editor, this.orders, {
-        setTime: (millis) => Number.isFinite(millis) && this.editor.apply((state) => timed(state, state.last, millis)),
-        tryPhysically: (start) => run(this.editor.tryPhysically(start)),
-        takePosture: () => this.#takePosture(),
-        robotOfRun: () => surroundings.robotOfRun()?.name ?? '',
-      }),
+      toolbar(parts.tools, this.editor, this.orders),
+      filesPanel(parts.files, this.editor, this.run, this.orders),
+      this.#transport(parts.bar),
+      this.#joints(parts.joints),
     ];
-    const drawJoints = jointPanel(joints, body, {
-      turn: (joint, degrees, gesture) => this.editor.apply((state) => turned(state, joint, degrees, gesture)),
-      choose: (joint) => this.editor.apply((state) => ({ ...state, joint })),
-      copySide: (side) => this.editor.apply((state) => sideCopied(state, side)),
-      setSymmetric: (symmetric) => this.editor.apply((state) => ({ ...state, symmetric })),
+    this.hand = this.#hand();
+    new ResizeObserver(() => {
+      this.stage.resize();
+      this.touch();
+    }).observe(place);
+    setInterval(() => this.#lookAtDisk(place), DISK_MILLISECONDS);
+  }
+
+  /** @param {HTMLElement} place */
+  #timeline(place) {
+    const { editor } = this;
+    return new Timeline(place, {
+      select: (index, extending) => editor.apply((state) => selected({ ...state, trial: undefined }, index, extending)),
+      scrub: (time) => editor.apply((state) => ({ ...atTime(state, time), playing: false })),
+      setTime: (index, millis, gesture) => editor.apply((state) => timed(state, index, millis, gesture)),
     });
-    this.draws.push(() => drawJoints(this.editor.state));
-    this.hand = new LimbHand(this.stage, {
-      now: () => (this.editor.state.trial || this.editor.state.playing ? undefined : this.posedNow()),
-      pose: (posture, gesture, torso) => {
+  }
+
+  /** @param {HTMLElement} place */
+  #transport(place) {
+    const { editor, run, surroundings } = this;
+    return transportBar(place, editor, this.orders, {
+      setTime: (millis) => editor.apply((state) => timed(state, state.last, millis)),
+      note: surroundings.note,
+      tryPhysically: (start) => (takeTyped(), run(editor.tryPhysically(start))),
+      takePosture: () => this.#takePosture(),
+      robotOfRun: () => surroundings.robotOfRun()?.name ?? '',
+    });
+  }
+
+  /** @param {HTMLElement} place */
+  #joints(place) {
+    const { editor } = this;
+    const draw = jointPanel(place, this.body, {
+      turn: (joint, degrees, gesture) => editor.apply((state) => turned(state, joint, degrees, gesture)),
+      choose: (joint) => editor.apply((state) => ({ ...state, joint })),
+      note: this.surroundings.note,
+      copySide: (side) => editor.apply((state) => sideCopied(state, side)),
+      setSymmetric: (symmetric) => editor.apply((state) => ({ ...state, symmetric })),
+    });
+    return () => draw(editor.state);
+  }
+
+  #hand() {
+    const { editor } = this;
+    return new LimbHand(this.stage, {
+      now: () => (editor.state.trial || editor.state.playing ? undefined : this.posedNow()),
+      pose: (posture, from, torso) => {
         this.heldTorso = torso;
-        this.editor.apply((state) => posed(state, posture, 'Drag a limb', gesture));
+        editor.apply((state) => ({
+          ...posed(state, posture, 'Drag a limb', from.gesture),
+          joint: mostTurned(from.posture, posture, state.joint),
+        }));
       },
       released: () => {
         this.heldTorso = undefined;
@@ -101,15 +137,13 @@ class MotionRoom {
       },
       changed: () => this.touch(),
     });
-    new ResizeObserver(() => {
-      this.stage.resize();
-      this.touch();
-    }).observe(place);
-    setInterval(() => {
-      if (!place.hidden && !document.hidden && !this.hand.grip) {
-        this.editor.lookAtDisk().catch(() => {});
-      }
-    }, DISK_MILLISECONDS);
+  }
+
+  /** @param {HTMLElement} place */
+  #lookAtDisk(place) {
+    if (!place.hidden && !document.hidden && !this.hand.grip) {
+      this.editor.lookAtDisk().catch(() => {});
+    }
   }
 
   touch() {
@@ -124,7 +158,9 @@ class MotionRoom {
 
   /** What keys do here. */
   get deeds() {
-    return this.orders.filter(({ keys }) => keys.length > 0).map((order) => ({ ...order, text: order.hint || order.name.toLowerCase() }));
+    return this.orders
+      .filter(({ keys }) => keys.length > 0)
+      .map((order) => ({ ...order, text: order.hint || order.name.toLowerCase() }));
   }
 
   /**
@@ -158,14 +194,8 @@ class MotionRoom {
 
   #drawPicture() {
     const { state } = this.editor;
-    const { trial } = state;
-    if (trial) {
-      const index = Math.min(trial.frames.length - 1, Math.round(state.time / 1000 / trial.frameSeconds));
-      const torso = trial.frames[index].slice(0, 7);
-      this.stage.desk.view = { ...this.stage.desk.view, target: [torso[0], torso[1], 0.31] };
-      this.stage.show({ torso, hinges: trial.frames[index].slice(7) }, []);
-      this.stage.marker.setBalance(undefined);
-      this.stage.marker.frameLink(-1, new Float64Array());
+    if (state.trial) {
+      this.#drawTrial(state.trial, state.time);
       return;
     }
     const { posture, torso } = this.posedNow();
@@ -173,6 +203,16 @@ class MotionRoom {
     this.stage.show(this.stage.figure(posture, torso), this.#ghosts(torso));
     this.stage.marker.setBalance(balanceOf(this.body, poses));
     this.stage.marker.frameLink(state.playing ? -1 : this.over, poses);
+  }
+
+  /** @param {{frames: readonly number[][], frameSeconds: number}} trial @param {number} time milliseconds */
+  #drawTrial({ frames, frameSeconds }, time) {
+    const frame = frames[Math.min(frames.length - 1, Math.round(time / 1000 / frameSeconds))];
+    const torso = frame.slice(0, 7);
+    this.stage.desk.view = { ...this.stage.desk.view, target: [torso[0], torso[1], 0.31] };
+    this.stage.show({ torso, hinges: frame.slice(7) }, []);
+    this.stage.marker.setBalance(undefined);
+    this.stage.marker.frameLink(-1, new Float64Array());
   }
 
   /** The keyframes before and after, if they shall be seen. @param {number[]} torso */
@@ -190,22 +230,11 @@ class MotionRoom {
   }
 
   #options() {
-    const ghosts = element('input', { type: 'checkbox', id: 'ghosts', checked: '' });
-    ghosts.addEventListener('change', () => this.editor.apply((state) => ({ ...state, ghosts: ghosts.checked })));
-    const upright = element('input', { type: 'checkbox', id: 'upright' });
-    upright.addEventListener('change', () => this.editor.apply((state) => ({ ...state, manner: upright.checked ? 'upright' : 'soles' })));
-    const front = button('Front', 'Look from the front', () => this.#look(62, 12));
-    const side = button('Side', 'Look from the side', () => this.#look(0, 8));
-    const hint = element('p', { class: 'hint' }, 'Drag a limb · Shift: whole arm or leg follows · drag the torso: feet stay');
-    return element(
-      'div',
-      { class: 'stage-options' },
-      hint,
-      element('label', { class: 'check', title: 'Shows the keyframes before (blue) and after (orange)' }, ghosts, 'Ghosts'),
-      element('label', { class: 'check', title: 'Keeps the torso upright instead of laying the lower sole flat on the ground' }, upright, 'Torso upright'),
-      front,
-      side,
-    );
+    return stageOptions({
+      setGhosts: (ghosts) => this.editor.apply((state) => ({ ...state, ghosts })),
+      setUpright: (on) => this.editor.apply((state) => ({ ...state, manner: on ? 'upright' : 'soles' })),
+      look: (azimuthDegrees, elevationDegrees) => this.#look(azimuthDegrees, elevationDegrees),
+    });
   }
 
   /** @param {number} azimuthDegrees @param {number} elevationDegrees */
@@ -215,13 +244,17 @@ class MotionRoom {
     this.touch();
   }
 
-  /** @param {(work: Promise<unknown>) => void} run */
-  #conflict(run) {
-    const reload = button('Load theirs', 'Undo brings yours back', () => run(this.editor.reload()));
-    const mine = button('Keep mine', 'The next save replaces the file', () => this.editor.keepMine());
-    reload.id = 'load-theirs';
-    mine.id = 'keep-mine';
-    const panel = element('div', { id: 'disk-conflict', class: 'panel', role: 'alert' }, element('p', {}, 'Another program has changed this file, and so have you.'), reload, mine);
+  #conflict() {
+    const { editor, run } = this;
+    const reload = button('Load theirs', 'Undo brings yours back', () => run(editor.reload()), { id: 'load-theirs' });
+    const mine = button('Keep mine', 'The next save replaces the file', () => editor.keepMine(), { id: 'keep-mine' });
+    const panel = element(
+      'div',
+      { id: 'disk-conflict', class: 'panel', role: 'alert' },
+      element('p', {}, 'Another program has changed this file, and so have you.'),
+      reload,
+      mine,
+    );
     panel.hidden = true;
     return panel;
   }
@@ -230,12 +263,33 @@ class MotionRoom {
     const robot = this.surroundings.robotOfRun();
     if (robot) {
       const posture = postureOfHinges(this.body, robot.degrees);
-      this.editor.apply((state) => posed({ ...withKeyframeHere(state), symmetric: false }, posture, `Posture of ${robot.name}`));
+      this.editor.apply((state) =>
+        posed({ ...withKeyframeHere(state), symmetric: false }, posture, `Posture of ${robot.name}`),
+      );
     }
   }
 }
 
 /** @param {Error} error */
 function problemText(error) {
-  return error instanceof TypeError ? 'The studio does not answer. Your work stays in this page; save it when the simulator runs again.' : error.message;
+  return error instanceof TypeError
+    ? 'The studio does not answer. Your work stays in this page; save it when the simulator runs again.'
+    : error.message;
+}
+
+/** @param {HTMLElement} room */
+function partsOf(room) {
+  const part = (/** @type {string} */ id, /** @type {string} */ label) => {
+    const made = element('section', { id, 'aria-label': label });
+    room.append(made);
+    return made;
+  };
+  return {
+    tools: part('motion-tools', 'Motion'),
+    files: part('motion-files', 'Motions and postures'),
+    picture: part('motion-stage', 'The robot; drag its limbs'),
+    joints: part('motion-joints', 'Joints'),
+    bar: part('motion-transport', 'Play and try'),
+    line: part('motion-timeline', 'Timeline. The left and right arrow keys choose a keyframe.'),
+  };
 }

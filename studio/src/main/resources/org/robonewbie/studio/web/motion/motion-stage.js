@@ -65,7 +65,12 @@ export class MotionStage {
     const { ground, line } = FLOORS[theme];
     const plane = new THREE.Mesh(
       new THREE.CircleGeometry(8, 48),
-      new THREE.MeshBasicMaterial({ color: ground, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 }),
+      new THREE.MeshBasicMaterial({
+        color: ground,
+        polygonOffset: true,
+        polygonOffsetFactor: 2,
+        polygonOffsetUnits: 2,
+      }),
     );
     const grid = new THREE.GridHelper(2 * FLOOR_METRES, 20 * FLOOR_METRES, line, line);
     grid.rotation.x = Math.PI / 2;
@@ -115,7 +120,10 @@ export class MotionStage {
   rayAt(clientX, clientY) {
     const box = this.stage.getBoundingClientRect();
     const caster = new THREE.Raycaster();
-    const place = new THREE.Vector2((2 * (clientX - box.left)) / box.width - 1, 1 - (2 * (clientY - box.top)) / box.height);
+    const place = new THREE.Vector2(
+      (2 * (clientX - box.left)) / box.width - 1,
+      1 - (2 * (clientY - box.top)) / box.height,
+    );
     caster.setFromCamera(place, this.camera);
     return caster.ray;
   }
@@ -130,7 +138,13 @@ export class MotionStage {
   /** @param {number} count @param {THREE.Material} [material] */
   #crowd(count, material) {
     const crowd = new RobotCrowd(material);
-    crowd.setQuality({ ...this.quality, nearDetail: count === 1 ? 'fine' : 'coarse', farDetail: 'coarse', nearMetres: 100, mostNear: 22 });
+    crowd.setQuality({
+      ...this.quality,
+      nearDetail: count === 1 ? 'fine' : 'coarse',
+      farDetail: 'coarse',
+      nearMetres: 100,
+      mostNear: 22,
+    });
     const robots = Array.from({ length: count }, (_, id) => ({
       id,
       team: '',

@@ -1,13 +1,26 @@
 /** Everything that buttons and keys of the motion editor do, in one list. */
-import { deleted, duplicated, copied, mirroredMotion, mirroredSelection, pasted, reversedMotion, scaledMotion, shifted } from '../state/motion/edits.js';
+import {
+  deleted,
+  duplicated,
+  copied,
+  mirroredMotion,
+  mirroredSelection,
+  pasted,
+  reversedMotion,
+  scaledMotion,
+  shifted,
+} from '../state/motion/edits.js';
 import { framesOf, lengthOf, selected, withKeyframeHere, withRedo, withUndo } from '../state/motion/editor-state.js';
 import { keyframesOf } from '../state/motion/motion-document.js';
 import { parse } from '../state/motion/motion-text.js';
 import { readWebots, writeWebots } from '../state/motion/webots.js';
-import { ask, askFile, askName, offer } from './questions.js';
+import { offer } from '../panels/elements.js';
+import { takeTyped } from './number-field.js';
+import { ask, askFile, askName } from './questions.js';
 
 /**
  * @typedef {import('./editor.js').Editor} Editor
+ * @typedef {Parameters<Editor['apply']>[0]} Edit
  *
  * @typedef {object} Order
  * @property {string} id
@@ -25,41 +38,66 @@ import { ask, askFile, askName, offer } from './questions.js';
  * @returns {Order[]}
  */
 export function ordersOf(editor, run) {
-  const apply = (/** @type {Parameters<Editor['apply']>[0]} */ edit) => () => editor.apply(edit);
-  const copy = () => {
-    editor.clip = copied(editor.state);
-    editor.listener.note(`${editor.clip.length} ${editor.clip.length === 1 ? 'keyframe' : 'keyframes'} copied. Paste them into any motion.`);
-  };
-  const saveAs = async () => {
-    const name = await askName(editor.state.name || 'my-motion');
-    return name === undefined ? undefined : editor.save(name);
-  };
-  const step = (/** @type {number} */ by) => apply((state) => selected(state, state.last + by));
-  const play = apply((state) => {
-    const atEnd = state.time >= lengthOf(state) - 1 && !state.trial;
-    return { ...state, playing: !state.playing, time: atEnd && !state.playing ? 0 : state.time };
-  });
+  const orders = [
+    ...fileOrders(editor, run),
+    ...keyframeOrders(editor),
+    ...motionOrders(editor, run),
+    ...timeOrders(editor),
+  ];
+  return orders.map((each) => ({ ...each, act: () => (takeTyped(), each.act()) }));
+}
+
+/** @param {Editor} editor @param {(work: Promise<unknown>) => void} run @returns {Order[]} */
+function fileOrders(editor, run) {
+  const save = () => run(needsName(editor) ? saveAs(editor) : editor.save());
+  const send = () => offer(`${editor.state.name || 'motion'}.motion`, writeWebots(framesOf(editor.state)));
+  const importHint = 'Take over a motion of Webots (.motion) or another text file';
   return [
-    order('save', 'Save', 'Write the motion to its file', ['s'], 'Ctrl S', () => run(needsName(editor) ? saveAs() : editor.save()), true),
-    order('save-as', 'Save as…', 'Write the motion to another file', [], '', () => run(saveAs())),
-    order('undo', '↶ Undo', '', ['z'], 'Ctrl Z', apply(withUndo), true),
-    order('redo', '↷ Redo', '', ['y', 'Z'], 'Ctrl Y', apply(withRedo), true),
-    order('insert', '+ Keyframe', 'A new keyframe at the playhead', ['i', 'Insert'], 'I', apply((state) => withKeyframeHere(state))),
-    order('duplicate', 'Duplicate', 'The chosen keyframes once more', ['d'], 'D', apply(duplicated)),
-    order('delete', 'Delete', 'Remove the chosen keyframes', ['Delete', 'Backspace'], 'Del', apply(deleted)),
-    order('copy', 'Copy', 'Keep the chosen keyframes for any motion', ['c'], 'Ctrl C', copy, true),
-    order('paste', 'Paste', 'Put the copied keyframes in after the chosen one', ['v'], 'Ctrl V', apply((state) => pasted(state, editor.clip)), true),
-    order('earlier', '◂ Move', 'The chosen keyframes one place earlier', ['['], '[', apply((state) => shifted(state, -1))),
-    order('later', 'Move ▸', 'The chosen keyframes one place later', [']'], ']', apply((state) => shifted(state, 1))),
-    order('mirror', 'Mirror', 'Exchange left and right in the chosen keyframes', ['m'], 'M', apply(mirroredSelection)),
-    order('mirror-all', 'Mirror all', 'Exchange left and right in the whole motion', [], '', apply(mirroredMotion)),
-    order('reverse', 'Reverse', 'Play the motion backwards', [], '', apply(reversedMotion)),
+    ctrl('save', 'Save', 'Write the motion to its file', ['s'], save),
+    order('save-as', 'Save as…', 'Write the motion to another file', [], '', () => run(saveAs(editor))),
+    ctrl('undo', '↶ Undo', '', ['z'], () => editor.apply(withUndo)),
+    ctrl('redo', '↷ Redo', '', ['y', 'Z'], () => editor.apply(withRedo)),
+    order('import', 'Import…', importHint, [], '', () => run(importFile(editor))),
+    order('export', 'Export .motion', 'Give the motion to Webots', [], '', send),
+  ];
+}
+
+/** @param {Editor} editor @returns {Order[]} */
+function keyframeOrders(editor) {
+  const does = (/** @type {Edit} */ edit) => () => editor.apply(edit);
+  const insert = does((state) => withKeyframeHere(state));
+  const earlier = does((state) => shifted(state, -1));
+  const later = does((state) => shifted(state, 1));
+  const paste = does((state) => pasted(state, editor.clip));
+  return [
+    order('insert', '+ Keyframe', 'A new keyframe at the playhead', ['i', 'Insert'], 'I', insert),
+    order('duplicate', 'Duplicate', 'The chosen keyframes once more', ['d'], 'D', does(duplicated)),
+    order('delete', 'Delete', 'Remove the chosen keyframes', ['Delete', 'Backspace'], 'Del', does(deleted)),
+    ctrl('copy', 'Copy', 'Keep the chosen keyframes for any motion', ['c'], () => copy(editor)),
+    ctrl('paste', 'Paste', 'Put the copied keyframes in after the chosen one', ['v'], paste),
+    order('earlier', '◂ Move', 'The chosen keyframes one place earlier', ['['], '[', earlier),
+    order('later', 'Move ▸', 'The chosen keyframes one place later', [']'], ']', later),
+    order('mirror', 'Mirror', 'Exchange left and right in the chosen keyframes', ['m'], 'M', does(mirroredSelection)),
+  ];
+}
+
+/** @param {Editor} editor @param {(work: Promise<unknown>) => void} run @returns {Order[]} */
+function motionOrders(editor, run) {
+  const does = (/** @type {Edit} */ edit) => () => editor.apply(edit);
+  return [
+    order('mirror-all', 'Mirror all', 'Exchange left and right in the whole motion', [], '', does(mirroredMotion)),
+    order('reverse', 'Reverse', 'Play the motion backwards', [], '', does(reversedMotion)),
     order('scale', 'Tempo…', 'Make the whole motion slower or faster', [], '', () => run(scale(editor))),
-    order('play', 'Play', 'Show the motion', [' '], 'Space', play),
+  ];
+}
+
+/** @param {Editor} editor @returns {Order[]} */
+function timeOrders(editor) {
+  const step = (/** @type {number} */ by) => () => editor.apply((state) => selected(state, state.last + by));
+  return [
+    order('play', 'Play', 'Show the motion', [' '], 'Space', () => editor.apply(withPlayToggled)),
     order('previous', 'Previous keyframe', '', ['ArrowLeft'], '←', step(-1)),
     order('next', 'Next keyframe', '', ['ArrowRight'], '→', step(1)),
-    order('import', 'Import…', 'Take over a motion of Webots (.motion) or another text file', [], '', () => run(importFile(editor))),
-    order('export', 'Export .motion', 'Give the motion to Webots', [], '', () => offer(`${editor.state.name || 'motion'}.motion`, writeWebots(framesOf(editor.state)))),
   ];
 }
 
@@ -70,11 +108,41 @@ export function ordersOf(editor, run) {
  * @param {string[]} keys
  * @param {string} shown
  * @param {() => void} act
- * @param {boolean} [ctrl]
  * @returns {Order}
  */
-function order(id, name, hint, keys, shown, act, ctrl = false) {
-  return { id, name, hint, keys, shown, act, ctrl };
+function order(id, name, hint, keys, shown, act) {
+  return { id, name, hint, keys, shown, act, ctrl: false };
+}
+
+/**
+ * @param {string} id
+ * @param {string} name
+ * @param {string} hint
+ * @param {string[]} keys pressed together with Ctrl
+ * @param {() => void} act
+ * @returns {Order}
+ */
+function ctrl(id, name, hint, keys, act) {
+  return { ...order(id, name, hint, keys, `Ctrl ${keys[0].toUpperCase()}`, act), ctrl: true };
+}
+
+/** @param {import('../state/motion/editor-state.js').EditorState} state */
+function withPlayToggled(state) {
+  const atEnd = state.time >= lengthOf(state) - 1 && !state.trial;
+  return { ...state, playing: !state.playing, time: atEnd && !state.playing ? 0 : state.time };
+}
+
+/** @param {Editor} editor */
+function copy(editor) {
+  editor.clip = copied(editor.state);
+  const count = editor.clip.length;
+  editor.listener.note(`${count} ${count === 1 ? 'keyframe' : 'keyframes'} copied. Paste them into any motion.`);
+}
+
+/** @param {Editor} editor */
+async function saveAs(editor) {
+  const name = await askName(editor.state.name || 'my-motion');
+  return name === undefined ? undefined : editor.save(name);
 }
 
 /** A motion of the library is kept under a name that the person chooses. @param {Editor} editor */

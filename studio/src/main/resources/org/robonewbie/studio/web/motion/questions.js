@@ -66,10 +66,3 @@ export function askFile(/** @type {string} */ accept) {
     input.click();
   });
 }
-
-/** @param {string} name @param {string} content offers a file to be kept by the browser */
-export function offer(name, content) {
-  const address = URL.createObjectURL(new Blob([content], { type: 'text/plain' }));
-  element('a', { href: address, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(address), 10_000);
-}

@@ -27,6 +27,8 @@ export const MARK_KINDS = [
   { kind: 'balance', name: 'tips over' },
 ];
 
+const KEYFRAME_HINT = 'Drag to change the time, Shift-click to choose several.';
+
 export class Timeline {
   /**
    * @param {HTMLElement} place
@@ -113,11 +115,23 @@ export class Timeline {
     const times = timesOf(frames);
     const y = (/** @type {number} */ degrees) =>
       CURVE_TOP + (CURVE_HEIGHT * (joint.maxDegrees - degrees)) / (joint.maxDegrees - joint.minDegrees);
-    const points = frames.map(({ degrees }, i) => `${this.#x(times[i]).toFixed(1)},${y(degrees[state.joint]).toFixed(1)}`);
+    const points = frames.map(
+      ({ degrees }, i) => `${this.#x(times[i]).toFixed(1)},${y(degrees[state.joint]).toFixed(1)}`,
+    );
     return [
-      node('rect', { class: 'curve-range', x: String(SIDE), y: String(CURVE_TOP), width: String(Math.max(0, this.#x(lengthOf(state)) - SIDE)), height: String(CURVE_HEIGHT) }),
+      node('rect', {
+        class: 'curve-range',
+        x: String(SIDE),
+        y: String(CURVE_TOP),
+        width: String(Math.max(0, this.#x(lengthOf(state)) - SIDE)),
+        height: String(CURVE_HEIGHT),
+      }),
       node('polyline', { class: 'curve', points: points.join(' ') }),
-      text(shortJointName(joint.name), { class: 'curve-name', x: '4', y: String(CURVE_TOP + CURVE_HEIGHT - 3) }, `Angle of the ${jointName(joint.name)}`),
+      text(
+        shortJointName(joint.name),
+        { class: 'curve-name', x: '4', y: String(CURVE_TOP + CURVE_HEIGHT - 3) },
+        `Angle of the ${jointName(joint.name)}`,
+      ),
     ];
   }
 
@@ -159,28 +173,14 @@ export class Timeline {
     return frames.map((frame, i) => {
       const x = this.#x(times[i]);
       const isChosen = i >= from && i <= to;
-      const group = node('g', {
-        class: `keyframe${isChosen ? ' chosen' : ''}`,
-        transform: `translate(${x.toFixed(1)} 0)`,
-        'data-keyframe': String(i),
-        role: 'img',
-        'aria-label': `Keyframe ${i + 1} at ${secondsText(times[i])}`,
-      });
-      const hasRoom = x - lastFigure >= LEAST_GAP || isChosen;
-      group.append(node('rect', { class: 'card', x: '-15', y: String(RULER + 2), width: '30', height: '50', rx: '5' }));
-      if (hasRoom) {
-        lastFigure = x;
-        const figure = node('g', { class: 'figure', transform: `translate(0 ${FIGURE_GROUND})` });
-        const [headX, headY] = headOf(state.body, frame.degrees);
-        figure.append(
-          node('path', { d: stickFigure(state.body, frame.degrees) }),
-          node('circle', { cx: String(headX), cy: String(headY), r: '3.4' }),
-        );
-        group.append(figure);
-      }
+      const hasFigure = x - lastFigure >= LEAST_GAP || isChosen;
+      lastFigure = hasFigure ? x : lastFigure;
+      const group = keyframeGroup(x, i, times[i], isChosen);
       group.append(
+        node('rect', { class: 'card', x: '-15', y: String(RULER + 2), width: '30', height: '50', rx: '5' }),
+        ...(hasFigure ? [figureOf(state.body, frame.degrees)] : []),
         node('path', { class: 'diamond', d: `M0 ${CURVE_TOP - 6}l6 6l-6 6l-6-6z` }),
-        title(`Keyframe ${i + 1}, ${frame.millis} ms after the one before. Drag to change the time, Shift-click to choose several.`),
+        title(`Keyframe ${i + 1}, ${frame.millis} ms after the one before. ${KEYFRAME_HINT}`),
       );
       return group;
     });
@@ -245,4 +245,26 @@ function title(content) {
   const made = node('title', {});
   made.textContent = content;
   return made;
+}
+
+/** @param {number} x @param {number} index @param {number} time milliseconds @param {boolean} isChosen */
+function keyframeGroup(x, index, time, isChosen) {
+  return node('g', {
+    class: `keyframe${isChosen ? ' chosen' : ''}`,
+    transform: `translate(${x.toFixed(1)} 0)`,
+    'data-keyframe': String(index),
+    role: 'img',
+    'aria-label': `Keyframe ${index + 1} at ${secondsText(time)}`,
+  });
+}
+
+/** @param {EditorState['body']} body @param {readonly number[]} degrees */
+function figureOf(body, degrees) {
+  const figure = node('g', { class: 'figure', transform: `translate(0 ${FIGURE_GROUND})` });
+  const [x, y] = headOf(body, degrees);
+  figure.append(
+    node('path', { d: stickFigure(body, degrees) }),
+    node('circle', { cx: String(x), cy: String(y), r: '3.4' }),
+  );
+  return figure;
 }

@@ -1,6 +1,6 @@
 /** Exercises: choose one, let a program try it, and see live how it is judged. */
 import { hints, lessonLine, progressText, trialText, usualProgram } from '../state/course.js';
-import { button, byId, element, setText } from './elements.js';
+import { button, byId, element, setEntries, setText } from './elements.js';
 
 /**
  * @typedef {import('../state/course.js').Lesson} Lesson
@@ -10,6 +10,7 @@ import { button, byId, element, setText } from './elements.js';
 const PLACE = '#field/exercises';
 const LOOK_MILLISECONDS = 400;
 const TRIALS = ['1', '3', '10'];
+const USUAL_TRIALS = '3';
 
 export class CoursePanel {
   #token;
@@ -92,9 +93,11 @@ export class CoursePanel {
     const lesson = this.#chosen;
     if (lesson) {
       const { program, write } = this.#parts;
-      const own = element('option', { value: '' }, 'An agent that I start myself');
       const before = program.value;
-      program.replaceChildren(...programs.map((/** @type {string} */ name) => element('option', { value: name }, name)), own);
+      setEntries(program, [
+        ...programs.map((/** @type {string} */ name) => /** @type {const} */ ([name, name])),
+        ['', 'An agent that I start myself'],
+      ]);
       program.value = usualProgram(lesson, programs) || (programs.includes(before) ? before : '');
       setText(write, `Write ${lesson.file}`);
       write.hidden = programs.includes(lesson.file);
@@ -148,7 +151,9 @@ export class CoursePanel {
     setText(stop, attempt.state === 'OVER' ? 'Back to the free pitch' : 'Stop');
     setText(progress, progressText(attempt));
     progress.dataset.state = attempt.state === 'OVER' && attempt.passed ? 'passed' : attempt.state.toLowerCase();
-    judged.replaceChildren(...attempt.judged.map((trial) => element('li', { 'data-passed': String(trial.passed) }, trialText(trial))));
+    judged.replaceChildren(
+      ...attempt.judged.map((trial) => element('li', { 'data-passed': String(trial.passed) }, trialText(trial))),
+    );
     advice.replaceChildren(...hints(attempt).map((hint) => element('p', {}, `Hint: ${hint}`)));
     setText(printed, attempt.output);
     output.hidden = attempt.output === '';
@@ -171,40 +176,58 @@ export class CoursePanel {
 
 /** The parts of the panel. */
 function parts() {
-  const made = {
+  const made = { ...words(), ...controls(), ...verdicts() };
+  const { program, trials, start, stop, write } = made;
+  made.output.append(made.printed);
+  const detail = element(
+    'div',
+    { class: 'lesson' },
+    ...[made.back, made.title, made.line, made.goal, element('p', {}, made.worksheet)],
+    element('div', { class: 'scene-line' }, program, trials),
+    element('div', { class: 'scene-line' }, start, stop, write),
+    ...[made.progress, made.judged, made.advice, made.output],
+  );
+  return { ...made, detail };
+}
+
+/** What is to be read about an exercise. */
+function words() {
+  return {
     list: element('ol', { class: 'lessons' }),
     back: element('button', { type: 'button', class: 'quiet', title: 'Shows all exercises' }, '← All exercises'),
     title: element('h3', {}),
     line: element('p', { class: 'faint' }),
     goal: element('p', {}),
     worksheet: element('a', { target: 'robonewbie-docs' }, 'Worksheet'),
+  };
+}
+
+/** What starts and stops an attempt. */
+function controls() {
+  const control = (/** @type {string} */ id, /** @type {string} */ title, text = '') =>
+    element('button', { type: 'button', id, title }, text);
+  const trials = element('select', { id: 'course-trials', 'aria-label': 'Trials' });
+  setEntries(
+    trials,
+    TRIALS.map((count) => [count, count === '1' ? '1 trial' : `${count} trials`]),
+  );
+  trials.value = USUAL_TRIALS;
+  return {
     program: element('select', { id: 'course-program', 'aria-label': 'Program that solves it' }),
-    trials: element('select', { id: 'course-trials', 'aria-label': 'Trials' }),
-    write: element('button', { type: 'button', id: 'course-write', title: 'Writes the program to begin with into the working folder' }),
-    start: element('button', { type: 'button', id: 'course-start', title: 'Tries the program on this pitch' }, 'Start'),
-    stop: element('button', { type: 'button', id: 'course-stop', title: 'Ends the attempt and shows the free pitch' }, 'Stop'),
+    trials,
+    write: control('course-write', 'Writes the program to begin with into the working folder'),
+    start: control('course-start', 'Tries the program on this pitch', 'Start'),
+    stop: control('course-stop', 'Ends the attempt and shows the free pitch', 'Stop'),
+  };
+}
+
+/** What came out. */
+function verdicts() {
+  return {
     progress: element('p', { id: 'course-progress', role: 'status' }),
     judged: element('ul', { id: 'course-judged' }),
     advice: element('div', { id: 'course-hints' }),
     printed: element('pre', {}),
     output: element('details', { id: 'course-output' }, element('summary', {}, 'What the program printed')),
-    detail: element('div', { class: 'lesson' }),
   };
-  made.trials.append(...TRIALS.map((count) => element('option', { value: count }, count === '1' ? '1 trial' : `${count} trials`)));
-  made.trials.value = '3';
-  made.output.append(made.printed);
-  made.detail.append(
-    made.back,
-    made.title,
-    made.line,
-    made.goal,
-    element('p', {}, made.worksheet),
-    element('div', { class: 'scene-line' }, made.program, made.trials),
-    element('div', { class: 'scene-line' }, made.start, made.stop, made.write),
-    made.progress,
-    made.judged,
-    made.advice,
-    made.output,
-  );
-  return made;
 }

@@ -21,7 +21,7 @@ import { byId, element } from './elements.js';
  * @param {(command: object) => void} send
  * @returns {Deed[]}
  */
-export function deeds(desk, time, send) {
+export function fieldDeeds(desk, time, send) {
   return [
     { keys: [' '], shown: 'Space', text: 'pause or play', act: time.toggle },
     { keys: ['.'], shown: '.', text: 'one cycle (20 ms)', act: () => time.step(1) },
@@ -48,6 +48,9 @@ export function deeds(desk, time, send) {
   ];
 }
 
+/** With Ctrl, these go to the motion even while an angle is typed: it is the motion that is saved and undone. */
+const FOR_DOCUMENT = ['s', 'z', 'y'];
+
 /** What the mouse does on the pitch. */
 export const FIELD_MOUSE = [
   ['Drag the ground', 'turn the view'],
@@ -70,22 +73,48 @@ export function listenToKeys(current) {
   };
   byId('help-button').addEventListener('click', explain);
   document.addEventListener('keydown', (event) => {
-    const target = /** @type {HTMLElement} */ (event.target);
-    const ctrl = event.ctrlKey || event.metaKey;
-    const typing = ['SELECT', 'INPUT', 'TEXTAREA'].includes(target.tagName) && /** @type {HTMLInputElement} */ (target).type !== 'range';
-    const pressing = ['BUTTON', 'A', 'SUMMARY'].includes(target.tagName) && event.key === ' ';
-    if ((typing && !(ctrl && event.key === 's')) || pressing || event.altKey || document.querySelector('dialog[open]')) {
-      return;
-    }
-    if (event.key === '?') {
-      explain();
-    }
-    const deed = current().deeds.find((each) => each.keys.includes(event.key) && Boolean(each.ctrl) === ctrl);
-    if (deed) {
-      event.preventDefault();
-      deed.act();
+    if (isForPage(event)) {
+      if (event.key === '?') {
+        explain();
+      }
+      const deed = current().deeds.find((each) => isAskedBy(each, event));
+      if (deed) {
+        event.preventDefault();
+        deed.act();
+      }
     }
   });
+}
+
+/** @param {KeyboardEvent} event @returns {boolean} whether a key goes to the page and not to a field, a button or a dialog */
+function isForPage(event) {
+  const target = /** @type {HTMLElement} */ (event.target);
+  const pressing = ['BUTTON', 'A', 'SUMMARY'].includes(target.tagName) && event.key === ' ';
+  const forDocument = hasCtrl(event) && FOR_DOCUMENT.includes(keyOf(event).toLowerCase());
+  const isElsewhere = !isTyping(target) || (forDocument && target.closest('#motion-room') !== null);
+  return isElsewhere && !pressing && !event.altKey && !document.querySelector('dialog[open]');
+}
+
+/** @param {HTMLElement} target @returns {boolean} whether keys write something there */
+export function isTyping(target) {
+  const isField = ['SELECT', 'INPUT', 'TEXTAREA'].includes(target.tagName);
+  return isField && /** @type {HTMLInputElement} */ (target).type !== 'range';
+}
+
+/** @param {Deed} deed @param {KeyboardEvent} event */
+function isAskedBy(deed, event) {
+  return deed.keys.includes(keyOf(event)) && Boolean(deed.ctrl) === hasCtrl(event);
+}
+
+/** The key as it is without Caps Lock: a capital letter only together with Shift. @param {KeyboardEvent} event */
+function keyOf({ key, shiftKey }) {
+  const isLetter = key.length === 1;
+  return isLetter && shiftKey ? key.toUpperCase() : isLetter ? key.toLowerCase() : key;
+}
+
+/** @param {KeyboardEvent} event */
+function hasCtrl(event) {
+  return event.ctrlKey || event.metaKey;
 }
 
 /**
@@ -99,7 +128,13 @@ function fillHelp(help, { deeds, mouse }) {
   close.addEventListener('click', () => help.close());
   help.replaceChildren(
     element('h2', {}, 'Keys and mouse'),
-    element('dl', {}, ...deeds.map((deed) => row(deed.shown, deed.text)), ...mouse.map(([key, text]) => row(key, text)), row('?', 'this list')),
+    element(
+      'dl',
+      {},
+      ...deeds.map((deed) => row(deed.shown, deed.text)),
+      ...mouse.map(([key, text]) => row(key, text)),
+      row('?', 'this list'),
+    ),
     close,
   );
 }

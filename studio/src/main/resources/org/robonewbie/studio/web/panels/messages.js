@@ -47,3 +47,10 @@ export function notes() {
     }, NOTE_MILLISECONDS);
   };
 }
+
+/** Says so when a script of this page fails. @param {(text: string) => void} note */
+export function reportMistakes(note) {
+  const report = (/** @type {unknown} */ what) => note(`This page has met an error: ${what}. Load it again.`);
+  window.addEventListener('error', (event) => report(event.message));
+  window.addEventListener('unhandledrejection', (event) => report(event.reason));
+}

@@ -1,5 +1,6 @@
 /** A robot in one's own hands before a line of code is written: keys let it walk and kick, sliders move its joints. */
 import { PUPPET_KEYS, puppetKey, turned, walkOf } from '../state/puppet.js';
+import { isTyping } from './keys.js';
 import { button, byId, element, setText } from './elements.js';
 
 /**
@@ -27,9 +28,17 @@ export class PuppetPanel {
     this.add.id = 'add-puppet';
     this.away = button('Take away', 'Takes this puppet off the pitch', () => this.#order({ do: 'removePuppet' }));
     this.away.id = 'remove-puppet';
-    this.stand = button('Stand', 'Lets all joints go and stands', () => this.#order({ do: 'perform', motion: 'stand' }));
+    this.stand = button('Stand', 'Lets all joints go and stands', () =>
+      this.#order({ do: 'perform', motion: 'stand' }),
+    );
     this.hint = element('p', { class: 'faint' });
-    this.keys = element('dl', { class: 'puppet-keys' }, ...PUPPET_KEYS.map(({ shown, text }) => element('div', {}, element('dt', {}, element('kbd', {}, shown)), element('dd', {}, text))));
+    this.keys = element(
+      'dl',
+      { class: 'puppet-keys' },
+      ...PUPPET_KEYS.map(({ shown, text }) =>
+        element('div', {}, element('dt', {}, element('kbd', {}, shown)), element('dd', {}, text)),
+      ),
+    );
     this.sliders = element('div', { class: 'puppet-joints' });
     /** @type {HTMLInputElement[]} */
     this.inputs = [];
@@ -58,7 +67,14 @@ export class PuppetPanel {
     this.#chooseNew(scene.robots);
     const { player } = this;
     const others = scene.robots.some(({ puppet }) => puppet);
-    setText(this.hint, player ? `You steer ${player.team} ${player.number}: W A S D, F and G kick.` : others ? 'Click a puppet to steer it.' : 'Walk, kick and move joints without any code.');
+    setText(
+      this.hint,
+      player
+        ? `You steer ${player.team} ${player.number}: W A S D, F and G kick.`
+        : others
+          ? 'Click a puppet to steer it.'
+          : 'Walk, kick and move joints without any code.',
+    );
     for (const part of [this.tools, this.help, this.joints]) {
       part.hidden = !player;
     }
@@ -91,18 +107,20 @@ export class PuppetPanel {
 
   /** @param {KeyboardEvent} event */
   #press(event) {
-    const target = /** @type {HTMLElement} */ (event.target);
-    const typing = ['SELECT', 'TEXTAREA'].includes(target.tagName) || (target.tagName === 'INPUT' && /** @type {HTMLInputElement} */ (target).type !== 'range');
     const known = puppetKey(event.key);
-    if (!known || !this.player || !this.world.isHere() || typing || event.ctrlKey || event.metaKey || event.altKey || document.querySelector('dialog[open]')) {
-      return;
+    if (known && this.player && this.world.isHere() && isPlain(event)) {
+      event.preventDefault();
+      event.stopPropagation();
+      this.#obey(known, event.repeat);
     }
-    event.preventDefault();
-    event.stopPropagation();
+  }
+
+  /** @param {NonNullable<ReturnType<typeof puppetKey>>} known @param {boolean} isRepeated */
+  #obey(known, isRepeated) {
     if (known.walk && !this.held.has(known.key)) {
       this.held.add(known.key);
       this.#order({ do: 'walk', ...walkOf(this.held) });
-    } else if (known.motion && !event.repeat) {
+    } else if (known.motion && !isRepeated) {
       this.#order({ do: 'perform', motion: known.motion });
     } else if (known.look) {
       this.gaze = turned(this.gaze, known.look);
@@ -129,7 +147,15 @@ export class PuppetPanel {
     if (this.inputs.length !== hinges.length) {
       this.inputs = hinges.map((hinge) => this.#slider(hinge));
       this.sliders.replaceChildren(
-        ...hinges.map((hinge, i) => element('label', {}, element('span', {}, hinge.joint.toLowerCase().replaceAll('_', ' ')), this.inputs[i], element('output'))),
+        ...hinges.map((hinge, i) =>
+          element(
+            'label',
+            {},
+            element('span', {}, hinge.joint.toLowerCase().replaceAll('_', ' ')),
+            this.inputs[i],
+            element('output'),
+          ),
+        ),
       );
     }
     this.inputs.forEach((input, i) => {
@@ -142,9 +168,23 @@ export class PuppetPanel {
 
   /** @param {import('../state/kinematics.js').RobotModel['hinges'][number]} hinge */
   #slider({ joint, minDegrees, maxDegrees }) {
-    const input = element('input', { type: 'range', min: String(minDegrees), max: String(maxDegrees), step: '1', 'data-joint': joint });
+    const input = element('input', {
+      type: 'range',
+      min: String(minDegrees),
+      max: String(maxDegrees),
+      step: '1',
+      'data-joint': joint,
+    });
     input.addEventListener('input', () => this.#order({ do: 'hold', joint, degrees: Number(input.value) }));
     input.addEventListener('pointerup', () => input.blur());
     return input;
   }
+}
+
+/** @param {KeyboardEvent} event @returns {boolean} whether a key is pressed by itself, and not into a field or a dialog */
+function isPlain(event) {
+  const hasModifier = event.ctrlKey || event.metaKey || event.altKey;
+  return (
+    !hasModifier && !isTyping(/** @type {HTMLElement} */ (event.target)) && !document.querySelector('dialog[open]')
+  );
 }

@@ -1,5 +1,7 @@
 /** Opens the rooms when one enters them first, so that nobody waits for a room that is not needed. */
 
+import { element } from './elements.js';
+
 /**
  * @typedef {import('./rooms.js').RoomName} RoomName
  * @typedef {{deeds: import('./keys.js').Deed[], mouse: string[][]}} Keys
@@ -25,6 +27,9 @@ const REPLAY_MOUSE = [
   ['Drag the ground', 'turn the view'],
   ['Click a robot', 'follow it'],
 ];
+
+const MOTION_STYLES = ['motion.css', 'motion-timeline.css'];
+const ROBOT_STYLES = ['vendor/uplot/uplot.min.css', 'robot.css', 'robot-sheets.css'];
 
 export class RoomDesk {
   /**
@@ -59,7 +64,9 @@ export class RoomDesk {
     }
     this.opening.add(room);
     try {
-      await { motion: () => this.#openMotion(), replay: () => this.#openReplay(), robot: () => this.#openRobot() }[room]();
+      await { motion: () => this.#openMotion(), replay: () => this.#openReplay(), robot: () => this.#openRobot() }[
+        room
+      ]();
     } catch (error) {
       this.surroundings.note(`This room cannot open: ${/** @type {Error} */ (error).message}`);
     }
@@ -78,7 +85,7 @@ export class RoomDesk {
   }
 
   async #openMotion() {
-    const { openMotionRoom } = await import('../motion/motion-room.js');
+    const [{ openMotionRoom }] = await Promise.all([import('../motion/motion-room.js'), loadStyles(MOTION_STYLES)]);
     const { quality, ...others } = this.surroundings;
     const wanted = decodeURIComponent(location.hash.split('/')[1] ?? '') || undefined;
     this.motion = await openMotionRoom({ ...others, quality: quality(), wanted });
@@ -86,7 +93,7 @@ export class RoomDesk {
   }
 
   async #openRobot() {
-    const { openRobotRoom } = await import('../robot/robot-room.js');
+    const [{ openRobotRoom }] = await Promise.all([import('../robot/robot-room.js'), loadStyles(ROBOT_STYLES)]);
     this.robot = openRobotRoom(this.surroundings);
   }
 
@@ -94,4 +101,17 @@ export class RoomDesk {
     const { openReplayRoom } = await import('../replay/replay-room.js');
     this.replay = await openReplayRoom(this.surroundings);
   }
+}
+
+/** Loads the style sheets of a room, in their order. @param {readonly string[]} sheets */
+function loadStyles(sheets) {
+  const loads = sheets.map((href) => {
+    const link = element('link', { rel: 'stylesheet', href });
+    document.head.append(link);
+    return new Promise((done, failed) => {
+      link.addEventListener('load', done);
+      link.addEventListener('error', () => failed(new Error(`${href} is missing. Load the page again.`)));
+    });
+  });
+  return Promise.all(loads);
 }

@@ -17,7 +17,9 @@ const ROOMS = [
  * @returns {() => RoomName} the room that one is in
  */
 export function roomsPanel(entered) {
-  const links = ROOMS.map(({ room, name, hint, part = '' }) => element('a', { href: `#${room}${part}`, title: hint, ...(part && { hidden: '' }) }, name));
+  const links = ROOMS.map(({ room, name, hint, part = '' }) =>
+    element('a', { href: `#${room}${part}`, title: hint, ...(part && { hidden: '' }) }, name),
+  );
   byId('rooms').append(...links);
   const current = () => ROOMS.find(({ room }) => location.hash.split('/')[0] === `#${room}`)?.room ?? 'field';
   const show = () => {

@@ -1,5 +1,5 @@
 /** Scenes: the present state is kept under a name, and one can go back to it as often as one likes. */
-import { button, byId, element } from './elements.js';
+import { button, byId, element, setEntries } from './elements.js';
 
 /** @param {string} token @param {string} path @param {RequestInit} [options] */
 async function ask(token, path, options = {}) {
@@ -11,11 +11,22 @@ async function ask(token, path, options = {}) {
 }
 
 /**
+ * How much of what was kept has come back.
+ *
+ * @param {{exact: boolean}} restored
+ */
+export function restoredText({ exact }) {
+  const world = exact ? 'The world is exactly as it was.' : 'The world is nearly as it was: speeds are estimated.';
+  return `${world} Agents are not restored: they keep what they remember.`;
+}
+
+/**
  * Lets the simulation go on from a moment of a recording.
  *
  * @param {string} token
  * @param {string} recording
  * @param {number} moment
+ * @returns {Promise<{exact: boolean}>}
  */
 export function startFrom(token, recording, moment) {
   return ask(token, `start/${encodeURIComponent(recording)}?moment=${moment}`, { method: 'POST' });
@@ -28,80 +39,139 @@ export function startFrom(token, recording, moment) {
  * @returns {(state: import('../state/studio-state.js').StudioState) => void} draws the scenes
  */
 export function scenePanel(token, note, goLive) {
-  const name = element('input', { id: 'scene-name', placeholder: 'Name', 'aria-label': 'Name of the scene', maxlength: '60' });
-  const list = element('select', { id: 'scene-list', 'aria-label': 'Saved scenes' });
+  const panel = new ScenePanel(token, note, goLive);
+  return ({ scene, frame }) => panel.show(scene !== undefined && frame !== undefined && scene.clock !== false);
+}
+
+class ScenePanel {
+  /** Deeds are done one after the other, however fast one clicks. @type {Promise<void>} */
+  #last = Promise.resolve();
   /** What would undo each change, the newest last. @type {Array<() => Promise<void>>} */
-  const undoing = [];
-  const refresh = async (/** @type {string} */ chosen = list.value) => {
-    const { scenes } = await ask(token, 'scenes');
-    list.replaceChildren(...scenes.map((/** @type {string} */ each) => element('option', { value: each }, each)));
-    list.value = scenes.includes(chosen) ? chosen : (scenes[0] ?? '');
-    for (const control of [list, back, rename, remove]) {
+  #undoing = [];
+  #hasAsked = false;
+
+  /** @param {string} token @param {(text: string) => void} note @param {() => void} goLive */
+  constructor(token, note, goLive) {
+    this.token = token;
+    this.note = note;
+    this.goLive = goLive;
+    const words = { placeholder: 'Name', 'aria-label': 'Name of the scene', maxlength: '60' };
+    this.name = element('input', { id: 'scene-name', ...words });
+    this.list = element('select', { id: 'scene-list', 'aria-label': 'Saved scenes' });
+    this.place = byId('scenes');
+    const save = this.#control('scene-save', 'Save', 'Keeps ball, robots, score and time as they are now', () =>
+      this.#save(),
+    );
+    this.back = this.#control(
+      'scene-restore',
+      'Go back to it',
+      'Puts everything where it was, with the clock stopped',
+      () => this.#restore(),
+    );
+    this.rename = this.#control('scene-rename', 'Rename', 'Gives the chosen scene the name that is written above', () =>
+      this.#rename(),
+    );
+    this.remove = this.#control('scene-remove', 'Delete', 'Takes the chosen scene away; Undo brings it back', () =>
+      this.#remove(),
+    );
+    this.undo = this.#control('scene-undo', 'Undo', 'Takes the last rename or deletion back', () => this.#undo());
+    this.place.append(
+      element('h2', {}, 'Scenes'),
+      element('div', { class: 'scene-line' }, this.name, save),
+      element('div', { class: 'scene-line' }, this.list, this.back),
+      element('div', { class: 'scene-line' }, this.rename, this.remove, this.undo),
+    );
+  }
+
+  /** @param {boolean} isPossible */
+  show(isPossible) {
+    this.place.hidden = !isPossible;
+    if (isPossible && !this.#hasAsked) {
+      this.#hasAsked = true;
+      this.#refresh().catch(() => {});
+    }
+  }
+
+  /** @param {string} id @param {string} title @param {string} hint @param {() => Promise<void>} deed */
+  #control(id, title, hint, deed) {
+    const act = () => {
+      this.#last = this.#last.then(deed).catch((error) => this.note(error.message));
+    };
+    return button(title, hint, act, { id });
+  }
+
+  async #refresh(chosen = this.list.value) {
+    /** @type {{scenes: string[]}} */
+    const { scenes } = await ask(this.token, 'scenes');
+    setEntries(
+      this.list,
+      scenes.map((each) => [each, each]),
+    );
+    this.list.value = scenes.includes(chosen) ? chosen : (scenes[0] ?? '');
+    for (const control of [this.list, this.back, this.rename, this.remove]) {
       control.disabled = scenes.length === 0;
     }
-    undo.disabled = undoing.length === 0;
-  };
-  /** Deeds are done one after the other, however fast one clicks. @type {Promise<void>} */
-  let last = Promise.resolve();
-  /** @param {string} id @param {string} title @param {string} hint @param {() => Promise<void>} deed */
-  const control = (id, title, hint, deed) => {
-    const made = button(title, hint, () => {
-      last = last.then(deed).catch((error) => note(error.message));
-    });
-    made.id = id;
-    return made;
-  };
-  const put = (/** @type {string} */ scene, /** @type {string} */ how = '') => ask(token, `scenes/${encodeURIComponent(scene)}${how}`, { method: 'PUT' });
-  const renamed = async (/** @type {string} */ from, /** @type {string} */ to) => {
-    await put(to, `?was=${encodeURIComponent(from)}`);
-    await refresh(to);
-  };
-  /** Empties the field, unless another name was written meanwhile. @param {string} used */
-  const forgetName = (used) => {
-    name.value = name.value.trim() === used ? '' : name.value;
-  };
-  const save = control('scene-save', 'Save', 'Keeps ball, robots, score and time as they are now', async () => {
-    const chosen = name.value.trim() || `Scene ${list.options.length + 1}`;
-    await put(chosen);
-    await refresh(chosen);
-    forgetName(chosen);
-    note(`Scene "${chosen}" is saved.`);
-  });
-  const back = control('scene-restore', 'Go back to it', 'Puts everything where it was, with the clock stopped', async () => {
-    await ask(token, `scenes/${encodeURIComponent(list.value)}`, { method: 'POST' });
-    goLive();
-  });
-  const rename = control('scene-rename', 'Rename', 'Gives the chosen scene the name that is written above', async () => {
-    const [from, to] = [list.value, name.value.trim()];
+    this.undo.disabled = this.#undoing.length === 0;
+  }
+
+  async #save() {
+    const chosen = this.name.value.trim() || `Scene ${this.list.options.length + 1}`;
+    await this.#put(chosen);
+    await this.#refresh(chosen);
+    this.#forgetName(chosen);
+    this.note(`Scene "${chosen}" is saved.`);
+  }
+
+  async #restore() {
+    const restored = await this.#ask(this.list.value, '', 'POST');
+    this.goLive();
+    this.note(restoredText(restored));
+  }
+
+  async #rename() {
+    const [from, to] = [this.list.value, this.name.value.trim()];
     if (to === '') {
-      name.focus();
+      this.name.focus();
       throw new Error('Write the new name first, in the field above.');
     }
-    undoing.push(() => renamed(to, from));
-    await renamed(from, to).catch((error) => (undoing.pop(), Promise.reject(error)));
-    forgetName(to);
-  });
-  const remove = control('scene-remove', 'Delete', 'Takes the chosen scene away; Undo brings it back', async () => {
-    const scene = list.value;
-    await ask(token, `scenes/${encodeURIComponent(scene)}`, { method: 'DELETE' });
-    undoing.push(() => put(scene, '?removed=yes').then(() => refresh(scene)));
-    await refresh();
-    note(`Scene "${scene}" is deleted. Undo brings it back.`);
-  });
-  const undo = control('scene-undo', 'Undo', 'Takes the last rename or deletion back', async () => {
-    await undoing.at(-1)?.();
-    undoing.pop();
-    await refresh();
-  });
-  const panel = byId('scenes');
-  const line = (/** @type {HTMLElement[]} */ ...parts) => element('div', { class: 'scene-line' }, ...parts);
-  panel.append(element('h2', {}, 'Scenes'), line(name, save), line(list, back), line(rename, remove, undo));
-  let asked = false;
-  return ({ scene, frame }) => {
-    panel.hidden = !scene || !frame || scene.clock === false;
-    if (!panel.hidden && !asked) {
-      asked = true;
-      refresh().catch(() => {});
-    }
-  };
+    await this.#renameTo(from, to);
+    this.#undoing.push(() => this.#renameTo(to, from));
+    this.undo.disabled = false;
+    this.#forgetName(to);
+  }
+
+  /** @param {string} from @param {string} to */
+  async #renameTo(from, to) {
+    await this.#put(to, `?was=${encodeURIComponent(from)}`);
+    await this.#refresh(to);
+  }
+
+  async #remove() {
+    const scene = this.list.value;
+    await this.#ask(scene, '', 'DELETE');
+    this.#undoing.push(() => this.#put(scene, '?removed=yes').then(() => this.#refresh(scene)));
+    await this.#refresh();
+    this.note(`Scene "${scene}" is deleted. Undo brings it back.`);
+  }
+
+  async #undo() {
+    await this.#undoing.at(-1)?.();
+    this.#undoing.pop();
+    await this.#refresh();
+  }
+
+  /** @param {string} scene */
+  #put(scene, how = '') {
+    return this.#ask(scene, how, 'PUT');
+  }
+
+  /** @param {string} scene @param {string} how @param {string} method */
+  #ask(scene, how, method) {
+    return ask(this.token, `scenes/${encodeURIComponent(scene)}${how}`, { method });
+  }
+
+  /** Empties the field, unless another name was written meanwhile. @param {string} used */
+  #forgetName(used) {
+    this.name.value = this.name.value.trim() === used ? '' : this.name.value;
+  }
 }

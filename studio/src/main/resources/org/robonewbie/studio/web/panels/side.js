@@ -1,7 +1,7 @@
 /** Which camera looks, and what the referee can be told. */
 import { CAMERAS } from '../field/camera-desk.js';
 import { playModeText } from '../state/play-mode.js';
-import { button, byId, element } from './elements.js';
+import { button, byId, check, choice, element, setEntries } from './elements.js';
 
 /**
  * @typedef {import('../state/studio-state.js').StudioState} StudioState
@@ -23,14 +23,10 @@ export function cameraPanel(desk, options) {
     made.dataset.camera = mode;
     return made;
   });
-  const shadows = element('input', { type: 'checkbox', id: 'shadows' });
-  shadows.checked = options.shadows;
-  shadows.addEventListener('change', () => options.setShadows(shadows.checked));
-  byId('cameras').append(
-    element('h2', {}, 'Camera'),
-    element('div', { class: 'grid' }, ...buttons),
-    element('label', { class: 'check' }, shadows, 'Real shadows'),
-  );
+  const shadows = check('shadows', 'Real shadows', '', options.setShadows);
+  shadows.box.checked = options.shadows;
+  const grid = element('div', { class: 'grid' }, ...buttons);
+  byId('cameras').append(element('h2', {}, 'Camera'), grid, shadows.label);
   return (state) => {
     const robots = state.scene?.robots.length ?? 0;
     for (const each of buttons) {
@@ -46,24 +42,13 @@ export function cameraPanel(desk, options) {
  * @returns {(state: StudioState) => void} draws the referee's buttons
  */
 export function trainerPanel(send) {
-  const kickOffLeft = button('◀ Kick off', 'The left team begins (K)', () => send({ do: 'kickOff', side: 'left' }));
-  const kickOffRight = button('Kick off ▶', 'The right team begins (L)', () => send({ do: 'kickOff', side: 'right' }));
-  const drop = button('Drop ball', 'The ball is free where it lies (B)', () => send({ do: 'dropBall' }));
-  drop.id = 'drop-ball';
-  const centre = button('Ball to centre', 'Puts the ball on the centre spot', () =>
-    send({ do: 'placeBall', x: 0, y: 0, z: 0.042 }),
+  const modes = choice({ id: 'play-mode', 'aria-label': 'Play mode', title: 'Sets any play mode' }, [], (mode) =>
+    send({ do: 'playMode', mode }),
   );
-  const modes = element('select', { id: 'play-mode', 'aria-label': 'Play mode', title: 'Sets any play mode' });
-  modes.addEventListener('change', () => send({ do: 'playMode', mode: modes.value }));
   const panel = byId('trainer');
-  panel.append(
-    element('h2', {}, 'Game'),
-    element('div', { class: 'grid' }, kickOffLeft, kickOffRight, drop, centre),
-    modes,
-  );
+  panel.append(element('h2', {}, 'Game'), element('div', { class: 'grid' }, ...trainerButtons(send)), modes);
   let listed = '';
-  return (state) => {
-    const { scene, frame } = state;
+  return ({ scene, frame }) => {
     panel.hidden = !scene || !frame;
     if (!scene || !frame) {
       return;
@@ -71,11 +56,24 @@ export function trainerPanel(send) {
     const names = scene.playModes.join() + scene.teams.left + scene.teams.right;
     if (names !== listed) {
       listed = names;
-      const options = scene.playModes.map((mode) => element('option', { value: mode }, playModeText(mode, scene.teams)));
-      modes.replaceChildren(...options);
+      setEntries(
+        modes,
+        scene.playModes.map((mode) => [mode, playModeText(mode, scene.teams)]),
+      );
     }
     if (document.activeElement !== modes) {
       modes.value = scene.playModes[frame.playMode];
     }
   };
+}
+
+/** @param {(command: object) => void} send */
+function trainerButtons(send) {
+  const centre = { do: 'placeBall', x: 0, y: 0, z: 0.042 };
+  return [
+    button('◀ Kick off', 'The left team begins (K)', () => send({ do: 'kickOff', side: 'left' })),
+    button('Kick off ▶', 'The right team begins (L)', () => send({ do: 'kickOff', side: 'right' })),
+    button('Drop ball', 'The ball is free where it lies (B)', () => send({ do: 'dropBall' }), { id: 'drop-ball' }),
+    button('Ball to centre', 'Puts the ball on the centre spot', () => send(centre)),
+  ];
 }

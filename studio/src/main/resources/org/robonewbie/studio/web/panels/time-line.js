@@ -12,7 +12,12 @@ const CYCLE_SECONDS = 0.02;
  */
 export function timeLinePanel(cursor, changed) {
   const place = byId('time-line');
-  const line = element('input', { type: 'range', id: 'moment', 'aria-label': 'Moment that is shown', title: 'Go back in time; the simulation goes on' });
+  const line = element('input', {
+    type: 'range',
+    id: 'moment',
+    'aria-label': 'Moment that is shown',
+    title: 'Go back in time; the simulation goes on',
+  });
   const reading = element('span', { class: 'moment-reading', role: 'status' });
   const live = button('Live', 'Show what happens now (End)', () => act(() => cursor.goLive()));
   live.id = 'go-live';
@@ -41,7 +46,9 @@ function readingOf({ cycle, recorded, history }) {
   if (recorded) {
     return `Recording ${recorded.name} at ${(recorded.frame.cycle * CYCLE_SECONDS).toFixed(2)} s`;
   }
-  return cycle === undefined ? 'now' : `${(cycle * CYCLE_SECONDS).toFixed(2)} s, ${((history.last - cycle) * CYCLE_SECONDS).toFixed(1)} s ago`;
+  return cycle === undefined
+    ? 'now'
+    : `${(cycle * CYCLE_SECONDS).toFixed(2)} s, ${((history.last - cycle) * CYCLE_SECONDS).toFixed(1)} s ago`;
 }
 
 /**

@@ -1,10 +1,11 @@
 /** Pause, step, speed, reset, and how fast the world runs. */
 import { neighbourSpeed, SPEEDS, transport } from '../state/studio-state.js';
-import { button, byId, element, setText } from './elements.js';
+import { button, byId, choice, element, setText } from './elements.js';
 
 /**
  * @typedef {import('../state/studio-state.js').StudioState} StudioState
  * @typedef {(command: object) => void} Send
+ * @typedef {ReturnType<typeof timeActions>} Actions
  */
 
 /** Why time cannot be stopped when one looks through a monitor port. */
@@ -31,49 +32,60 @@ export function timeActions(now, send) {
 }
 
 /**
- * @param {ReturnType<typeof timeActions>} actions
+ * @param {Actions} actions
  * @returns {(state: StudioState) => void} draws the controls
  */
 export function transportPanel(actions) {
-  const toggle = button('', '', actions.toggle);
-  toggle.id = 'toggle';
-  toggle.className = 'primary';
-  const step = button('Step', '', () => actions.step(1));
-  step.id = 'step';
-  const reset = button('Reset', 'Robots, ball, time and score back to the start (R)', actions.reset);
-  reset.id = 'reset';
-  const speed = element('select', { id: 'speed', 'aria-label': 'Speed' });
-  for (const each of SPEEDS) {
-    const name = each === 'fastest' ? 'as fast as possible' : `${each}×`;
-    speed.append(element('option', { value: String(each) }, name));
-  }
-  speed.addEventListener('change', () => actions.speed(speed.value));
-  const seconds = element('span', { class: 'seconds' });
-  const cycle = element('span', { class: 'faint' });
-  const factor = element('span', { class: 'faint', title: 'Simulated seconds per second' });
-  const why = element('p', { class: 'faint', id: 'no-clock' }, NO_CLOCK);
+  const parts = partsOf(actions);
+  const { toggle, step, reset, speed, seconds, cycle, factor, why } = parts;
+  const speedLabel = element('label', { class: 'speed' }, 'Speed', speed);
   byId('transport').append(
-    element('div', { class: 'buttons' }, toggle, step, reset, element('label', { class: 'speed' }, 'Speed', speed)),
+    element('div', { class: 'buttons' }, toggle, step, reset, speedLabel),
     element('div', { class: 'reading' }, seconds, cycle, factor),
     why,
   );
   return (state) => {
     const shown = transport(state);
-    setText(toggle, shown.paused ? '▶ Play' : '❚❚ Pause');
-    const hasClock = state.scene?.clock !== false;
-    toggle.title = hasClock ? `${shown.paused ? 'Let time run' : 'Stop the clock'} (space)` : NO_CLOCK;
-    step.title = hasClock ? 'One cycle of 20 ms, then pause (.)' : NO_CLOCK;
-    speed.title = hasClock ? 'How fast time passes (+ and −)' : NO_CLOCK;
-    why.hidden = hasClock;
-    for (const control of [toggle, step, speed]) {
-      control.disabled = !shown.enabled;
-    }
+    drawControls(parts, shown, state.scene?.clock !== false);
     reset.disabled = state.connection !== 'live' || !state.frame;
-    if (shown.speed !== undefined && document.activeElement !== speed) {
-      speed.value = String(shown.speed);
-    }
     setText(seconds, shown.seconds);
     setText(cycle, shown.cycle);
     setText(factor, shown.realTimeFactor);
   };
+}
+
+/** @param {Actions} actions */
+function partsOf(actions) {
+  const speeds = SPEEDS.map((each) => /** @type {[string, string]} */ ([String(each), speedText(each)]));
+  const resetHint = 'Robots, ball, time and score back to the start (R)';
+  return {
+    toggle: button('', '', actions.toggle, { id: 'toggle', class: 'primary' }),
+    step: button('Step', '', () => actions.step(1), { id: 'step' }),
+    reset: button('Reset', resetHint, actions.reset, { id: 'reset' }),
+    speed: choice({ id: 'speed', 'aria-label': 'Speed' }, speeds, actions.speed),
+    seconds: element('span', { class: 'seconds' }),
+    cycle: element('span', { class: 'faint' }),
+    factor: element('span', { class: 'faint', title: 'Simulated seconds per second' }),
+    why: element('p', { class: 'faint', id: 'no-clock' }, NO_CLOCK),
+  };
+}
+
+/** @param {string | number} speed */
+function speedText(speed) {
+  return speed === 'fastest' ? 'as fast as possible' : `${speed}×`;
+}
+
+/** @param {ReturnType<typeof partsOf>} parts @param {ReturnType<typeof transport>} shown @param {boolean} hasClock */
+function drawControls({ toggle, step, speed, why }, shown, hasClock) {
+  setText(toggle, shown.paused ? '▶ Play' : '❚❚ Pause');
+  toggle.title = hasClock ? `${shown.paused ? 'Let time run' : 'Stop the clock'} (space)` : NO_CLOCK;
+  step.title = hasClock ? 'One cycle of 20 ms, then pause (.)' : NO_CLOCK;
+  speed.title = hasClock ? 'How fast time passes (+ and −)' : NO_CLOCK;
+  why.hidden = hasClock;
+  for (const control of [toggle, step, speed]) {
+    control.disabled = !shown.enabled;
+  }
+  if (shown.speed !== undefined && document.activeElement !== speed) {
+    speed.value = String(shown.speed);
+  }
 }

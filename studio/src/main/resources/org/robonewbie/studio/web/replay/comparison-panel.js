@@ -25,7 +25,11 @@ export class ComparisonPanel {
     this.listener = listener;
     /** @type {RecordingFile | undefined} */
     this.file = undefined;
-    this.choice = element('select', { id: 'compare-with', 'aria-label': 'Compare with', title: 'Shows a second run as grey ghosts' });
+    this.choice = element('select', {
+      id: 'compare-with',
+      'aria-label': 'Compare with',
+      title: 'Shows a second run as grey ghosts',
+    });
     this.choice.addEventListener('change', () => this.#choose(this.choice.value));
     this.reading = element('span', { class: 'faint', id: 'compare-reading' });
     this.svg = document.createElementNS(SVG, 'svg');
@@ -46,7 +50,10 @@ export class ComparisonPanel {
     const key = names.join('\n');
     if (key !== this.listed) {
       this.listed = key;
-      this.choice.replaceChildren(element('option', { value: '' }, 'Compare with…'), ...names.map((name) => element('option', { value: name }, name)));
+      this.choice.replaceChildren(
+        element('option', { value: '' }, 'Compare with…'),
+        ...names.map((name) => element('option', { value: name }, name)),
+      );
     }
     this.choice.value = this.file?.name ?? '';
     this.choice.hidden = names.length === 0;
@@ -77,7 +84,13 @@ export class ComparisonPanel {
     const same = this.last?.own === own.scene && this.last.other === moment.robots;
     const picture = { scene: same && this.last ? this.last.picture.scene : both.scene, frame: both.frame };
     this.last = { own: own.scene, other: moment.robots, picture };
-    setText(this.reading, `Apart: ${differences(own, other).map(({ name, metres }) => `${name} ${metres.toFixed(2)} m`).slice(0, 4).join(' · ')}`);
+    setText(
+      this.reading,
+      `Apart: ${differences(own, other)
+        .map(({ name, metres }) => `${name} ${metres.toFixed(2)} m`)
+        .slice(0, 4)
+        .join(' · ')}`,
+    );
     return picture;
   }
 
@@ -91,7 +104,10 @@ export class ComparisonPanel {
       this.drawn = key;
       const curve = curveOf(own, other, POINTS);
       const most = Math.max(0.05, ...curve);
-      this.line.setAttribute('points', curve.map((metres, i) => `${i},${(HEIGHT - 1 - ((HEIGHT - 2) * metres) / most).toFixed(1)}`).join(' '));
+      this.line.setAttribute(
+        'points',
+        curve.map((metres, i) => `${i},${(HEIGHT - 1 - ((HEIGHT - 2) * metres) / most).toFixed(1)}`).join(' '),
+      );
     }
   }
 }

@@ -79,7 +79,11 @@ export class ReplayLine {
 
   /** @param {RecordedEvent} event @param {number} x */
   #mark(event, x) {
-    const mark = node('path', { d: SHAPES[event.kind], class: `event ${event.kind}`, transform: `translate(${x.toFixed(1)} -7)` });
+    const mark = node('path', {
+      d: SHAPES[event.kind],
+      class: `event ${event.kind}`,
+      transform: `translate(${x.toFixed(1)} -7)`,
+    });
     const title = document.createElementNS(SVG, 'title');
     title.textContent = eventText(event);
     mark.append(title);

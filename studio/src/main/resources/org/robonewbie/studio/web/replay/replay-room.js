@@ -1,10 +1,21 @@
 /** The room in which runs are seen again: recordings, the time line, and what the picture of the field shows of them. */
-import { button, byId, element, setText } from '../panels/elements.js';
-import { advanced, atMoment, BEGINNING, csvOf, frameOf, looped, MOMENTS_PER_SECOND, neighbourEvent, sceneOf, stepped } from '../state/replay/replay-state.js';
-import { startFrom } from '../panels/scene-panel.js';
-import { NO_CLOCK } from '../panels/transport.js';
+import { byId, offer } from '../panels/elements.js';
+import {
+  advanced,
+  atMoment,
+  BEGINNING,
+  csvOf,
+  frameOf,
+  looped,
+  MOMENTS_PER_SECOND,
+  neighbourEvent,
+  sceneOf,
+  stepped,
+} from '../state/replay/replay-state.js';
+import { restoredText, startFrom } from '../panels/scene-panel.js';
 import { ComparisonPanel } from './comparison-panel.js';
-import { eventText, ReplayLine } from './replay-line.js';
+import { ReplayBar } from './replay-bar.js';
+import { eventText } from './replay-line.js';
 import { listRecordings, loadLog, loadModels, RecordingFile } from './recordings.js';
 
 /**
@@ -16,7 +27,9 @@ import { listRecordings, loadLog, loadModels, RecordingFile } from './recordings
 
 const LIST_MILLISECONDS = 3000;
 const BEHIND_MOMENTS = 100;
-const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
+
+/** @type {Record<string, string>} */
+const TYPES = { csv: 'text/csv', html: 'text/html' };
 
 /** @param {Surroundings} surroundings */
 export async function openReplayRoom(surroundings) {
@@ -24,6 +37,9 @@ export async function openReplayRoom(surroundings) {
   await room.refresh();
   return room;
 }
+
+/** @param {string[]} keys @param {string} shown @param {string} text @param {() => void} act */
+const deed = (keys, shown, text, act) => ({ keys, shown, text, act });
 
 class ReplayRoom {
   /**
@@ -45,8 +61,11 @@ class ReplayRoom {
     this.revision = 0;
     /** @type {object | undefined} */
     this.roster = undefined;
-    this.comparison = new ComparisonPanel(surroundings.token, models, { note: surroundings.note, changed: () => this.#set(this.state) });
-    this.draw = this.#panel(byId('replay'));
+    this.comparison = new ComparisonPanel(surroundings.token, models, {
+      note: surroundings.note,
+      changed: () => this.#set(this.state),
+    });
+    this.bar = this.#bar();
     setInterval(() => {
       if (!byId('replay').hidden && !document.hidden) {
         this.refresh().catch(() => {});
@@ -111,19 +130,32 @@ class ReplayRoom {
     if (!moment || !this.file) {
       return undefined;
     }
-    const roster = moment.robots;
-    if (!this.scene || this.roster !== roster || this.scene.teams.left !== moment.game.left || this.scene.teams.right !== moment.game.right || this.scene.playModes[0] !== moment.game.playMode) {
-      this.revision = this.roster === roster ? this.revision : this.revision + 1;
-      this.roster = roster;
-      this.scene = sceneOf(moment, this.file.reader.header, this.models, this.revision);
-    }
-    const seen = this.comparison.picture({ scene: this.scene, frame: frameOf(moment, this.scene) }, this.state.index);
+    const scene = this.#sceneAt(moment, this.file.reader.header);
+    const seen = this.comparison.picture({ scene, frame: frameOf(moment, scene) }, this.state.index);
     return { ...seen, name: this.file.name, reader: this.file.reader, running: this.isRunning };
+  }
+
+  /**
+   * The scene changes only with the robots, the teams and the play mode, since a new one costs a new picture.
+   *
+   * @param {import('../state/replay/recording-reader.js').Moment} moment
+   * @param {Parameters<typeof sceneOf>[1]} header
+   */
+  #sceneAt(moment, header) {
+    const { robots: roster, game } = moment;
+    const known = this.roster === roster ? this.scene : undefined;
+    const { teams, playModes } = known ?? { teams: { left: '', right: '' }, playModes: [] };
+    if (known && teams.left === game.left && teams.right === game.right && playModes[0] === game.playMode) {
+      return known;
+    }
+    this.revision += this.roster === roster ? 0 : 1;
+    this.roster = roster;
+    this.scene = sceneOf(moment, header, this.models, this.revision);
+    return this.scene;
   }
 
   /** What keys do here. */
   get deeds() {
-    const deed = (/** @type {string[]} */ keys, /** @type {string} */ shown, /** @type {string} */ text, /** @type {() => void} */ act) => ({ keys, shown, text, act });
     return [
       deed([' '], 'Space', 'play or pause', () => this.#set({ ...this.#restarted(), playing: !this.state.playing })),
       deed(['ArrowLeft', ','], '←', 'one cycle back', () => this.#set(stepped(this.state, -1))),
@@ -161,123 +193,64 @@ class ReplayRoom {
 
   /** @param {-1 | 1} direction */
   #jump(direction) {
-    const event = neighbourEvent(this.state, (this.file?.events ?? []).filter(({ kind }) => kind !== 'log'), direction);
+    const event = neighbourEvent(
+      this.state,
+      (this.file?.events ?? []).filter(({ kind }) => kind !== 'log'),
+      direction,
+    );
     if (event) {
       this.#set({ ...atMoment(this.state, Math.max(0, event.index)), playing: false });
       this.surroundings.note(eventText(event));
     }
   }
 
-  /** @param {HTMLElement} place */
-  #panel(place) {
-    const act = (/** @type {string} */ shown) => this.deeds.find((deed) => deed.shown === shown)?.act;
-    const play = button('', 'Play or pause (space)', () => act('Space')?.());
-    play.className = 'primary';
-    play.id = 'replay-play';
-    const make = (/** @type {string} */ id, /** @type {string} */ name, /** @type {string} */ hint, /** @type {string} */ key) => {
-      const made = button(name, `${hint} (${key})`, () => act(key)?.());
-      made.id = id;
-      return made;
-    };
-    const loop = make('replay-loop', 'Loop', 'Repeat two seconds around this moment', 'L');
-    const recording = element('select', { id: 'recording', 'aria-label': 'Recording' });
-    recording.addEventListener('change', () => this.choose(recording.value));
-    const speed = element('select', { id: 'replay-speed', 'aria-label': 'Speed of the replay' });
-    speed.append(...SPEEDS.map((each) => element('option', { value: String(each) }, `${each}×`)));
-    speed.addEventListener('change', () => this.#set({ ...this.state, speed: Number(speed.value) }));
-    const reading = element('span', { class: 'seconds' });
-    const csv = button('CSV', 'Save all cycles as a table', () => this.#offer('csv', csvOf(this.file?.reader.moments ?? [], this.models)));
-    csv.id = 'export-csv';
-    const log = button('Log', 'Save the run as the log of a SimSpark server, for RoboViz', () => this.#offerLog());
-    log.id = 'export-log';
-    const page = button('HTML', 'Save one file that plays this run in any browser, without network', () => this.#offerPage());
-    page.id = 'export-html';
-    const start = button('Start here', '', () => this.#startHere());
-    start.id = 'start-here';
-    const line = element('div', { class: 'replay-line', id: 'replay-line', title: 'Drag to any moment' });
-    const drawing = new ReplayLine(line, (index) => this.#set({ ...atMoment(this.state, index), playing: false }));
-    place.append(
-      this.comparison.svg,
-      line,
-      element(
-        'div',
-        { class: 'replay-bar' },
-        recording,
-        make('event-before', '|◂', 'Event before', '['),
-        make('replay-back', '◂', 'One cycle back', '←'),
-        play,
-        make('replay-on', '▸', 'One cycle on', '→'),
-        make('event-next', '▸|', 'Next event', ']'),
-        loop,
-        start,
-        speed,
-        reading,
-        this.comparison.choice,
-        this.comparison.reading,
-        element('span', { class: 'replay-export' }, csv, log, page),
-      ),
-    );
-    let listed = '';
-    return () => {
-      const { state, list } = this;
-      const names = JSON.stringify(list);
-      if (names !== listed) {
-        listed = names;
-        recording.replaceChildren(...list.map(({ name, bytes, running }) => element('option', { value: name }, `${name} · ${running ? 'now' : `${(bytes / 1e6).toFixed(1)} MB`}`)));
-      }
-      recording.value = this.file?.name ?? '';
-      recording.hidden = list.length === 0;
-      setText(play, state.playing ? '❚❚ Pause' : '▶ Play');
-      loop.setAttribute('aria-pressed', String(state.loop !== undefined));
-      speed.value = String(state.speed);
-      const seconds = (/** @type {number} */ index) => (Math.max(0, index) / MOMENTS_PER_SECOND).toFixed(2);
-      setText(reading, list.length === 0 ? 'Nothing is recorded yet.' : `${seconds(state.index)} of ${seconds(state.count - 1)} s`);
-      play.disabled = state.count === 0;
-      const hasClock = this.surroundings.hasClock();
-      start.disabled = state.count === 0 || !hasClock;
-      start.title = hasClock ? 'The simulation goes on from this moment, with the clock stopped; puppets stand in for missing robots' : NO_CLOCK;
-      for (const control of [csv, log, page]) {
-        control.disabled = state.count === 0 || !this.file?.isWhole;
-      }
-      this.comparison.list(list, this.file?.name ?? '');
-      this.comparison.draw(this.file?.reader.moments ?? []);
-      drawing.draw(state, this.file?.events ?? []);
-    };
+  #bar() {
+    return new ReplayBar(byId('replay'), this.comparison, {
+      press: (key) => this.deeds.find(({ shown }) => shown === key)?.act(),
+      choose: (name) => this.choose(name),
+      setSpeed: (speed) => this.#set({ ...this.state, speed }),
+      goTo: (index) => this.#set({ ...atMoment(this.state, index), playing: false }),
+      startHere: () => this.#startHere(),
+      save: {
+        csv: () => this.#save('csv', async () => csvOf(this.file?.reader.moments ?? [], this.models)),
+        log: () => this.#save('log.gz', () => loadLog(this.surroundings.token, this.file?.name ?? '')),
+        html: () => this.#save('html', () => this.#page()),
+      },
+    });
+  }
+
+  draw() {
+    const { state, list, file } = this;
+    const moments = file?.reader.moments ?? [];
+    this.bar.draw({ state, list, file, hasClock: this.surroundings.hasClock() });
+    this.comparison.list(list, file?.name ?? '');
+    this.comparison.draw(moments);
   }
 
   async #startHere() {
     this.#set({ ...this.state, playing: false });
     try {
-      await startFrom(this.surroundings.token, this.file?.name ?? '', Math.round(this.state.index));
+      const restored = await startFrom(this.surroundings.token, this.file?.name ?? '', Math.round(this.state.index));
       location.hash = '#field';
       this.surroundings.goLive();
-      this.surroundings.note('The clock stands at this moment. Press play to go on from here.');
+      this.surroundings.note(`${restoredText(restored)} Press play to go on from here.`);
     } catch (error) {
       this.surroundings.note(/** @type {Error} */ (error).message);
     }
   }
 
-  async #offerLog() {
+  async #page() {
+    const { standalonePage } = await import('./standalone.js');
+    return standalonePage(this.file?.packed ?? [], this.models, this.file?.name ?? '');
+  }
+
+  /** @param {string} ending of the file @param {() => Promise<string | Blob>} make */
+  async #save(ending, make) {
+    const name = this.file?.name ?? 'run';
     try {
-      this.#offer('log.gz', await loadLog(this.surroundings.token, this.file?.name ?? ''));
+      offer(`${name}.${ending}`, await make(), TYPES[ending]);
     } catch (error) {
       this.surroundings.note(`The file cannot be made: ${/** @type {Error} */ (error).message}`);
     }
-  }
-
-  async #offerPage() {
-    try {
-      const { standalonePage } = await import('./standalone.js');
-      this.#offer('html', await standalonePage(this.file?.packed ?? [], this.models, this.file?.name ?? ''));
-    } catch (error) {
-      this.surroundings.note(`The file cannot be made: ${/** @type {Error} */ (error).message}`);
-    }
-  }
-
-  /** @param {string} ending @param {string | Blob} content */
-  #offer(ending, content) {
-    const address = URL.createObjectURL(typeof content === 'string' ? new Blob([content], { type: ending === 'csv' ? 'text/csv' : 'text/html' }) : content);
-    element('a', { href: address, download: `${this.file?.name ?? 'run'}.${ending}` }).click();
-    setTimeout(() => URL.revokeObjectURL(address), 20_000);
   }
 }

@@ -7,6 +7,9 @@ const SCRIPT = /^(import|export)([^'"]*?from\s*|\s*)(['"])(\.{1,2}\/[^'"]+|three
 const START = 'replay/player.js';
 const STYLES = ['theme.css', 'layout.css', 'replay.css'];
 
+/** The page has no bar above its picture, so the picture takes the first row and all of the height. */
+const WHOLE_PAGE = 'body { grid-template-rows: minmax(0, 1fr); }';
+
 /**
  * @param {Uint8Array[]} packed the recording as it is on the disk
  * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
@@ -17,7 +20,9 @@ export async function standalonePage(packed, models, name) {
   /** @type {Map<string, string>} */
   const scripts = new Map();
   await collect(START, scripts);
-  const three = await Promise.all(['three.core.min.js', 'three.module.min.js'].map((file) => text(`vendor/three/${file}`)));
+  const three = await Promise.all(
+    ['three.core.min.js', 'three.module.min.js'].map((file) => text(`vendor/three/${file}`)),
+  );
   const imports = Object.fromEntries([
     ...[...scripts].map(([path, source]) => [`studio/${path}`, dataAddress(source)]),
     ['three-core', dataAddress(three[0])],
@@ -27,7 +32,8 @@ export async function standalonePage(packed, models, name) {
   const recording = base64(await withoutWhatThePageLeavesOut(packed));
   return `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>${name.replaceAll(/[<&]/g, '')} · RoboNewbie</title>
-<style>${styles}</style>
+<style>${styles}
+${WHOLE_PAGE}</style>
 <script type="importmap">${JSON.stringify({ imports })}</script></head>
 <body><main id="field-room"><div id="stage"></div><section id="score-board" class="panel"></section><section id="replay" class="panel"></section></main>
 <script type="application/json" id="models">${JSON.stringify(models)}</script>

@@ -5,7 +5,10 @@
  * @param {(bytes: Uint8Array) => void} take gets one piece after the other
  */
 export async function unpack(packed, take) {
-  const stream = new Blob(/** @type {BlobPart[]} */ (packed)).stream().pipeThrough(new DecompressionStream('gzip')).getReader();
+  const stream = new Blob(/** @type {BlobPart[]} */ (packed))
+    .stream()
+    .pipeThrough(new DecompressionStream('gzip'))
+    .getReader();
   try {
     for (let part = await stream.read(); !part.done; part = await stream.read()) {
       take(part.value);

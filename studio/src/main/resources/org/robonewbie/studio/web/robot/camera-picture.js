@@ -1,23 +1,33 @@
 /** What a robot's camera tells: 120 by 120 degrees, drawn as a picture. */
 import { label, shape, title } from '../panels/drawing.js';
 
-/** @typedef {import('../state/robot/senses.js').Senses} Senses */
+/**
+ * @typedef {import('../state/robot/senses.js').Senses} Senses
+ * @typedef {import('../state/robot/senses.js').SeenThing} SeenThing
+ */
 
 const HALF_DEGREES = 60;
 const BALL_RADIUS_METRES = 0.042;
 const PLAYER_RADIUS_METRES = 0.08;
+const LEAST_PLAYER_DEGREES = 1.2;
 const DEGREES = 180 / Math.PI;
+const POST = 'm-1.4 0l1.4 -1.4l1.4 1.4l-1.4 1.4z';
+const FLAG = 'm-1.2 -1.2h2.4v2.4h-2.4z';
 
 /**
  * @param {HTMLElement} place
  * @returns {(seen: Senses['seen'], team: string) => void} draws; the team is the robot's own
  */
 export function cameraPicture(place) {
-  const svg = shape('svg', { viewBox: `${-HALF_DEGREES} ${-HALF_DEGREES} ${2 * HALF_DEGREES} ${2 * HALF_DEGREES}`, role: 'img', class: 'camera' });
+  const svg = shape('svg', {
+    viewBox: `${-HALF_DEGREES} ${-HALF_DEGREES} ${2 * HALF_DEGREES} ${2 * HALF_DEGREES}`,
+    role: 'img',
+    class: 'camera',
+  });
   svg.setAttribute('aria-label', 'What the camera of the robot sees, 120 by 120 degrees');
-  const grid = [-30, 0, 30].flatMap((at) => [
-    shape('line', { class: 'grid-line', x1: at, x2: at, y1: -HALF_DEGREES, y2: HALF_DEGREES }),
-    shape('line', { class: 'grid-line', y1: at, y2: at, x1: -HALF_DEGREES, x2: HALF_DEGREES }),
+  const grid = [-30, 0, 30].flatMap((degrees) => [
+    shape('line', { class: 'grid-line', x1: degrees, x2: degrees, y1: -HALF_DEGREES, y2: HALF_DEGREES }),
+    shape('line', { class: 'grid-line', y1: degrees, y2: degrees, x1: -HALF_DEGREES, x2: HALF_DEGREES }),
   ]);
   const content = shape('g');
   svg.append(...grid, content);
@@ -33,7 +43,9 @@ export function cameraPicture(place) {
       content.replaceChildren(label('no picture', -17, 2, 'camera-text'));
       return;
     }
-    const lines = seen.lines.filter((line) => line.length === 2).map(([from, to]) => shape('line', { class: 'field-line', ...ends(from, to) }));
+    const lines = seen.lines
+      .filter((line) => line.length === 2)
+      .map(([from, to]) => shape('line', { class: 'field-line', ...ends(from, to) }));
     content.replaceChildren(...lines, ...seen.things.flatMap((thing) => drawnThing(thing, team)));
   };
 }
@@ -50,29 +62,42 @@ function ends(from, to) {
   return { x1, y1, x2, y2 };
 }
 
-/** @param {import('../state/robot/senses.js').SeenThing} thing @param {string} team @returns {SVGElement[]} */
+/** @param {SeenThing} thing @param {string} team @returns {SVGElement[]} */
 function drawnThing(thing, team) {
   const { name, kind, points } = thing;
   if (points.length === 0) {
     return [];
   }
-  const [x, y] = at(points[0].polar);
-  const hint = `${name}: ${points[0].polar[0]} m, ${points[0].polar[1]}° left, ${points[0].polar[2]}° up`;
+  const [distance, left, up] = points[0].polar;
+  const hint = title(`${name}: ${distance} m, ${left}° left, ${up}° up`);
   if (kind === 'player') {
-    const side = thing.team === team ? 'mate' : 'opponent';
-    const head = points.find((each) => each.name === 'head');
-    if (!head) {
-      return points.map(({ polar }) => shape('circle', { class: `player ${side}`, cx: at(polar)[0], cy: at(polar)[1], r: 1.2 }, title(hint)));
-    }
-    const [headX, headY] = at(head.polar);
-    const limbs = points.filter((each) => each !== head).map((each) => shape('line', { class: `limb ${side}`, ...ends(head.polar, each.polar) }));
-    return [...limbs, shape('circle', { class: `player ${side}`, cx: headX, cy: headY, r: size(PLAYER_RADIUS_METRES, head.polar[0]) }, title(hint)), label(name, headX + 2, headY - 2, 'camera-text')];
+    return drawnPlayer(thing, team, hint);
   }
+  const [cx, cy] = at(points[0].polar);
   if (kind === 'ball') {
-    return [shape('circle', { class: 'seen-ball', cx: x, cy: y, r: size(BALL_RADIUS_METRES, points[0].polar[0]) }, title(hint))];
+    return [shape('circle', { class: 'seen-ball', cx, cy, r: size(BALL_RADIUS_METRES, distance) }, hint)];
   }
-  const mark = kind === 'post' ? shape('path', { class: 'post', d: `M${x} ${y}m-1.4 0l1.4 -1.4l1.4 1.4l-1.4 1.4z` }, title(hint)) : shape('path', { class: 'flag', d: `M${x} ${y}m-1.2 -1.2h2.4v2.4h-2.4z` }, title(hint));
-  return [mark, label(name, x + 2, y + 1.2, 'camera-text')];
+  const [look, outline] = kind === 'post' ? ['post', POST] : ['flag', FLAG];
+  const mark = shape('path', { class: look, d: `M${cx} ${cy}${outline}` }, hint);
+  return [mark, label(name, cx + 2, cy + 1.2, 'camera-text')];
+}
+
+/** @param {SeenThing} thing @param {string} team @param {SVGElement} hint @returns {SVGElement[]} */
+function drawnPlayer({ name, points, team: shirt }, team, hint) {
+  const side = shirt === team ? 'mate' : 'opponent';
+  const dot = (/** @type {number[]} */ polar, /** @type {string | number} */ r) => {
+    const [cx, cy] = at(polar);
+    return shape('circle', { class: `player ${side}`, cx, cy, r }, hint.cloneNode(true));
+  };
+  const head = points.find((each) => each.name === 'head')?.polar;
+  if (!head) {
+    return points.map(({ polar }) => dot(polar, LEAST_PLAYER_DEGREES));
+  }
+  const limbs = points
+    .filter(({ polar }) => polar !== head)
+    .map(({ polar }) => shape('line', { class: `limb ${side}`, ...ends(head, polar) }));
+  const [x, y] = at(head);
+  return [...limbs, dot(head, size(PLAYER_RADIUS_METRES, head[0])), label(name, x + 2, y - 2, 'camera-text')];
 }
 
 /** @param {number} radius metres @param {number} distance metres @returns {string} degrees, large enough to be seen */

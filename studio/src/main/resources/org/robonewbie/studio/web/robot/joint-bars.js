@@ -3,7 +3,11 @@ import { element, setText } from '../panels/elements.js';
 import { JOINT_GROUPS, jointName, shortJointName } from '../state/motion/names.js';
 import { fixed } from '../state/numbers.js';
 
-/** @typedef {import('../state/robot/robot-watch.js').RobotMoment} RobotMoment */
+/**
+ * @typedef {import('../state/robot/robot-watch.js').RobotMoment} RobotMoment
+ * @typedef {import('../state/kinematics.js').Hinge} Hinge
+ * @typedef {ReturnType<typeof newRow>} Row
+ */
 
 const END_DEGREES = 0.5;
 
@@ -12,37 +16,51 @@ const END_DEGREES = 0.5;
  * @returns {(moment: RobotMoment) => void}
  */
 export function jointBars(place) {
-  /** @type {ReturnType<typeof row>[]} */
+  /** @type {Row[]} */
   let rows = [];
   /** @type {string} */
   let shown = '';
-  const head = element('div', { class: 'joint-columns' }, ...['', '', 'angle', 'speed', 'command'].map((text) => element('span', { class: 'faint' }, text)));
-  return ({ model, frame, robot, traces, seconds }) => {
-    const names = model.hinges.map(({ joint }) => joint).join();
+  return (moment) => {
+    const { hinges } = moment.model;
+    const names = hinges.map(({ joint }) => joint).join();
     if (names !== shown) {
       shown = names;
-      const made = model.hinges.map((hinge) => row(hinge));
-      rows = made;
-      const isOther = (/** @type {string} */ joint) => !JOINT_GROUPS.some(({ test }) => test.test(joint));
-      const toes = { title: 'Toes', test: { test: isOther } };
-      const groups = [...JOINT_GROUPS, ...(model.hinges.some(({ joint }) => isOther(joint)) ? [toes] : [])].map(({ title, test }) =>
-        element('section', { class: 'joint-group', 'aria-label': title }, element('h2', {}, title), ...made.filter((_, i) => test.test(model.hinges[i].joint)).map(({ line }) => line)),
-      );
-      place.replaceChildren(head, ...groups);
+      rows = hinges.map(newRow);
+      place.replaceChildren(columnHeads(), ...groupsOf(hinges, rows));
     }
-    const { degrees } = frame.robots[robot];
-    model.hinges.forEach((hinge, i) => {
-      const name = jointName(hinge.joint);
-      const speed = traces.valueAt(`joint speed/${name}`, seconds);
-      const command = traces.valueAt(`commanded speed/${name}`, seconds);
-      drawRow(rows[i], hinge, degrees[i], speed, command);
-    });
+    drawRows(rows, moment);
   };
 }
 
+function columnHeads() {
+  const texts = ['', '', 'angle', 'speed', 'command'];
+  return element('div', { class: 'joint-columns' }, ...texts.map((text) => element('span', { class: 'faint' }, text)));
+}
+
+/** @param {readonly Hinge[]} hinges @param {readonly Row[]} rows */
+function groupsOf(hinges, rows) {
+  const isOther = (/** @type {string} */ joint) => !JOINT_GROUPS.some(({ test }) => test.test(joint));
+  const toes = hinges.some(({ joint }) => isOther(joint)) ? [{ title: 'Toes', test: { test: isOther } }] : [];
+  return [...JOINT_GROUPS, ...toes].map(({ title, test }) => {
+    const lines = rows.filter((_, i) => test.test(hinges[i].joint)).map(({ line }) => line);
+    return element('section', { class: 'joint-group', 'aria-label': title }, element('h2', {}, title), ...lines);
+  });
+}
+
+/** @param {readonly Row[]} rows @param {RobotMoment} moment */
+function drawRows(rows, { model, frame, robot, traces, seconds }) {
+  const { degrees } = frame.robots[robot];
+  model.hinges.forEach((hinge, i) => {
+    const name = jointName(hinge.joint);
+    const speed = traces.valueAt(`joint speed/${name}`, seconds);
+    const command = traces.valueAt(`commanded speed/${name}`, seconds);
+    drawRow(rows[i], hinge, degrees[i], speed, command);
+  });
+}
+
 /**
- * @param {ReturnType<typeof row>} row
- * @param {import('../state/kinematics.js').Hinge} hinge
+ * @param {Row} row
+ * @param {Hinge} hinge
  * @param {number} degrees
  * @param {number | undefined} speed measured, degrees per second
  * @param {number | undefined} command degrees per second
@@ -59,13 +77,21 @@ function drawRow(row, { minDegrees, maxDegrees, maxSpeed }, degrees, speed, comm
   setText(row.command, command === undefined ? '' : `${isTooFast ? '! ' : ''}${fixed(command, 0)}`);
 }
 
-/** @param {import('../state/kinematics.js').Hinge} hinge */
-function row({ joint, minDegrees, maxDegrees }) {
+/** @param {Hinge} hinge */
+function newRow({ joint, minDegrees, maxDegrees }) {
   const knob = element('i', { class: 'knob' });
   const angle = element('span', { class: 'angle' });
   const speed = element('span', { class: 'faint' });
   const command = element('span', { class: 'command' });
   const bar = element('div', { class: 'range', title: `${minDegrees}° to ${maxDegrees}°` }, knob);
-  const line = element('div', { class: 'joint-row' }, element('span', {}, shortJointName(joint)), bar, angle, speed, command);
+  const line = element(
+    'div',
+    { class: 'joint-row' },
+    element('span', {}, shortJointName(joint)),
+    bar,
+    angle,
+    speed,
+    command,
+  );
   return { line, knob, angle, speed, command };
 }

@@ -14,7 +14,11 @@ const HALF_CYCLE = 0.01;
  */
 export function logList(place, goTo) {
   const level = element('select', { id: 'log-level', 'aria-label': 'Lines from this level on' });
-  level.append(...LEVELS.map((each) => element('option', { value: each }, each === 'DEBUG' ? 'all lines' : `from ${each.toLowerCase()} on`)));
+  level.append(
+    ...LEVELS.map((each) =>
+      element('option', { value: each }, each === 'DEBUG' ? 'all lines' : `from ${each.toLowerCase()} on`),
+    ),
+  );
   const list = element('ol', { class: 'log', 'aria-label': 'Log of the robot', tabindex: '0' });
   place.append(level, list);
   let drawn = '';
@@ -51,7 +55,11 @@ function markLine(list, index) {
 
 /** @param {LogLine} line @param {(seconds: number) => void} goTo */
 function row({ seconds, level, text }, goTo) {
-  const link = element('button', { type: 'button', class: 'quiet log-time', title: 'Show this moment' }, `${seconds.toFixed(2)} s`);
+  const link = element(
+    'button',
+    { type: 'button', class: 'quiet log-time', title: 'Show this moment' },
+    `${seconds.toFixed(2)} s`,
+  );
   link.addEventListener('click', () => goTo(seconds));
   return element('li', { class: level.toLowerCase() }, link, ` ${level === 'INFO' ? '' : `${level} `}${text}`);
 }

@@ -9,7 +9,12 @@ import { readExpressions, writeExpression } from '../state/robot/expressions.js'
  * @returns {(exchange: import('../state/robot/robot-memory.js').Exchange | undefined) => void}
  */
 export function messageView(place) {
-  const search = element('input', { type: 'search', id: 'message-search', placeholder: 'Search, for example GYR', 'aria-label': 'Search in the messages' });
+  const search = element('input', {
+    type: 'search',
+    id: 'message-search',
+    placeholder: 'Search, for example GYR',
+    'aria-label': 'Search in the messages',
+  });
   const from = element('div', { class: 'message', id: 'perceptor-message' });
   const to = element('div', { class: 'message', id: 'effector-message' });
   place.append(search, element('h3', {}, 'From the simulator'), from, element('h3', {}, 'To the simulator'), to);
@@ -29,7 +34,9 @@ export function messageView(place) {
 
 /** @param {HTMLElement} place @param {string} message @param {string} wanted @param {Set<string>} unfolded */
 function draw(place, message, wanted, unfolded) {
-  const found = readExpressions(message).filter((each) => writeExpression(each).toLowerCase().includes(wanted.toLowerCase()));
+  const found = readExpressions(message).filter((each) =>
+    writeExpression(each).toLowerCase().includes(wanted.toLowerCase()),
+  );
   if (message === '' || found.length === 0) {
     setText(place, message === '' ? 'no message in this moment' : 'nothing found');
     return;
@@ -40,7 +47,8 @@ function draw(place, message, wanted, unfolded) {
 /** @param {Expression} expression @param {string} wanted @param {Set<string>} unfolded @returns {HTMLElement} */
 function tree(expression, wanted, unfolded) {
   const text = writeExpression(expression);
-  const isFlat = typeof expression === 'string' || !expression.some((each) => typeof each !== 'string' && each.length > 0);
+  const isFlat =
+    typeof expression === 'string' || !expression.some((each) => typeof each !== 'string' && each.length > 0);
   if (isFlat) {
     return element('div', {}, text);
   }
@@ -55,7 +63,10 @@ function tree(expression, wanted, unfolded) {
   const folder = element('details', {}, summary);
   folder.open = unfolded.has(name) || (wanted !== '' && !name.toLowerCase().includes(wanted.toLowerCase()));
   folder.addEventListener('toggle', () => (folder.open ? unfolded.add(name) : unfolded.delete(name)));
-  const shown = wanted !== '' && folder.open ? inner.filter((each) => writeExpression(each).toLowerCase().includes(wanted.toLowerCase())) : inner;
+  const shown =
+    wanted !== '' && folder.open
+      ? inner.filter((each) => writeExpression(each).toLowerCase().includes(wanted.toLowerCase()))
+      : inner;
   folder.append(...(shown.length > 0 ? shown : inner).map((each) => tree(each, wanted, unfolded)));
   return folder;
 }

@@ -1,5 +1,5 @@
 /** Curves of any values over time, several in each plot, with one cursor for all of them, which is the cursor of all rooms. */
-import { button, element, setText } from '../panels/elements.js';
+import { button, choice, element, offer, setText } from '../panels/elements.js';
 import { fixed } from '../state/numbers.js';
 import { unitOf } from '../state/robot/signals.js';
 import { tableOf } from '../state/robot/traces.js';
@@ -13,7 +13,11 @@ import { valueTree } from './value-tree.js';
 
 const KEY = 'robonewbie-plots';
 const SPANS = [5, 20, 60, 300];
-const FIRST = [['torso/height', 'ball/distance'], ['joint angle/left knee pitch', 'joint angle/right knee pitch'], ['accelerometer/forward', 'accelerometer/left', 'accelerometer/up']];
+const FIRST = [
+  ['torso/height', 'ball/distance'],
+  ['joint angle/left knee pitch', 'joint angle/right knee pitch'],
+  ['accelerometer/forward', 'accelerometer/left', 'accelerometer/up'],
+];
 
 export class PlotDesk {
   /**
@@ -31,19 +35,26 @@ export class PlotDesk {
     this.list = element('div', { class: 'curves', id: 'curves' });
     this.pause = button('Hold', 'Let the curves stand still; the simulation goes on', () => this.hold());
     this.pause.id = 'hold-curves';
-    const zoom = element('select', { id: 'curve-span', 'aria-label': 'Length of the curves', title: 'How much time the curves show' });
-    zoom.append(...SPANS.map((seconds) => element('option', { value: String(seconds) }, `${seconds} s`)));
+    const zoom = choice(
+      { id: 'curve-span', 'aria-label': 'Length of the curves', title: 'How much time the curves show' },
+      SPANS.map((seconds) => [String(seconds), `${seconds} s`]),
+      (seconds) => {
+        this.span = Number(seconds);
+      },
+    );
     zoom.value = String(this.span);
-    zoom.addEventListener('change', () => {
-      this.span = Number(zoom.value);
+    const table = button('CSV', 'Save what the plots show as a table', () => this.#offer(), { id: 'curves-csv' });
+    const more = button('+ Plot', 'One more plot; choose its values in the tree', () => this.add([]), {
+      id: 'add-plot',
     });
-    const table = button('CSV', 'Save what the plots show as a table', () => this.#offer());
-    table.id = 'curves-csv';
-    const more = button('+ Plot', 'One more plot; choose its values in the tree', () => this.add([]));
-    more.id = 'add-plot';
     this.tree = valueTree((name) => this.toggle(name));
-    const choice = element('details', { class: 'value-choice', id: 'value-choice' }, element('summary', {}, 'Choose values'), this.tree.place);
-    place.append(element('div', { class: 'plot-bar' }, more, zoom, this.pause, table), choice, this.list);
+    const values = element(
+      'details',
+      { class: 'value-choice', id: 'value-choice' },
+      element('summary', {}, 'Choose values'),
+      this.tree.place,
+    );
+    place.append(element('div', { class: 'plot-bar' }, more, zoom, this.pause, table), values, this.list);
     /** @type {Row[]} */
     this.rows = [];
     stored().forEach((names) => this.add(names));
@@ -110,7 +121,8 @@ export class PlotDesk {
   /** What the plots show: the last seconds; if one looks at another moment, it is in the middle. @param {RobotMoment} moment @param {boolean} isLive @returns {[number, number]} */
   #range({ seconds, traces }, isLive) {
     const last = traces.extent.to;
-    const to = this.heldAt ?? (isLive ? last : Math.max(Math.min(last, seconds + this.span / 2), Math.min(this.span, last)));
+    const to =
+      this.heldAt ?? (isLive ? last : Math.max(Math.min(last, seconds + this.span / 2), Math.min(this.span, last)));
     return [Math.max(0, to - this.span), Math.max(to, 1)];
   }
 
@@ -127,7 +139,10 @@ export class PlotDesk {
       remove.className = 'quiet';
       remove.setAttribute('aria-label', 'Take this plot away');
       const parts = values.map((text, i) => element('span', { class: `curve-name curve-${i % 6}` }, ...named(text)));
-      row.head.replaceChildren(...(parts.length > 0 ? parts : [element('span', { class: 'faint' }, 'Choose values for this plot')]), remove);
+      row.head.replaceChildren(
+        ...(parts.length > 0 ? parts : [element('span', { class: 'faint' }, 'Choose values for this plot')]),
+        remove,
+      );
     }
   }
 
@@ -138,7 +153,11 @@ export class PlotDesk {
     if (row.drawn !== `${names} ${width}` || (!row.plot && names !== '')) {
       row.plot?.destroy();
       row.drawn = `${names} ${width}`;
-      row.plot = newPlot(row.place, row.names, { width, seek: (at) => this.goTo(at), zoomed: (span) => this.#zoom(span) });
+      row.plot = newPlot(row.place, row.names, {
+        width,
+        seek: (at) => this.goTo(at),
+        zoomed: (span) => this.#zoom(span),
+      });
     }
     if (row.plot) {
       row.plot.setData(traces.columns(row.names, from, to), false);
@@ -159,9 +178,7 @@ export class PlotDesk {
       const { traces, seconds } = this.moment;
       const names = [...new Set(this.rows.flatMap((row) => row.names))];
       const [from, to] = this.#range(this.moment, seconds >= traces.extent.to);
-      const address = URL.createObjectURL(new Blob([tableOf(traces, names, from, to)], { type: 'text/csv' }));
-      element('a', { href: address, download: 'robot.csv' }).click();
-      setTimeout(() => URL.revokeObjectURL(address), 20_000);
+      offer('robot.csv', tableOf(traces, names, from, to), 'text/csv');
     }
   }
 }

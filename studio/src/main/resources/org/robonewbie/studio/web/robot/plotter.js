@@ -3,6 +3,17 @@
 const ADDRESS = 'vendor/uplot/uplot.min.js';
 const HEIGHT = 96;
 const COLOURS = 6;
+const LEAST_DRAG_PIXELS = 4;
+const LOOK = {
+  height: HEIGHT,
+  legend: { show: false },
+  cursor: {
+    sync: { key: 'robot', setSeries: false },
+    drag: { x: true, y: false, setScale: false },
+    points: { size: 6 },
+  },
+  scales: { x: { time: false }, y: { range: roomy } },
+};
 
 /** @type {Promise<void> | undefined} */
 let loading;
@@ -16,7 +27,9 @@ export function loadPlotter() {
     const script = document.createElement('script');
     script.src = ADDRESS;
     script.addEventListener('load', () => done());
-    script.addEventListener('error', () => failed(new Error('The curves cannot be drawn: a part of the page is missing. Load the page again.')));
+    script.addEventListener('error', () =>
+      failed(new Error('The curves cannot be drawn: a part of the page is missing. Load the page again.')),
+    );
     document.head.append(script);
   });
   return loading;
@@ -35,50 +48,66 @@ export function newPlot(place, names, { width, seek, zoomed }) {
   }
   const style = getComputedStyle(place);
   const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
-  let moment = 0;
-  const plot = new (uPlot())(
-    {
-      width,
-      height: HEIGHT,
-      legend: { show: false },
-      cursor: { sync: { key: 'robot', setSeries: false }, drag: { x: true, y: false, setScale: false }, points: { size: 6 } },
-      scales: { x: { time: false }, y: { range: roomy } },
-      axes: axes(colour),
-      series: [{}, ...names.map((name, i) => ({ label: name, stroke: () => colour(`--curve-${i % COLOURS}`), width: 1.5, spanGaps: true, points: { show: false }, dash: i < COLOURS ? undefined : [6, 3] }))],
-      hooks: {
-        draw: [(/** @type {any} */ drawn) => drawMoment(drawn, moment, colour('--ink'))],
-        setSelect: [
-          (/** @type {any} */ chosen) => {
-            if (chosen.select.width > 4) {
-              zoomed({ from: chosen.posToVal(chosen.select.left, 'x'), to: chosen.posToVal(chosen.select.left + chosen.select.width, 'x') });
-            }
-            chosen.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
-          },
-        ],
-      },
-    },
-    [[], ...names.map(() => [])],
-    place,
-  );
+  const shown = { moment: 0 };
+  const hooks = {
+    draw: [(/** @type {any} */ drawn) => drawMoment(drawn, shown.moment, colour('--ink'))],
+    setSelect: [(/** @type {any} */ chosen) => zoomTo(chosen, zoomed)],
+  };
+  const options = { ...LOOK, width, axes: axes(colour), series: [{}, ...names.map(seriesIn(colour))], hooks };
+  const plot = new (uPlot())(options, [[], ...names.map(() => [])], place);
+  listenToClicks(plot, seek);
+  plot.showMoment = (/** @type {number} */ seconds) => {
+    shown.moment = seconds;
+  };
+  return plot;
+}
+
+/** @param {(name: string) => string} colour */
+function seriesIn(colour) {
+  return (/** @type {string} */ label, /** @type {number} */ i) => ({
+    label,
+    stroke: () => colour(`--curve-${i % COLOURS}`),
+    width: 1.5,
+    spanGaps: true,
+    points: { show: false },
+    dash: i < COLOURS ? undefined : [6, 3],
+  });
+}
+
+/** Takes the chosen part of a plot. @param {any} plot @param {(range: {from: number, to: number}) => void} zoomed */
+function zoomTo(plot, zoomed) {
+  const { left, width } = plot.select;
+  if (width > LEAST_DRAG_PIXELS) {
+    zoomed({ from: plot.posToVal(left, 'x'), to: plot.posToVal(left + width, 'x') });
+  }
+  plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+}
+
+/** A click is a press that does not move; a drag zooms. @param {any} plot @param {(seconds: number) => void} seek */
+function listenToClicks(plot, seek) {
   let pressedAt = 0;
   plot.over.addEventListener('pointerdown', (/** @type {PointerEvent} */ event) => {
     pressedAt = event.clientX;
   });
   plot.over.addEventListener('click', (/** @type {MouseEvent} */ event) => {
-    if (Math.abs(event.clientX - pressedAt) < 4) {
+    if (Math.abs(event.clientX - pressedAt) < LEAST_DRAG_PIXELS) {
       seek(plot.posToVal(event.offsetX, 'x'));
     }
   });
-  plot.showMoment = (/** @type {number} */ seconds) => {
-    moment = seconds;
-  };
-  return plot;
 }
 
 /** Axes in the colours of the theme. @param {(name: string) => string} colour */
 export function axes(colour) {
-  const axis = { stroke: () => colour('--faint'), grid: { stroke: () => colour('--edge'), width: 1 }, ticks: { show: false }, font: '12px system-ui, sans-serif' };
-  return [{ ...axis, size: 22, gap: 2 }, { ...axis, size: 46, gap: 2 }];
+  const axis = {
+    stroke: () => colour('--faint'),
+    grid: { stroke: () => colour('--edge'), width: 1 },
+    ticks: { show: false },
+    font: '12px system-ui, sans-serif',
+  };
+  return [
+    { ...axis, size: 22, gap: 2 },
+    { ...axis, size: 46, gap: 2 },
+  ];
 }
 
 /** A flat curve lies in the middle. @param {any} _ @param {number | null} least @param {number | null} most */

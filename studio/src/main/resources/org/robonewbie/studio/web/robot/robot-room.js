@@ -46,7 +46,11 @@ class RobotRoom {
     this.facts = element('p', { class: 'robot-facts', role: 'status' });
     this.motion = element('p', { class: 'robot-motion' });
     const camera = element('figure', {}, element('figcaption', { class: 'faint' }, 'What the camera sees'));
-    const map = element('figure', { class: 'map' }, element('figcaption', { class: 'faint' }, 'From above: rings are true, filled is believed'));
+    const map = element(
+      'figure',
+      { class: 'map' },
+      element('figcaption', { class: 'faint' }, 'From above: rings are true, filled is believed'),
+    );
     const senses = element('div', { class: 'senses-row' });
     middle.append(
       element('div', { class: 'robot-head' }, this.choice, this.facts),
@@ -67,7 +71,9 @@ class RobotRoom {
     const log = element('div', { class: 'sheet', id: 'log-sheet' });
     const messages = element('div', { class: 'sheet', id: 'message-sheet' });
     const sheets = [log, messages];
-    const tabs = ['Log', 'Messages'].map((name, i) => button(name, i === 0 ? 'What the program of the robot says (G)' : 'What goes over the wire (M)', () => show(i)));
+    const tabs = ['Log', 'Messages'].map((name, i) =>
+      button(name, i === 0 ? 'What the program of the robot says (G)' : 'What goes over the wire (M)', () => show(i)),
+    );
     tabs[0].id = 'log-tab';
     tabs[1].id = 'message-tab';
     const show = (/** @type {number} */ shown) => {
@@ -86,7 +92,12 @@ class RobotRoom {
   /** What keys do here. */
   get deeds() {
     return [
-      { keys: ['n', 'N'], shown: 'N', text: 'next robot', act: () => this.choose((this.watch.chosen + 1) % Math.max(1, this.choice.options.length)) },
+      {
+        keys: ['n', 'N'],
+        shown: 'N',
+        text: 'next robot',
+        act: () => this.choose((this.watch.chosen + 1) % Math.max(1, this.choice.options.length)),
+      },
       { keys: ['g', 'G'], shown: 'G', text: 'log', act: () => this.showSheet?.(0) },
       { keys: ['m', 'M'], shown: 'M', text: 'messages', act: () => this.showSheet?.(1) },
       { keys: ['h', 'H'], shown: 'H', text: 'hold the curves, or let them go on', act: () => this.plots.hold() },
@@ -132,14 +143,21 @@ class RobotRoom {
   #draw(moment, isLive) {
     const { frame, robot, thoughts, scene, model, seconds } = moment;
     const place = placeOf(frame, robot);
-    setText(this.facts, `x ${fixed(place.x, 2)} m, y ${fixed(place.y, 2)} m, looks to ${fixed(place.heading, 0)}°, ${place.stands ? 'stands' : 'lies'}`);
+    setText(
+      this.facts,
+      `x ${fixed(place.x, 2)} m, y ${fixed(place.y, 2)} m, looks to ${fixed(place.heading, 0)}°, ${place.stands ? 'stands' : 'lies'}`,
+    );
     const { name, keyframe } = thoughts.motion;
     setText(this.motion, name ? `Motion ${name}, on the way to keyframe ${keyframe}` : 'No motion is running');
     this.drawJoints(moment);
     this.drawMap(moment);
     this.drawCamera(thoughts.picture && readSenses(thoughts.picture.perceptors).seen, scene.robots[robot].team);
     const { exchange } = thoughts;
-    this.drawSenses(exchange ? readSenses(exchange.perceptors) : NO_SENSES, exchange ? readOrders(exchange.effectors).said : [], model);
+    this.drawSenses(
+      exchange ? readSenses(exchange.perceptors) : NO_SENSES,
+      exchange ? readOrders(exchange.effectors).said : [],
+      model,
+    );
     this.drawLog?.(thoughts.log, seconds);
     this.drawMessages?.(exchange);
     this.plots.draw(moment, isLive);

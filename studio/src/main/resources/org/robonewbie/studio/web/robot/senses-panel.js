@@ -10,45 +10,47 @@ import { fixed } from '../state/numbers.js';
 
 const FEET = { lf: 'left', rf: 'right' };
 const NEWTONS_PER_METRE = 2500;
+const NAMES = ['Accelerometer', 'Gyroscope', 'Left foot', 'Right foot', 'Hears', 'Says', 'Game'];
 
 /**
  * @param {HTMLElement} place
  * @returns {(senses: Senses, said: string[], model: RobotModel) => void}
  */
 export function sensesPanel(place) {
-  const values = Object.fromEntries(['Accelerometer', 'Gyroscope', 'Left foot', 'Right foot', 'Hears', 'Says', 'Game'].map((name) => [name, element('dd', {})]));
-  const list = element('dl', { class: 'senses' }, ...Object.entries(values).flatMap(([name, value]) => [element('dt', {}, name), value]));
+  const values = Object.fromEntries(NAMES.map((name) => [name, element('dd', {})]));
+  const lines = NAMES.flatMap((name) => [element('dt', {}, name), values[name]]);
   const soles = shape('svg', { class: 'soles', viewBox: '-0.13 -0.1 0.26 0.2', role: 'img' });
   soles.setAttribute('aria-label', 'Where the ground presses against the feet; the toes are above');
-  place.append(list, soles);
+  place.append(element('dl', { class: 'senses' }, ...lines), soles);
   return (senses, said, model) => {
     setText(values.Accelerometer, vector(senses.acceleration, 1, 'm/s²'));
     setText(values.Gyroscope, vector(senses.gyro, 0, '°/s'));
     setText(values['Left foot'], foot(senses.feet.lf));
     setText(values['Right foot'], foot(senses.feet.rf));
-    if (senses.heard.length > 0) {
-      setText(values.Hears, senses.heard.map(({ from, text }) => `“${text}” from ${from}`).join(', '));
-    } else if (values.Hears.textContent === '') {
-      setText(values.Hears, '–');
-    }
-    if (said.length > 0) {
-      setText(values.Says, said.map((text) => `“${text}”`).join(', '));
-    } else if (values.Says.textContent === '') {
-      setText(values.Says, '–');
-    }
+    keepText(values.Hears, senses.heard.map(({ from, text }) => `“${text}” from ${from}`).join(', '));
+    keepText(values.Says, said.map((text) => `“${text}”`).join(', '));
     setText(values.Game, game(senses.game));
     drawSoles(soles, senses, model);
   };
 }
 
+/** Writes what was said; it stays until something else is said. @param {Element} target @param {string} said */
+function keepText(target, said) {
+  setText(target, said || target.textContent || '–');
+}
+
 /** @param {number[] | undefined} numbers @param {number} digits @param {string} unit */
 function vector(numbers, digits, unit) {
-  return numbers ? `${['forward', 'left', 'up'].map((name, i) => `${name} ${fixed(numbers[i], digits)}`).join(', ')} ${unit}` : '–';
+  return numbers
+    ? `${['forward', 'left', 'up'].map((name, i) => `${name} ${fixed(numbers[i], digits)}`).join(', ')} ${unit}`
+    : '–';
 }
 
 /** @param {import('../state/robot/senses.js').FootForce | undefined} force */
 function foot(force) {
-  return force ? `${fixed(Math.hypot(...force.force), 0)} N, forward ${fixed(force.contact[0] * 1000, 0)}, left ${fixed(force.contact[1] * 1000, 0)} mm` : 'touches nothing';
+  return force
+    ? `${fixed(Math.hypot(...force.force), 0)} N, forward ${fixed(force.contact[0] * 1000, 0)}, left ${fixed(force.contact[1] * 1000, 0)} mm`
+    : 'touches nothing';
 }
 
 /** @param {Record<string, string>} told */
@@ -60,12 +62,22 @@ function game(told) {
 /** @param {SVGElement} soles @param {Senses} senses @param {RobotModel} model */
 function drawSoles(soles, senses, model) {
   const shapes = Object.entries(FEET).flatMap(([name, side], i) => {
-    const size = model.links.find((link) => link.name === `${side[0]}foot`)?.size ?? [0.08, 0.16, 0.03];
     const middle = i === 0 ? -0.06 : 0.06;
-    const sole = shape('rect', { class: 'sole', x: middle - size[0] / 2, y: -size[1] / 2, width: size[0], height: size[1], rx: 0.02 });
     const force = senses.feet[name];
-    const press = force && shape('circle', { class: 'press', cx: middle - force.contact[1], cy: -force.contact[0], r: Math.min(0.05, 0.004 + Math.hypot(...force.force) / NEWTONS_PER_METRE) });
-    return [sole, ...(press ? [press] : []), label(side[0].toUpperCase(), middle - 0.007, 0.076, 'sole-text')];
+    const press = force ? [pressOf(force, middle)] : [];
+    return [soleOf(side, middle, model), ...press, label(side[0].toUpperCase(), middle - 0.007, 0.076, 'sole-text')];
   });
   soles.replaceChildren(...shapes);
+}
+
+/** @param {string} side @param {number} middle @param {RobotModel} model */
+function soleOf(side, middle, model) {
+  const [width, height] = model.links.find((link) => link.name === `${side[0]}foot`)?.size ?? [0.08, 0.16, 0.03];
+  return shape('rect', { class: 'sole', x: middle - width / 2, y: -height / 2, width, height, rx: 0.02 });
+}
+
+/** @param {import('../state/robot/senses.js').FootForce} force @param {number} middle */
+function pressOf({ force, contact }, middle) {
+  const r = Math.min(0.05, 0.004 + Math.hypot(...force) / NEWTONS_PER_METRE);
+  return shape('circle', { class: 'press', cx: middle - contact[1], cy: -contact[0], r });
 }

@@ -15,7 +15,10 @@ const COLOUR = /^(#[0-9a-f]{3,8}|[a-z]+)$/i;
  * @returns {(moment: RobotMoment) => void}
  */
 export function surroundingsMap(place) {
-  const svg = shape('svg', { viewBox: `${-REACH_METRES} ${-REACH_METRES} ${2 * REACH_METRES} ${2 * REACH_METRES}`, role: 'img' });
+  const svg = shape('svg', {
+    viewBox: `${-REACH_METRES} ${-REACH_METRES} ${2 * REACH_METRES} ${2 * REACH_METRES}`,
+    role: 'img',
+  });
   svg.setAttribute('aria-label', 'The robot in the middle looks up. Rings: truth. Filled: what the robot believes.');
   const rings = [2, 4, 6].flatMap((radius) => [
     shape('circle', { class: 'ring', r: radius }),
@@ -27,7 +30,11 @@ export function surroundingsMap(place) {
   return ({ scene, frame, robot, thoughts }) => {
     const truth = thingsAround(scene, frame, robot).map(({ name, kind, position }) => ring(position, kind, name));
     const belief = (thoughts.belief?.things ?? []).map((thing) => {
-      const made = dot(thing.position, thing.name === 'ball' ? 'ball' : 'other', `${thing.name}, seen ${thing.ageSeconds.toFixed(1)} s ago`);
+      const made = dot(
+        thing.position,
+        thing.name === 'ball' ? 'ball' : 'other',
+        `${thing.name}, seen ${thing.ageSeconds.toFixed(1)} s ago`,
+      );
       made.setAttribute('opacity', String(Math.max(0.25, 1 - thing.ageSeconds / FADING_SECONDS)));
       return made;
     });
@@ -42,7 +49,11 @@ function believedSelf(torso, side, self) {
   const { position, heading } = believedPlace(torso, side, self);
   const [x, y] = at(position);
   const turn = headingDegrees(torso) - heading;
-  return shape('path', { class: 'belief-self', d: ARROW, transform: `translate(${x} ${y}) rotate(${turn.toFixed(1)})` }, title('where the robot believes to be'));
+  return shape(
+    'path',
+    { class: 'belief-self', d: ARROW, transform: `translate(${x} ${y}) rotate(${turn.toFixed(1)})` },
+    title('where the robot believes to be'),
+  );
 }
 
 /** Forward is up, left is left. @param {number[]} position @returns {[string, string]} */
@@ -53,13 +64,21 @@ function at([forward, left]) {
 /** @param {number[]} position @param {string} kind @param {string} name */
 function ring(position, kind, name) {
   const [cx, cy] = at(position);
-  return shape('circle', { class: `truth ${kind}`, cx, cy, r: kind === 'ball' ? 0.16 : 0.24 }, title(`${name} (truth)`));
+  return shape(
+    'circle',
+    { class: `truth ${kind}`, cx, cy, r: kind === 'ball' ? 0.16 : 0.24 },
+    title(`${name} (truth)`),
+  );
 }
 
 /** @param {number[]} position @param {string} kind @param {string} name */
 function dot(position, kind, name) {
   const [cx, cy] = at(position);
-  return shape('circle', { class: `belief ${kind}`, cx, cy, r: kind === 'ball' ? 0.12 : 0.15 }, title(`${name} (belief)`));
+  return shape(
+    'circle',
+    { class: `belief ${kind}`, cx, cy, r: kind === 'ball' ? 0.12 : 0.15 },
+    title(`${name} (belief)`),
+  );
 }
 
 /** @param {import('../state/robot/telemetry.js').Drawing} drawing */
@@ -73,5 +92,7 @@ function drawn({ shape: kind, colour, place, to, radius, text }) {
   if (kind === 'circle') {
     return shape('circle', { class: 'drawing', cx: x, cy: y, r: radius, stroke: paint });
   }
-  return kind === 'text' ? label(text, Number(x), Number(y), 'drawing drawing-text') : shape('circle', { class: 'drawing', cx: x, cy: y, r: 0.08, fill: paint });
+  return kind === 'text'
+    ? label(text, Number(x), Number(y), 'drawing drawing-text')
+    : shape('circle', { class: 'drawing', cx: x, cy: y, r: 0.08, fill: paint });
 }

@@ -8,38 +8,44 @@ import { element, setText } from '../panels/elements.js';
  * @returns {{place: HTMLElement, draw: (traces: Traces, chosen: readonly string[]) => void}}
  */
 export function valueTree(toggle) {
-  const place = element('div', { class: 'value-tree' });
+  return new ValueTree(toggle);
+}
+
+class ValueTree {
   /** @type {Map<string, HTMLInputElement>} */
-  const boxes = new Map();
+  #boxes = new Map();
   /** @type {Map<string, HTMLElement>} */
-  const groups = new Map();
+  #groups = new Map();
+
+  /** @param {(name: string) => void} toggle */
+  constructor(toggle) {
+    this.toggle = toggle;
+    this.place = element('div', { class: 'value-tree' });
+  }
+
+  /** @param {Traces} traces @param {readonly string[]} chosen */
+  draw(traces, chosen) {
+    const added = [...traces.names.keys()].filter((name) => !this.#boxes.has(name));
+    added.forEach((name) => this.#add(name));
+    for (const [name, box] of this.#boxes) {
+      box.checked = chosen.includes(name);
+      box.disabled = !traces.names.has(name) && !chosen.includes(name);
+    }
+    for (const [group, folder] of this.#groups) {
+      const count = chosen.filter((name) => name.startsWith(`${group}/`)).length;
+      setText(/** @type {Element} */ (folder.firstElementChild), count > 0 ? `${group} (${count})` : group);
+    }
+  }
+
   /** @param {string} name */
-  const add = (name) => {
+  #add(name) {
     const [group, ...rest] = name.split('/');
     const box = element('input', { type: 'checkbox', 'data-value': name });
-    box.addEventListener('change', () => toggle(name));
-    boxes.set(name, box);
-    const folder = groups.get(group) ?? element('details', {}, element('summary', {}, group));
-    groups.set(group, folder);
+    box.addEventListener('change', () => this.toggle(name));
+    this.#boxes.set(name, box);
+    const folder = this.#groups.get(group) ?? element('details', {}, element('summary', {}, group));
+    this.#groups.set(group, folder);
     folder.append(element('label', { class: 'check' }, box, rest.join('/')));
-    place.append(folder);
-  };
-  return {
-    place,
-    draw(traces, chosen) {
-      for (const name of traces.names.keys()) {
-        if (!boxes.has(name)) {
-          add(name);
-        }
-      }
-      for (const [name, box] of boxes) {
-        box.checked = chosen.includes(name);
-        box.disabled = !traces.names.has(name) && !chosen.includes(name);
-      }
-      for (const [group, folder] of groups) {
-        const count = chosen.filter((name) => name.startsWith(`${group}/`)).length;
-        setText(/** @type {Element} */ (folder.firstElementChild), count > 0 ? `${group} (${count})` : group);
-      }
-    },
-  };
+    this.place.append(folder);
+  }
 }

@@ -3,7 +3,17 @@ import { Connection } from '../live/connection.js';
 import { byId, element, setText } from '../panels/elements.js';
 import { themeSwitch } from '../panels/theme.js';
 import { loadPlotter } from '../robot/plotter.js';
-import { bars, facts, initialSearch, sentence, stepCurve, valueCurves, withNews, withoutLine, withRefusal } from '../state/search.js';
+import {
+  bars,
+  facts,
+  initialSearch,
+  sentence,
+  stepCurve,
+  valueCurves,
+  withNews,
+  withoutLine,
+  withRefusal,
+} from '../state/search.js';
 import { searchPlot } from './search-plot.js';
 
 const MOST_NUMBERS = 60;
@@ -34,11 +44,16 @@ function draw() {
   asked = false;
   const { task, numbers, place, phase } = search;
   if (task) {
-    setText(byId('task'), `${task.subject}: ${task.objective} (${task.isLargerBetter ? 'more' : 'less'} is better), ${task.method}`);
+    setText(
+      byId('task'),
+      `${task.subject}: ${task.objective} (${task.isLargerBetter ? 'more' : 'less'} is better), ${task.method}`,
+    );
     setText(byId('value-title'), `${task.objective} in ${task.unit}`);
     byId('share').setAttribute('value', String(search.rounds.length / task.rounds));
   }
-  byId('facts').replaceChildren(...facts(search).map(([name, value]) => element('div', {}, element('dt', {}, name), element('dd', {}, value))));
+  byId('facts').replaceChildren(
+    ...facts(search).map(([name, value]) => element('div', {}, element('dt', {}, name), element('dd', {}, value))),
+  );
   const { tone, text } = sentence(search);
   byId('outcome').dataset.tone = tone;
   setText(byId('outcome'), text);
@@ -49,7 +64,10 @@ function draw() {
   valuePlot.setData(valueCurves(search));
   stepPlot.setData(stepCurve(search));
   const shown = bars(numbers, MOST_NUMBERS);
-  setText(byId('number-count'), numbers.length > shown.length ? `(the ${shown.length} of ${numbers.length} numbers that changed most)` : '');
+  setText(
+    byId('number-count'),
+    numbers.length > shown.length ? `(the ${shown.length} of ${numbers.length} numbers that changed most)` : '',
+  );
   byId('numbers').replaceChildren(...shown.map(numberRow));
 }
 
@@ -62,9 +80,21 @@ function numberRow({ name, unit, start, value, at, half }) {
     return bar;
   };
   const words = (/** @type {number} */ x) => String(Number(x.toPrecision(4)));
-  const range = element('span', { class: 'range' }, part('spread', at - half, at + half), part('change', 0.5, at), part('start', 0.5, 0.5));
+  const range = element(
+    'span',
+    { class: 'range' },
+    part('spread', at - half, at + half),
+    part('change', 0.5, at),
+    part('start', 0.5, 0.5),
+  );
   const text = `${words(start)} → ${words(value)}${unit === '' ? '' : ` ${unit}`}`;
-  return element('div', { class: 'number', title: text }, element('span', {}, name), element('span', { class: 'values' }, text), range);
+  return element(
+    'div',
+    { class: 'number', title: text },
+    element('span', {}, name),
+    element('span', { class: 'values' }, text),
+    range,
+  );
 }
 
 const line = new Connection(`ws://${location.host}/live-search?token=${encodeURIComponent(token)}`, {

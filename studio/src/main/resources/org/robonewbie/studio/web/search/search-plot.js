@@ -19,7 +19,13 @@ export function searchPlot(place, curves) {
   const style = getComputedStyle(place);
   const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
   const size = () => ({ width: Math.max(60, place.clientWidth), height: Math.max(60, place.clientHeight) });
-  const series = curves.map(({ label, colour: name, dash, points }) => ({ label, dash, stroke: () => colour(name), width: 2, points: { show: points ?? false, size: 4 } }));
+  const series = curves.map(({ label, colour: name, dash, points }) => ({
+    label,
+    dash,
+    stroke: () => colour(name),
+    width: 2,
+    points: { show: points ?? false, size: 4 },
+  }));
   const plot = new (uPlot())(
     {
       ...size(),

@@ -28,7 +28,17 @@
 
 /** @returns {Search} */
 export function initialSearch() {
-  return { phase: 'waiting', refusal: '', task: undefined, rounds: [], numbers: [], before: undefined, after: undefined, outcome: '', place: '' };
+  return {
+    phase: 'waiting',
+    refusal: '',
+    task: undefined,
+    rounds: [],
+    numbers: [],
+    before: undefined,
+    after: undefined,
+    outcome: '',
+    place: '',
+  };
 }
 
 /**
@@ -56,7 +66,12 @@ export function withRefusal(search, refusal) {
 
 /** Columns for the plot of the objective: round, best, mean, start. @param {Search} search */
 export function valueCurves({ rounds, before }) {
-  return [rounds.map((round) => round.number), rounds.map((round) => round.best), rounds.map((round) => round.mean), rounds.map(() => before ?? null)];
+  return [
+    rounds.map((round) => round.number),
+    rounds.map((round) => round.best),
+    rounds.map((round) => round.mean),
+    rounds.map(() => before ?? null),
+  ];
 }
 
 /** Columns for the plot of the spread. @param {Search} search */
@@ -70,7 +85,8 @@ export function facts({ task, rounds, before, after, phase }) {
     return [];
   }
   const last = rounds.at(-1);
-  const value = (/** @type {number | undefined} */ number) => (number === undefined ? '–' : `${number.toFixed(3)} ${task.unit}`);
+  const value = (/** @type {number | undefined} */ number) =>
+    number === undefined ? '–' : `${number.toFixed(3)} ${task.unit}`;
   return [
     ['Round', `${last?.number ?? 0} of ${task.rounds}`],
     ['Start', value(before)],
@@ -78,7 +94,10 @@ export function facts({ task, rounds, before, after, phase }) {
     ['Mean', value(last?.mean)],
     ...(after === undefined ? [] : [/** @type {[string, string]} */ (['Result', value(after)])]),
     ['Trials that succeed', last ? `${Math.round(100 * last.success)} %` : '–'],
-    ['Trials per second', last && last.trialsPerSecond > 0 ? last.trialsPerSecond.toFixed(last.trialsPerSecond < 10 ? 1 : 0) : '–'],
+    [
+      'Trials per second',
+      last && last.trialsPerSecond > 0 ? last.trialsPerSecond.toFixed(last.trialsPerSecond < 10 ? 1 : 0) : '–',
+    ],
     ['Time left', phase === 'running' && last && last.trialsPerSecond > 0 ? duration(last.secondsLeft) : '–'],
   ];
 }
@@ -89,7 +108,10 @@ export function sentence({ phase, refusal, outcome, rounds }) {
     case 'waiting':
       return { tone: '', text: 'Waiting for the optimisation …' };
     case 'lost':
-      return { tone: 'trouble', text: 'The program has ended or does not answer. An interrupted run goes on with the same command and --resume.' };
+      return {
+        tone: 'trouble',
+        text: 'The program has ended or does not answer. An interrupted run goes on with the same command and --resume.',
+      };
     case 'refused':
       return { tone: 'trouble', text: refusal };
     case 'ended':
@@ -114,10 +136,17 @@ export function duration(seconds) {
  * @param {number} most how many are wanted
  */
 export function bars(numbers, most) {
-  const reach = Math.max(0.5, ...numbers.map(({ start, value, spread, size }) => (Math.abs(value - start) + spread) / size));
+  const reach = Math.max(
+    0.5,
+    ...numbers.map(({ start, value, spread, size }) => (Math.abs(value - start) + spread) / size),
+  );
   const change = (/** @type {SearchedNumber} */ { start, value, size }) => (value - start) / size;
   return [...numbers]
     .sort((a, b) => Math.abs(change(b)) - Math.abs(change(a)))
     .slice(0, most)
-    .map((number) => ({ ...number, at: 0.5 + change(number) / reach / 2, half: number.spread / number.size / reach / 2 }));
+    .map((number) => ({
+      ...number,
+      at: 0.5 + change(number) / reach / 2,
+      half: number.spread / number.size / reach / 2,
+    }));
 }

@@ -32,7 +32,15 @@ export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 'fastest'];
  * @returns {StudioState}
  */
 export function initialState(hasToken) {
-  return { connection: 'opening', hasToken, refusal: '', scene: undefined, frame: undefined, movedMilliseconds: 0, goal: undefined };
+  return {
+    connection: 'opening',
+    hasToken,
+    refusal: '',
+    scene: undefined,
+    frame: undefined,
+    movedMilliseconds: 0,
+    goal: undefined,
+  };
 }
 
 /**
@@ -77,7 +85,12 @@ export function withScene(state, scene) {
  */
 export function withFrame(state, frame, now) {
   const moved = frame.cycle !== state.frame?.cycle || state.frame.paused;
-  return { ...state, frame, movedMilliseconds: moved ? now : state.movedMilliseconds, goal: lastGoal(state, frame, now) };
+  return {
+    ...state,
+    frame,
+    movedMilliseconds: moved ? now : state.movedMilliseconds,
+    goal: lastGoal(state, frame, now),
+  };
 }
 
 /**
@@ -121,11 +134,17 @@ export function message(state, now) {
     return trouble('The simulator has ended', 'Start it again; this page comes back by itself.');
   }
   if (state.connection === 'opening' || !state.scene) {
-    return waiting('Looking for the simulator…', 'If this stays, start the simulator again and open the address that it prints.');
+    return waiting(
+      'Looking for the simulator…',
+      'If this stays, start the simulator again and open the address that it prints.',
+    );
   }
   if (state.scene.robots.length === 0) {
     const own = 'Add a puppet, or run an agent: ./robonewbie run Agent_BasicStructure';
-    return waiting('Waiting for a robot…', state.scene.clock !== false ? own : 'Run an agent that joins the server that is watched.');
+    return waiting(
+      'Waiting for a robot…',
+      state.scene.clock !== false ? own : 'Run an agent that joins the server that is watched.',
+    );
   }
   if (state.frame && !state.frame.paused && now - state.movedMilliseconds > STANDSTILL_MILLISECONDS) {
     return waiting('The world waits for an agent', 'Is one at a breakpoint? It goes on when the agent does.');

@@ -15,6 +15,7 @@
  * @typedef {object} BodyLink
  * @property {number} massKg
  * @property {boolean} solid whether it can touch something
+ * @property {number} [radius] metres, of a ball; other links are boxes
  *
  * @typedef {object} Body
  * @property {JointFacts[]} joints

@@ -75,7 +75,13 @@ export function bodyMarks(body, frames, manner) {
       extend(marks, 'collision', time, step, `${touching[0].join(' runs into ')}`);
     }
     if (balanceOf(body, poses).margin < 0) {
-      extend(marks, 'balance', time, step, 'The centre of mass is outside of the support: standing still it would tip over');
+      extend(
+        marks,
+        'balance',
+        time,
+        step,
+        'The centre of mass is outside of the support: standing still it would tip over',
+      );
     }
   }
   return marks;

@@ -1,5 +1,5 @@
 /**
- * Which limbs of a robot run into each other: boxes against boxes by separating axes. Pure.
+ * Which limbs of a robot run into each other: boxes against boxes by separating axes, the head as the ball that it is. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  */
@@ -22,6 +22,7 @@ export function collisionsOf(body, poses) {
     centre: [0, 1, 2].map((axis) => poses[i * POSE + axis]),
     axes: [0, 1, 2].map((axis) => rotated(poses, i, [0, 0, 0].with(axis, 1))),
     half: link.size.map((edge) => Math.max(0.002, edge / 2 - SLACK_METRES)),
+    radius: Math.max(0, (body.links[i].radius ?? 0) - SLACK_METRES),
   }));
   return pairsOf(body).filter(([a, b]) => overlap(boxes[a], boxes[b]));
 }
@@ -61,7 +62,7 @@ function ancestors(body, link) {
 }
 
 /**
- * @typedef {{centre: number[], axes: number[][], half: number[]}} Box
+ * @typedef {{centre: number[], axes: number[][], half: number[], radius: number}} Box the radius is that of a ball, else 0
  * @param {Box} a
  * @param {Box} b
  */
@@ -70,11 +71,21 @@ function overlap(a, b) {
   if (Math.hypot(...between) > Math.hypot(...a.half) + Math.hypot(...b.half)) {
     return false;
   }
+  if (a.radius > 0 || b.radius > 0) {
+    return a.radius > 0 ? touchesBall(b, a) : touchesBall(a, b);
+  }
   const edges = a.axes.flatMap((u) => b.axes.map((v) => crossed(u, v)));
   return [...a.axes, ...b.axes, ...edges].every((axis) => {
     const length = Math.hypot(...axis);
     return length < 1e-6 || Math.abs(dot(between, axis)) <= extent(a, axis) + extent(b, axis);
   });
+}
+
+/** @param {Box} box @param {Box} ball */
+function touchesBall(box, ball) {
+  const way = ball.centre.map((value, i) => value - box.centre[i]);
+  const outside = box.axes.map((axis, i) => Math.max(0, Math.abs(dot(way, axis)) - box.half[i]));
+  return Math.hypot(...outside) < ball.radius;
 }
 
 /** @param {Box} box @param {number[]} axis */

@@ -13,6 +13,7 @@
  * @typedef {object} EditorState
  * @property {Body} body
  * @property {string} name of the file, empty for one that has none yet
+ * @property {string} draft under which a motion without a name is kept, empty as long as there is nothing to keep
  * @property {string} version by which the file is known on the disk, empty if it is not there
  * @property {MotionDocument} saved what is on the disk or in the library
  * @property {import('./history.js').History<MotionDocument>} history
@@ -46,6 +47,7 @@ export function initialEditor(body) {
   return {
     body,
     name: '',
+    draft: '',
     version: '',
     saved: EMPTY_DOCUMENT,
     history: historyOf(EMPTY_DOCUMENT),
@@ -86,17 +88,18 @@ export function lengthOf(state) {
 
 /**
  * @param {EditorState} state
- * @param {{name: string, version: string, document: MotionDocument, draft?: MotionDocument}} file
+ * @param {{name: string, draft?: string, version: string, document: MotionDocument, recovered?: MotionDocument}} file
  * @returns {EditorState}
  */
-export function withFile(state, { name, version, document, draft }) {
+export function withFile(state, { name, draft = '', version, document, recovered }) {
   const history = historyOf(document);
   const opened = {
     ...state,
     name,
+    draft,
     version,
     saved: name === '' ? EMPTY_DOCUMENT : document,
-    history: draft ? changed(history, draft, 'Recover unsaved work') : history,
+    history: recovered ? changed(history, recovered, 'Recover unsaved work') : history,
     playing: false,
     trial: undefined,
   };
@@ -111,7 +114,7 @@ export function withFile(state, { name, version, document, draft }) {
  * @returns {EditorState}
  */
 export function withSaved(state, name, version, document) {
-  return { ...state, name, version, saved: document };
+  return { ...state, name, draft: '', version, saved: document };
 }
 
 /**
@@ -177,6 +180,8 @@ export function postureNow(state) {
 }
 
 /**
+ * Makes a step of what is changed; what changes nothing makes none, so that each undo is seen.
+ *
  * @param {EditorState} state
  * @param {MotionDocument} document
  * @param {string} label for the undo button
@@ -184,22 +189,33 @@ export function postureNow(state) {
  * @returns {EditorState}
  */
 export function edited(state, document, label, gesture = '') {
+  if (textOf(document) === textOf(documentOf(state))) {
+    return state;
+  }
   return { ...state, history: changed(state.history, document, label, gesture), trial: undefined, playing: false };
 }
 
 /** @param {EditorState} state @returns {EditorState} */
 export function withUndo(state) {
-  return reselected({ ...state, history: undone(state.history), trial: undefined });
+  return withChangeShown(state, undone(state.history));
 }
 
 /** @param {EditorState} state @returns {EditorState} */
 export function withRedo(state) {
-  return reselected({ ...state, history: redone(state.history), trial: undefined });
+  return withChangeShown(state, redone(state.history));
 }
 
-/** @param {EditorState} state */
-function reselected(state) {
-  return selected(state, Math.min(state.last, framesOf(state).length - 1));
+/** Chooses the first keyframe that undo or redo has changed, so that one sees what it did. @param {EditorState} state @param {EditorState['history']} history */
+function withChangeShown(state, history) {
+  const before = framesOf(state);
+  const next = { ...state, history, trial: undefined };
+  const changedAt = framesOf(next).findIndex((frame, i) => !isSameKeyframe(frame, before[i]));
+  return selected(next, changedAt < 0 ? state.last : changedAt);
+}
+
+/** @param {Keyframe} one @param {Keyframe | undefined} other */
+function isSameKeyframe(one, other) {
+  return one.millis === other?.millis && one.degrees.every((angle, joint) => angle === other.degrees[joint]);
 }
 
 /**

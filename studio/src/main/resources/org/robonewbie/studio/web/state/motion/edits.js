@@ -5,7 +5,16 @@
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
  */
 import { documentOf, edited, framesOf, posed, postureNow, selected, selectionOf } from './editor-state.js';
-import { mapKeyframes, reversed, scaled, wholeCycles, withInserted, withKeyframe, withMoved, without } from './motion-document.js';
+import {
+  mapKeyframes,
+  reversed,
+  scaled,
+  wholeCycles,
+  withInserted,
+  withKeyframe,
+  withMoved,
+  without,
+} from './motion-document.js';
 import { copiedSide, mirrored } from './posture.js';
 
 /** @param {EditorState} state @returns {Keyframe[]} the chosen keyframes */
@@ -42,7 +51,8 @@ export function shifted(state, direction) {
   if (target < 0 || target >= framesOf(state).length) {
     return state;
   }
-  const document = direction < 0 ? withMoved(documentOf(state), target, to) : withMoved(documentOf(state), target, from);
+  const document =
+    direction < 0 ? withMoved(documentOf(state), target, to) : withMoved(documentOf(state), target, from);
   const moved = selected(edited(state, document, 'Move'), from + direction);
   return selected(moved, to + direction, true);
 }
@@ -60,7 +70,10 @@ export function mirroredSelection(state) {
 
 /** @param {EditorState} state @returns {EditorState} */
 export function mirroredMotion(state) {
-  const document = mapKeyframes(documentOf(state), ({ millis, degrees }) => ({ millis, degrees: mirrored(state.body, degrees) }));
+  const document = mapKeyframes(documentOf(state), ({ millis, degrees }) => ({
+    millis,
+    degrees: mirrored(state.body, degrees),
+  }));
   return selected(edited(state, document, 'Mirror the motion'), state.last);
 }
 
@@ -112,7 +125,9 @@ function insertedAfter(state, frames, label) {
   const [, to] = selectionOf(state);
   const at = framesOf(state).length === 0 ? 0 : to + 1;
   const document = frames.reduce((each, frame, i) => withInserted(each, at + i, frame), documentOf(state));
-  return frames.length === 0 ? state : selected(selected(edited(state, document, label), at), at + frames.length - 1, true);
+  return frames.length === 0
+    ? state
+    : selected(selected(edited(state, document, label), at), at + frames.length - 1, true);
 }
 
 /** @param {number} count */

@@ -56,7 +56,12 @@ export function undone(history) {
   if (!before) {
     return history;
   }
-  return { past: history.past.slice(0, -1), present: before, future: [history.present, ...history.future], gesture: '' };
+  return {
+    past: history.past.slice(0, -1),
+    present: before,
+    future: [history.present, ...history.future],
+    gesture: '',
+  };
 }
 
 /**

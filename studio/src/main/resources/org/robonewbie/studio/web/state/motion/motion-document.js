@@ -136,7 +136,9 @@ function insertLine(document, index, line) {
     return withLines(document, document.lines.toSpliced(lineOf(document, index), 0, line));
   }
   const at = count === 0 ? document.lines.length : lineOf(document, count - 1) + 1;
-  const before = document.lines.slice(0, at).map((each, i) => (i === at - 1 && each.end === '' ? { ...each, end: line.end } : each));
+  const before = document.lines
+    .slice(0, at)
+    .map((each, i) => (i === at - 1 && each.end === '' ? { ...each, end: line.end } : each));
   return withLines(document, [...before, line, ...document.lines.slice(at)]);
 }
 

@@ -150,3 +150,14 @@ function wordsOf(text) {
   const content = comment < 0 ? text : text.slice(0, comment);
   return Array.from(content.matchAll(/[^ \t]+/g), (match) => ({ word: match[0], at: match.index }));
 }
+
+/**
+ * What a robot would refuse.
+ *
+ * @param {MotionDocument} document
+ * @returns {string} about the first line that cannot be understood, empty if there is none
+ */
+export function problemOf({ lines }) {
+  const bad = lines.flatMap(({ problem }, i) => (problem ? [`Line ${i + 1} cannot be read: ${problem}`] : []));
+  return bad.length > 1 ? `${bad[0]} (${bad.length} such lines)` : (bad[0] ?? '');
+}

@@ -28,7 +28,18 @@ const POSTURES = [
   ['Construction pose', {}],
   ['Arms up', { ...STANDING, BOTH_SHOULDER_PITCH: 90, BOTH_SHOULDER_YAW: 15, BOTH_ARM_ROLL: 0, BOTH_ARM_YAW: -15 }],
   ['Arms wide', { ...STANDING, BOTH_SHOULDER_PITCH: 0, BOTH_SHOULDER_YAW: 88, BOTH_ARM_ROLL: 0, BOTH_ARM_YAW: 0 }],
-  ['Crouch', { ...STANDING, BOTH_HIP_PITCH: 62, BOTH_KNEE_PITCH: -118, BOTH_FOOT_PITCH: 58, BOTH_SHOULDER_PITCH: -40, BOTH_ARM_ROLL: 0, BOTH_ARM_YAW: -20 }],
+  [
+    'Crouch',
+    {
+      ...STANDING,
+      BOTH_HIP_PITCH: 62,
+      BOTH_KNEE_PITCH: -118,
+      BOTH_FOOT_PITCH: 58,
+      BOTH_SHOULDER_PITCH: -40,
+      BOTH_ARM_ROLL: 0,
+      BOTH_ARM_YAW: -20,
+    },
+  ],
   ['Look up', { ...STANDING, NECK_PITCH: 35 }],
 ];
 
@@ -48,6 +59,7 @@ export function readPostures(text) {
 
 /** @param {readonly NamedPosture[]} postures @returns {string} */
 export function writePostures(postures) {
-  return postures.map(({ name, degrees }) => `// posture: ${name}\n${newLine({ millis: 500, degrees }, '').text}\n`).join('');
+  return postures
+    .map(({ name, degrees }) => `// posture: ${name}\n${newLine({ millis: 500, degrees }, '').text}\n`)
+    .join('');
 }
-

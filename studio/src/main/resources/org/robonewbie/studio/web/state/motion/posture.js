@@ -78,3 +78,15 @@ export function postureFrom(body, angles) {
     return (angles[name] ?? (name.startsWith('RIGHT_') ? mirrorSign * both : both)) + 0;
   });
 }
+
+/**
+ * @param {readonly number[]} before
+ * @param {readonly number[]} after
+ * @param {number} otherwise
+ * @returns {number} the joint that has turned most, or another if none has
+ */
+export function mostTurned(before, after, otherwise) {
+  const ways = after.map((angle, joint) => Math.abs(angle - before[joint]));
+  const most = Math.max(...ways);
+  return most > 0 ? ways.indexOf(most) : otherwise;
+}

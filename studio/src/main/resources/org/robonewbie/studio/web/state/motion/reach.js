@@ -65,7 +65,7 @@ export function limbOf(body, link) {
  */
 function chain(body, link, ends) {
   const joints = [];
-  for (let at = link; at !== 0; ) {
+  for (let at = link; at !== 0;) {
     const hinge = body.model.hinges.findIndex(({ child }) => child === at);
     const joint = body.jointOfHinge[hinge];
     if (!body.joints[joint].name.endsWith('HIP_YAW_PITCH')) {
@@ -122,7 +122,9 @@ export function followed(body, posture, torso, pull) {
     const before = reached;
     const target = from.map((value, axis) => value + (way[axis] * stride) / strides);
     const next = pulled(body, before, torso, { ...pull, target });
-    reached = next.map((angle, i) => before[i] + Math.max(-STRIDE_DEGREES, Math.min(STRIDE_DEGREES, angle - before[i])));
+    reached = next.map(
+      (angle, i) => before[i] + Math.max(-STRIDE_DEGREES, Math.min(STRIDE_DEGREES, angle - before[i])),
+    );
   }
   return reached;
 }
@@ -183,12 +185,18 @@ function improved(body, posture, torso, pull, error, damping) {
   let free = pull.joints.map((_, i) => i);
   for (;;) {
     const result = [...posture];
-    const turns = leastSquares(free.map((i) => columns[i]), error, damping);
+    const turns = leastSquares(
+      free.map((i) => columns[i]),
+      error,
+      damping,
+    );
     free.forEach((i, k) => {
       const joint = pull.joints[i];
       result[joint] = clamped(body, joint, posture[joint] + Math.max(-MOST_DEGREES, Math.min(MOST_DEGREES, turns[k])));
     });
-    const stuck = free.filter((i, k) => result[pull.joints[i]] === posture[pull.joints[i]] && Math.abs(turns[k]) > 1e-9);
+    const stuck = free.filter(
+      (i, k) => result[pull.joints[i]] === posture[pull.joints[i]] && Math.abs(turns[k]) > 1e-9,
+    );
     if (stuck.length === 0 || stuck.length === free.length) {
       return result;
     }
@@ -199,7 +207,10 @@ function improved(body, posture, torso, pull, error, damping) {
 /** @param {number[][]} columns @param {number[]} error @param {number} damping */
 function leastSquares(columns, error, damping) {
   const matrix = columns.map((a, i) => columns.map((b, j) => dot(a, b) + (i === j ? damping : 0)));
-  return solved(matrix, columns.map((column) => dot(column, error)));
+  return solved(
+    matrix,
+    columns.map((column) => dot(column, error)),
+  );
 }
 
 /** @param {number[]} a @param {number[]} b */

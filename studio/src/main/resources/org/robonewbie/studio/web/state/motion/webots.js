@@ -9,11 +9,28 @@ const HEAD = '#WEBOTS_MOTION,V1.0';
 
 /** NAO's names for the 22 joints in the order of the motion files. */
 export const WEBOTS_JOINTS = [
-  'HeadYaw', 'HeadPitch',
-  'LShoulderPitch', 'LShoulderRoll', 'LElbowRoll', 'LElbowYaw',
-  'LHipYawPitch', 'LHipRoll', 'LHipPitch', 'LKneePitch', 'LAnklePitch', 'LAnkleRoll',
-  'RHipYawPitch', 'RHipRoll', 'RHipPitch', 'RKneePitch', 'RAnklePitch', 'RAnkleRoll',
-  'RShoulderPitch', 'RShoulderRoll', 'RElbowRoll', 'RElbowYaw',
+  'HeadYaw',
+  'HeadPitch',
+  'LShoulderPitch',
+  'LShoulderRoll',
+  'LElbowRoll',
+  'LElbowYaw',
+  'LHipYawPitch',
+  'LHipRoll',
+  'LHipPitch',
+  'LKneePitch',
+  'LAnklePitch',
+  'LAnkleRoll',
+  'RHipYawPitch',
+  'RHipRoll',
+  'RHipPitch',
+  'RKneePitch',
+  'RAnklePitch',
+  'RAnkleRoll',
+  'RShoulderPitch',
+  'RShoulderRoll',
+  'RElbowRoll',
+  'RElbowYaw',
 ];
 
 /**

@@ -17,7 +17,13 @@ const POSE_NUMBERS = 7;
  * @returns {Picture} the own run with the robots of the other one as ghosts, which belong to no team
  */
 export function withGhosts(own, other) {
-  const ghosts = other.scene.robots.map((player) => ({ ...player, id: -1 - player.id, side: /** @type {const} */ (''), number: 0, team: `Ghost of ${player.team} ${player.number}` }));
+  const ghosts = other.scene.robots.map((player) => ({
+    ...player,
+    id: -1 - player.id,
+    side: /** @type {const} */ (''),
+    number: 0,
+    team: `Ghost of ${player.team} ${player.number}`,
+  }));
   return {
     scene: { ...own.scene, robots: [...own.scene.robots, ...ghosts] },
     frame: { ...own.frame, robots: [...own.frame.robots, ...other.frame.robots] },
@@ -32,7 +38,9 @@ export function withGhosts(own, other) {
 export function differences(own, other) {
   const robots = own.scene.robots.flatMap(({ team, number }, i) => {
     const twin = other.scene.robots.findIndex((each) => each.team === team && each.number === number);
-    return twin < 0 ? [] : [{ name: `${team} ${number}`, metres: distance(own.frame.robots[i].torso, other.frame.robots[twin].torso) }];
+    return twin < 0
+      ? []
+      : [{ name: `${team} ${number}`, metres: distance(own.frame.robots[i].torso, other.frame.robots[twin].torso) }];
   });
   return [{ name: 'ball', metres: distance(own.frame.ball, other.frame.ball) }, ...robots];
 }
@@ -48,7 +56,9 @@ export function curveOf(own, other, points) {
     Array.from({ length: points }, (_, i) => {
       const index = Math.round((i * (own.length - 1)) / Math.max(1, points - 1));
       const [a, b] = [own[index]?.numbers, other[index]?.numbers];
-      return a && b && at + 2 < a.length && at + 2 < b.length ? Math.hypot(a[at] - b[at], a[at + 1] - b[at + 1], a[at + 2] - b[at + 2]) / STEPS_PER_METRE : 0;
+      return a && b && at + 2 < a.length && at + 2 < b.length
+        ? Math.hypot(a[at] - b[at], a[at + 1] - b[at + 1], a[at + 2] - b[at + 2]) / STEPS_PER_METRE
+        : 0;
     });
   const ball = curve(0);
   return Math.max(...ball) > 0.001 ? ball : curve(POSE_NUMBERS);

@@ -17,7 +17,13 @@ export function notesOf(lines, firstCycle) {
     try {
       const { seconds, robot, level, text } = JSON.parse(line);
       const index = Math.max(0, Math.round(seconds * CYCLES_PER_SECOND) - firstCycle);
-      return [{ index, kind: WARNINGS.includes(level) ? /** @type {const} */ ('warning') : /** @type {const} */ ('log'), text: `${robot} says ${text}` }];
+      return [
+        {
+          index,
+          kind: WARNINGS.includes(level) ? /** @type {const} */ ('warning') : /** @type {const} */ ('log'),
+          text: `${robot} says ${text}`,
+        },
+      ];
     } catch {
       return [];
     }

@@ -109,7 +109,12 @@ export class RecordingReader {
     const kind = source.bytes(1)[0];
     const content = new Source(source.bytes(source.unsigned()));
     if (kind === HEADER) {
-      this.header = Object.fromEntries(content.text().split('\n').map((line) => line.split(/=(.*)/s).slice(0, 2)));
+      this.header = Object.fromEntries(
+        content
+          .text()
+          .split('\n')
+          .map((line) => line.split(/=(.*)/s).slice(0, 2)),
+      );
     } else if (kind === GAME) {
       const playMode = content.text();
       const [half, scoreLeft, scoreRight] = [content.unsigned(), content.unsigned(), content.unsigned()];
@@ -160,7 +165,14 @@ export class RecordingReader {
       numbers.set(track, at);
       at += sizes[i];
     });
-    const moment = { cycle, gameTime: this.ticks * CYCLE_SECONDS, game: this.game, robots: this.robots, speeds: this.speeds, numbers };
+    const moment = {
+      cycle,
+      gameTime: this.ticks * CYCLE_SECONDS,
+      game: this.game,
+      robots: this.robots,
+      speeds: this.speeds,
+      numbers,
+    };
     this.#noteFalls(moment);
     this.moments.push(moment);
   }

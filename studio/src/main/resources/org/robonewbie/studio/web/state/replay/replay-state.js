@@ -59,7 +59,10 @@ export function advanced(state, seconds) {
  */
 export function looped(state) {
   const reach = 2 * MOMENTS_PER_SECOND;
-  const range = /** @type {[number, number]} */ ([Math.max(0, state.index - reach), Math.min(state.count - 1, state.index + reach)]);
+  const range = /** @type {[number, number]} */ ([
+    Math.max(0, state.index - reach),
+    Math.min(state.count - 1, state.index + reach),
+  ]);
   return { ...state, loop: state.loop ? undefined : range };
 }
 
@@ -114,7 +117,13 @@ export function frameOf(moment, scene) {
   let at = POSE_NUMBERS;
   const robots = moment.robots.map(({ type }) => {
     const hinges = scene.models[type].hinges.length;
-    const robot = { torso: poseAt(numbers, at), degrees: Float32Array.from(numbers.subarray(at + POSE_NUMBERS, at + POSE_NUMBERS + hinges), (steps) => steps / STEPS_PER_DEGREE) };
+    const robot = {
+      torso: poseAt(numbers, at),
+      degrees: Float32Array.from(
+        numbers.subarray(at + POSE_NUMBERS, at + POSE_NUMBERS + hinges),
+        (steps) => steps / STEPS_PER_DEGREE,
+      ),
+    };
     at += POSE_NUMBERS + hinges;
     return robot;
   });
@@ -158,14 +167,19 @@ export function csvOf(moments, models) {
   /** @type {Map<Moment['robots'], number>} */
   const rosters = new Map();
   moments.forEach(({ robots }) => rosters.set(robots, (rosters.get(robots) ?? 0) + 1));
-  const robots = [...rosters.keys()].reduce((best, each) => ((rosters.get(each) ?? 0) > (rosters.get(best) ?? 0) ? each : best), moments[0]?.robots ?? []);
+  const robots = [...rosters.keys()].reduce(
+    (best, each) => ((rosters.get(each) ?? 0) > (rosters.get(best) ?? 0) ? each : best),
+    moments[0]?.robots ?? [],
+  );
   const head = ['cycle', 'game_time_s', 'play_mode', 'score_left', 'score_right', 'ball_x_m', 'ball_y_m', 'ball_z_m'];
   for (const { team, number, type } of robots) {
     const name = `${team}_${number}`.replaceAll(/[^\p{L}\p{N}]+/gu, '_');
     head.push(...['x_m', 'y_m', 'z_m'].map((axis) => `${name}_${axis}`));
     head.push(...models[type].hinges.map(({ joint }) => `${name}_${joint.toLowerCase()}_deg`));
   }
-  const rows = moments.filter((moment) => moment.robots === robots).map((moment) => rowOf(moment, sceneOf(moment, {}, models, 0)));
+  const rows = moments
+    .filter((moment) => moment.robots === robots)
+    .map((moment) => rowOf(moment, sceneOf(moment, {}, models, 0)));
   return [head.join(','), ...rows, ''].join('\n');
 }
 

@@ -41,7 +41,9 @@ export function writeExpression(expression) {
  * @returns {Expression[] | undefined} the first list in it that begins with the name
  */
 export function part(list, name) {
-  return typeof list === 'string' ? undefined : /** @type {Expression[] | undefined} */ (list.find((each) => typeof each !== 'string' && each[0] === name));
+  return typeof list === 'string'
+    ? undefined
+    : /** @type {Expression[] | undefined} */ (list.find((each) => typeof each !== 'string' && each[0] === name));
 }
 
 /** @param {Expression[] | undefined} list @returns {number[]} the numbers behind the list's name */

@@ -70,7 +70,8 @@ export class RobotMemory {
 
   /** @param {number} seconds @returns {Thoughts} */
   at(seconds) {
-    const young = (/** @type {{seconds: number} | undefined} */ each, /** @type {number} */ limit) => each !== undefined && seconds - each.seconds < limit;
+    const young = (/** @type {{seconds: number} | undefined} */ each, /** @type {number} */ limit) =>
+      each !== undefined && seconds - each.seconds < limit;
     const belief = latest(this.beliefs, seconds);
     const picture = latest(this.pictures, seconds);
     const exchange = latest(this.exchanges, seconds);

@@ -67,7 +67,13 @@ export class RobotWatch {
       this.traces.add(cycle, sensedValues(readSenses(perceptors)));
       Object.assign(this.commanded, readOrders(effectors).speeds);
       if (this.model) {
-        this.traces.add(cycle, commandedValues(this.model, this.model.hinges.map(({ effector }) => this.commanded[effector] ?? 0)));
+        this.traces.add(
+          cycle,
+          commandedValues(
+            this.model,
+            this.model.hinges.map(({ effector }) => this.commanded[effector] ?? 0),
+          ),
+        );
       }
     }
   }
@@ -89,7 +95,11 @@ export class RobotWatch {
     const seconds = frame.cycle * CYCLE_SECONDS;
     const common = { scene, frame, robot: this.chosen, model, seconds };
     if (shown.recorded) {
-      return { ...common, thoughts: this.silent.at(seconds), traces: this.#recordedTraces(shown.recorded, key, player.id, seconds) };
+      return {
+        ...common,
+        thoughts: this.silent.at(seconds),
+        traces: this.#recordedTraces(shown.recorded, key, player.id, seconds),
+      };
     }
     this.#watch(key, model);
     this.#trace(cursor, key);
@@ -151,7 +161,12 @@ export class RobotWatch {
       const traces = recordedTraces(reader, scene, id, frame.cycle);
       const { from, to } = traces.extent;
       const last = (reader.moments.at(-1)?.cycle ?? 0) * CYCLE_SECONDS;
-      this.recorded = { key, traces, from: from === 0 ? 0 : from + MARGIN_SECONDS, to: to >= last ? to : to - MARGIN_SECONDS };
+      this.recorded = {
+        key,
+        traces,
+        from: from === 0 ? 0 : from + MARGIN_SECONDS,
+        to: to >= last ? to : to - MARGIN_SECONDS,
+      };
     }
     return /** @type {NonNullable<typeof this.recorded>} */ (this.recorded).traces;
   }

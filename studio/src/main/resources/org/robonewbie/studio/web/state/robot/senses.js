@@ -28,7 +28,15 @@ import { numbers, part, readExpressions } from './expressions.js';
 /** @param {string} message of the simulator @returns {Senses} */
 export function readSenses(message) {
   /** @type {Senses} */
-  const senses = { now: undefined, game: {}, gyro: undefined, acceleration: undefined, feet: {}, heard: [], seen: undefined };
+  const senses = {
+    now: undefined,
+    game: {},
+    gyro: undefined,
+    acceleration: undefined,
+    feet: {},
+    heard: [],
+    seen: undefined,
+  };
   for (const expression of readExpressions(message)) {
     if (typeof expression !== 'string') {
       sense(senses, expression);
@@ -53,7 +61,10 @@ function sense(senses, expression) {
       senses.acceleration = ours(numbers(part(expression, 'a')));
       break;
     case 'FRP':
-      senses.feet[String(part(expression, 'n')?.[1])] = { contact: ours(numbers(part(expression, 'c'))), force: ours(numbers(part(expression, 'f'))) };
+      senses.feet[String(part(expression, 'n')?.[1])] = {
+        contact: ours(numbers(part(expression, 'c'))),
+        force: ours(numbers(part(expression, 'f'))),
+      };
       break;
     case 'hear':
       senses.heard.push(heard(expression));
@@ -75,7 +86,14 @@ function heard(expression) {
   const from = String(expression[at + 1]);
   const direction = from === 'self' ? 'itself' : `${from}°`;
   const team = at === 2 && from !== 'self' ? `${expression[1]} at ` : '';
-  return { seconds: Number(expression[at]), from: team + direction, text: expression.slice(at + 2).map(String).join(' ') };
+  return {
+    seconds: Number(expression[at]),
+    from: team + direction,
+    text: expression
+      .slice(at + 2)
+      .map(String)
+      .join(' '),
+  };
 }
 
 /** @param {Expression[]} expression */
@@ -86,7 +104,10 @@ function seen(expression) {
   const lines = [];
   for (const each of expression.slice(1)) {
     const name = String(each[0]);
-    const points = typeof each === 'string' ? [] : each.flatMap((item) => (item[0] === 'pol' ? [numbers(/** @type {Expression[]} */ (item))] : []));
+    const points =
+      typeof each === 'string'
+        ? []
+        : each.flatMap((item) => (item[0] === 'pol' ? [numbers(/** @type {Expression[]} */ (item))] : []));
     if (name === 'L') {
       lines.push(points);
     } else if (name === 'P') {

@@ -47,7 +47,9 @@ export function trueValues(model, frame, robot) {
     ['ball/y', frame.ball[1]],
     ['ball/height', frame.ball[2]],
     ['ball/distance', place.ball],
-    ...model.hinges.map(({ joint }, i) => /** @type {const} */ ([`joint angle/${jointName(joint)}`, frame.robots[robot].degrees[i]])),
+    ...model.hinges.map(
+      ({ joint }, i) => /** @type {const} */ ([`joint angle/${jointName(joint)}`, frame.robots[robot].degrees[i]]),
+    ),
   ];
 }
 

@@ -70,7 +70,7 @@ function readBelief(fields) {
 /** @param {string[]} fields @returns {Drawing[]} */
 function readDrawings(fields) {
   const drawings = [];
-  for (let at = 0; at + 4 < fields.length; ) {
+  for (let at = 0; at + 4 < fields.length;) {
     const [shape, colour] = fields.slice(at, at + 2);
     const place = fields.slice(at + 2, at + 5).map(Number);
     at += 5;

@@ -67,10 +67,13 @@ export class Traces {
     const last = Math.min(this.rows.length, this.#countBefore(to / CYCLE_SECONDS) + 1);
     const rows = this.rows.slice(first, last);
     const seconds = this.cycles.slice(first, last).map((cycle) => cycle * CYCLE_SECONDS);
-    return [seconds, ...names.map((name) => {
-      const column = this.names.get(name) ?? -1;
-      return rows.map((row) => row[column] ?? null);
-    })];
+    return [
+      seconds,
+      ...names.map((name) => {
+        const column = this.names.get(name) ?? -1;
+        return rows.map((row) => row[column] ?? null);
+      }),
+    ];
   }
 
   /** @returns {{from: number, to: number}} seconds of the first and last row */
@@ -116,6 +119,8 @@ export class Traces {
 export function tableOf(traces, names, from, to) {
   const columns = traces.columns(names, from, to);
   const head = ['seconds', ...names].map((name) => name.replaceAll(/[,"\n]/g, ' '));
-  const rows = columns[0].map((seconds, i) => [(seconds ?? 0).toFixed(2), ...columns.slice(1).map((column) => column[i] ?? '')].join(','));
+  const rows = columns[0].map((seconds, i) =>
+    [(seconds ?? 0).toFixed(2), ...columns.slice(1).map((column) => column[i] ?? '')].join(','),
+  );
   return [head.join(','), ...rows, ''].join('\n');
 }

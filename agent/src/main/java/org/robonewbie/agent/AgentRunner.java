@@ -1,0 +1,122 @@
+package org.robonewbie.agent;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.robonewbie.agent.cycle.Clockwork;
+import org.robonewbie.agent.cycle.CycleWatch;
+import org.robonewbie.agent.cycle.LinkPort;
+import org.robonewbie.agent.cycle.Session;
+import org.robonewbie.agent.running.LogPrinter;
+import org.robonewbie.agent.running.PunctualPort;
+import org.robonewbie.agent.running.SideBySide;
+import org.robonewbie.agent.running.SimulatorConnection;
+import org.robonewbie.agent.running.Watchdog;
+import org.robonewbie.protocol.frame.AgentLink;
+
+/** Runs the agents of one program in the same game. */
+final class AgentRunner {
+
+    private final SimulatorConnection simulator;
+    private final AtomicInteger exitCode = new AtomicInteger();
+
+    private AgentRunner(SimulatorConnection simulator) {
+        this.simulator = simulator;
+    }
+
+    /**
+     * Plays until the game is over for all agents.
+     *
+     * @return the exit code of the program
+     * @throws StartUpException if the game cannot begin
+     */
+    static int run(List<String> args, List<Agent> agents) {
+        check(agents);
+        List<Options> options = agents.stream()
+                .map(agent -> agent.defaults().overriddenBy(args.toArray(String[]::new)))
+                .toList();
+        try (SimulatorConnection simulator = open(options.get(0), agents.size())) {
+            return new AgentRunner(simulator).runAll(agents, options);
+        }
+    }
+
+    /** Opens the connection that the options ask for, and says so. */
+    static SimulatorConnection open(Options options, int robots) {
+        try {
+            SimulatorConnection simulator = SimulatorConnection.open(options.simulator(robots));
+            System.out.println(simulator.description());
+            return simulator;
+        } catch (IOException unreachable) {
+            throw new StartUpException(String.valueOf(unreachable.getMessage()));
+        }
+    }
+
+    /** Brings a robot into the game, to its first place. */
+    static Session join(
+            Clockwork robot, SimulatorConnection simulator, AgentLink link, Options options, CycleWatch watch)
+            throws IOException {
+        robot.telemetry().publishTo(simulator.telemetry());
+        LinkPort port = new LinkPort(link, robot.senses().buffer());
+        new StartDialogue(port, robot, options).run();
+        OptionalDouble life = simulator.endsByItself() ? OptionalDouble.empty() : options.seconds();
+        return new Session(robot, new PunctualPort(port, robot, watch::slowPlace, System::nanoTime), life, watch);
+    }
+
+    private static void check(List<Agent> agents) {
+        if (agents.isEmpty()) {
+            throw new StartUpException(
+                    "There is no agent to play: give runTogether at least one, such as new MyAgent().");
+        }
+        if (Set.copyOf(agents).size() < agents.size()) {
+            throw new StartUpException(
+                    "The same agent cannot play twice, since a robot has only one body: make each of them with new.");
+        }
+    }
+
+    /** The agents connect in order, so that each seed gives the same game. */
+    private int runAll(List<Agent> agents, List<Options> options) {
+        List<Runnable> lives = new ArrayList<>();
+        try {
+            for (int i = 0; i < agents.size(); i++) {
+                Agent agent = agents.get(i);
+                Options own = options.get(i);
+                AgentLink link = simulator.connect();
+                lives.add(() -> live(agent, link, own));
+            }
+        } catch (IOException unreachable) {
+            throw new StartUpException(String.valueOf(unreachable.getMessage()));
+        }
+        SideBySide.run(lives);
+        return exitCode.get();
+    }
+
+    @SuppressWarnings({"try", "ClosingStandardOutputStreams"
+    }) // the printer prints when it is closed, to a stream that stays open
+    private void live(Agent agent, AgentLink link, Options options) {
+        int code;
+        agent.begin(options);
+        agent.numbers().reportUnknown();
+        try (LogPrinter printer = new LogPrinter(agent.clockwork().log(), System.out, simulator::close);
+                link;
+                Watchdog watchdog = Watchdog.start(agent.clockwork().mistakes(), giveUp(options));
+                Session session = join(agent.clockwork(), simulator, link, options, watchdog)) {
+            agent.run(session);
+            code = agent.hasFailed() || session.isBroken() ? 1 : 0;
+        } catch (StartUpException refused) {
+            System.err.println(refused.getMessage());
+            code = 2;
+        } catch (IOException lost) {
+            System.err.println("The simulator has not let the robot in: " + lost.getMessage());
+            code = 2;
+        }
+        exitCode.accumulateAndGet(code, Math::max);
+    }
+
+    private static Optional<Runnable> giveUp(Options options) {
+        return options.isHeadless() ? Optional.of(() -> System.exit(1)) : Optional.empty();
+    }
+}

@@ -1,0 +1,175 @@
+package org.robonewbie.agent.cycle;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.motion.Motors;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorCommand.Beam;
+import org.robonewbie.protocol.effector.EffectorCommand.Say;
+import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
+import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
+import org.robonewbie.protocol.effector.EffectorMessageWriter;
+import org.robonewbie.protocol.frame.MessageBuffer;
+
+/** The commands of this cycle, checked. */
+public final class Commands {
+
+    private static final String SPEED_IS_A_SIZE = "Give a speed above 0; the angle decides on the direction.";
+
+    private final Senses senses;
+    private final Motors motors;
+    private final Mistakes mistakes;
+    private final boolean[] atEnd = new boolean[Joint.COUNT];
+    private Optional<Say> say = Optional.empty();
+    private Optional<Beam> beam = Optional.empty();
+
+    Commands(Senses senses, Motors motors, Mistakes mistakes) {
+        this.senses = senses;
+        this.motors = motors;
+        this.mistakes = mistakes;
+    }
+
+    /**
+     * Sets the speed of a joint.
+     *
+     * @param joint the joint
+     * @param speed degrees per second
+     */
+    public void setJointSpeed(Joint joint, double speed) {
+        if (Double.isNaN(speed)) {
+            mistakes.report(
+                    "speed NaN " + joint,
+                    () -> "Joint speed NaN for " + joint + " is ignored. Was something divided by zero?");
+            return;
+        }
+        double most = joint.maxDegreesPerSecond();
+        if (Math.abs(speed) > most) {
+            mistakes.report(
+                    "speed " + joint,
+                    () -> format(
+                            "Joint speed %.4g for %s is more than its motor can do; it turns with %.2f degrees per second.",
+                            speed, joint, most));
+        }
+        double possible = Math.max(-most, Math.min(most, speed));
+        if (motors.leavesRange(joint, possible) && !atEnd[joint.ordinal()]) {
+            atEnd[joint.ordinal()] = true;
+            mistakes.report("end of range " + joint, () -> endOfRange(joint));
+        }
+        motors.setSpeed(joint, possible);
+    }
+
+    /**
+     * Sets the target of a joint.
+     *
+     * @param joint the joint
+     * @param degrees the angle
+     * @param speed how fast it may move, in degrees per second
+     */
+    public void setJointAngle(Joint joint, double degrees, double speed) {
+        if (!Double.isFinite(degrees) || !(speed > 0)) {
+            mistakes.report(
+                    "angle " + joint + (speed <= 0),
+                    () -> format(
+                            "Joint angle %s with speed %s for %s is ignored. %s",
+                            degrees, speed, joint, speed <= 0 ? SPEED_IS_A_SIZE : "Was something divided by zero?"));
+            return;
+        }
+        if (joint.clampDegrees(degrees) != degrees) {
+            mistakes.report(
+                    "range " + joint,
+                    () -> format(
+                            "Joint angle %s for %s is beyond its range of %.0f to %.0f degrees; it goes to the end of"
+                                    + " the range.",
+                            degrees, joint, joint.minDegrees(), joint.maxDegrees()));
+        }
+        motors.setTarget(joint, degrees, speed);
+    }
+
+    /**
+     * Says a text.
+     *
+     * @param text 1 to 20 characters
+     */
+    public void say(String text) {
+        try {
+            new EffectorMessageWriter(new MessageBuffer()).say(text);
+            say = Optional.of(new Say(text));
+        } catch (IllegalArgumentException unspeakable) {
+            mistakes.report("say", () -> String.valueOf(unspeakable.getMessage()));
+        }
+    }
+
+    /**
+     * Beams the robot, and reports it if the referee does not allow that.
+     *
+     * @param x metres towards the opponents' goal
+     * @param y metres to the left
+     * @param degrees heading
+     */
+    public void beam(double x, double y, double degrees) {
+        if (!senses.isBeamAllowed()) {
+            mistakes.report(
+                    "beam not allowed",
+                    () -> "The referee does not allow a beam in play mode " + senses.playMode()
+                            + ", only before a kick-off and after a goal: ask isBeamAllowed() first.");
+        }
+        if (!Double.isFinite(x + y + degrees)) {
+            mistakes.report(
+                    "beam NaN",
+                    () -> format("Beam to %s, %s, %s is ignored. Was something divided by zero?", x, y, degrees));
+            return;
+        }
+        beam = Optional.of(new Beam(x, y, degrees));
+    }
+
+    /** {@return whether the robot will be put somewhere else by the next message} */
+    public boolean isBeaming() {
+        return beam.isPresent();
+    }
+
+    /**
+     * Ends the cycle: fixes the speeds, and forgets what counts only once.
+     *
+     * @return all commands, with {@code Synchronise} at the end
+     */
+    public List<EffectorCommand> take() {
+        motors.endCycle();
+        List<EffectorCommand> commands = new ArrayList<>();
+        for (Joint joint : Senses.JOINTS) {
+            addSpeed(joint, commands);
+        }
+        beam.ifPresent(commands::add);
+        say.ifPresent(commands::add);
+        commands.add(new Synchronise());
+        beam = Optional.empty();
+        say = Optional.empty();
+        return Collections.unmodifiableList(commands);
+    }
+
+    private void addSpeed(Joint joint, List<EffectorCommand> commands) {
+        if (motors.needsCommand(joint)) {
+            double speed = motors.sentDegreesPerSecond(joint);
+            commands.add(new SetHingeSpeed(joint.effectorName(), PortableMath.toRadians(speed)));
+        }
+        if (motors.isStopped(joint) && !atEnd[joint.ordinal()]) {
+            atEnd[joint.ordinal()] = true;
+            mistakes.reportAt("", "end of range " + joint, () -> endOfRange(joint));
+        }
+    }
+
+    private String endOfRange(Joint joint) {
+        return format(
+                "%s has reached the end of its range (%.0f to %.0f degrees) at %.1f and stops there; set another speed.",
+                joint, joint.minDegrees(), joint.maxDegrees(), senses.joints().degrees(joint));
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}

@@ -1,0 +1,68 @@
+package org.robonewbie.agent.cycle;
+
+import java.io.IOException;
+import java.util.List;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorMessageWriter;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
+
+/** The wire: text from the simulator becomes perceptions, and commands become text for the simulator. */
+public final class LinkPort implements MessagePort {
+
+    private final AgentLink link;
+    private final MessageBuffer received;
+    private final MessageBuffer answer = new MessageBuffer();
+    private final EffectorMessageWriter writer = new EffectorMessageWriter(answer);
+    private final PerceptorMessageReader reader = new PerceptorMessageReader();
+    private PerceptorMessage message = PerceptorMessage.NOTHING;
+
+    /**
+     * Creates the port.
+     *
+     * @param link the connection to the simulator
+     * @param received takes the text of each message
+     */
+    public LinkPort(AgentLink link, MessageBuffer received) {
+        this.link = link;
+        this.received = received;
+    }
+
+    @Override
+    public boolean receive() throws IOException {
+        boolean more = link.receive(received);
+        if (more) {
+            message = reader.read(received);
+        }
+        return more;
+    }
+
+    @Override
+    public PerceptorMessage message() {
+        return message;
+    }
+
+    @Override
+    public void send(List<EffectorCommand> commands) throws IOException {
+        answer.clear();
+        commands.forEach(writer::write);
+        link.send(answer);
+    }
+
+    /**
+     * Checks whether the simulator has gone on without waiting for the answer.
+     *
+     * @return whether the next message has already arrived
+     * @throws IOException if the connection is broken
+     */
+    public boolean isLate() throws IOException {
+        return link.isMessageWaiting();
+    }
+
+    @Override
+    public void close() {
+        link.close();
+    }
+}

@@ -1,0 +1,164 @@
+package org.robonewbie.agent.cycle;
+
+import java.io.IOException;
+import java.util.OptionalDouble;
+
+/** One robot in a game: each message is received, sensed and answered exactly once. */
+public final class Session implements AutoCloseable {
+
+    private final Clockwork robot;
+    private final MessagePort port;
+    private final OptionalDouble lifeSeconds;
+    private final CycleWatch watch;
+    private final double bornSeconds;
+    private boolean sensed = true;
+    private boolean answered = true;
+    private boolean senseForgotten;
+    private boolean broken;
+    private boolean left;
+    private boolean over;
+    private boolean closed;
+
+    /**
+     * Begins the session.
+     *
+     * @param robot senses and answers
+     * @param port brings the messages
+     * @param lifeSeconds simulated seconds until the robot leaves; empty for a game that the simulator ends
+     * @param watch notified when the robot's program thinks
+     */
+    public Session(Clockwork robot, MessagePort port, OptionalDouble lifeSeconds, CycleWatch watch) {
+        this.robot = robot;
+        this.port = port;
+        this.lifeSeconds = lifeSeconds;
+        this.watch = watch;
+        this.bornSeconds = robot.senses().seconds();
+    }
+
+    /**
+     * Waits for the next message. Before that it does what the program has forgotten to do with the last one, and reports it.
+     *
+     * @return false if the game is over for this robot
+     */
+    public boolean next() {
+        doWhatWasForgotten();
+        boolean received = receive();
+        if (received && senseForgotten) {
+            sense();
+        }
+        return received;
+    }
+
+    /**
+     * Waits for the next message and reads all sensors, for programs that turn the cycle themselves. If the last message has no
+     * answer yet, it is answered first.
+     *
+     * @return false if the game is over for this robot
+     */
+    public boolean senseNext() {
+        if (closed) {
+            robot.mistakes().report("closed", () -> "The robot has left the game: sense() was called after close().");
+            return false;
+        }
+        complete();
+        boolean received = receive();
+        sense();
+        return received;
+    }
+
+    /** Reads all sensors from the message that was received last; a second time it does nothing. */
+    public void sense() {
+        if (!sensed) {
+            sensed = true;
+            robot.perceive(port.message());
+            watch.thinkBegins();
+        }
+    }
+
+    /** Answers the message that was received last; a second time it does nothing. */
+    public void act() {
+        if (answered) {
+            return;
+        }
+        answered = true;
+        watch.thinkEnds();
+        try {
+            port.send(robot.act());
+        } catch (IOException failure) {
+            reportBroken(failure);
+        }
+    }
+
+    /** Answers as {@link #act}, and reports it if there is no message to answer. */
+    public void actOnce() {
+        if (answered && !over && !closed) {
+            robot.mistakes()
+                    .report(
+                            "act twice",
+                            () -> "act() sends nothing, since the last message is answered already:"
+                                    + " call sense() before each act().");
+        }
+        act();
+    }
+
+    /** Does what is left to do with the last message, after a step of the program has failed. */
+    public void complete() {
+        sense();
+        act();
+    }
+
+    /** Ends the game for this robot after the current cycle. */
+    public void leave() {
+        left = true;
+    }
+
+    /** {@return whether the connection broke in the middle of the game} */
+    public boolean isBroken() {
+        return broken;
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        port.close();
+    }
+
+    private void doWhatWasForgotten() {
+        if (!sensed) {
+            senseForgotten = true;
+            sense();
+            robot.mistakes().reportAt("", "sense", () -> "sense() did not call super.sense(); the framework does it.");
+        }
+        if (!answered) {
+            robot.mistakes().reportAt("", "act", () -> "act() did not call super.act(); the framework does it.");
+        }
+        complete();
+    }
+
+    private boolean receive() {
+        over = left || broken || isTimeOver() || !hasReceived();
+        sensed = over;
+        answered = over;
+        return !over;
+    }
+
+    private boolean hasReceived() {
+        try {
+            return port.receive();
+        } catch (IOException failure) {
+            reportBroken(failure);
+            return false;
+        }
+    }
+
+    private boolean isTimeOver() {
+        return lifeSeconds.isPresent() && robot.senses().seconds() - bornSeconds >= lifeSeconds.getAsDouble() - 1e-6;
+    }
+
+    private void reportBroken(IOException failure) {
+        if (!broken) {
+            broken = true;
+            System.err.println("The connection to the simulator is lost: " + failure.getMessage());
+        }
+    }
+}

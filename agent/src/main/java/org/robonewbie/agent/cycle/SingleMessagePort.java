@@ -1,0 +1,52 @@
+package org.robonewbie.agent.cycle;
+
+import java.util.List;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+
+/** Brings one perception at a time and keeps the answer, without any simulator. */
+public final class SingleMessagePort implements MessagePort {
+
+    private PerceptorMessage message = PerceptorMessage.NOTHING;
+    private boolean isNew;
+    private List<EffectorCommand> answer = List.of();
+
+    /** Creates a port without a perception. */
+    public SingleMessagePort() {}
+
+    /**
+     * Sets the perception that is received next.
+     *
+     * @param newMessage what the robot senses
+     */
+    public void put(PerceptorMessage newMessage) {
+        message = newMessage;
+        isNew = true;
+        answer = List.of();
+    }
+
+    /** {@return the answer to the last perception; empty if there was none} */
+    public List<EffectorCommand> answer() {
+        return answer;
+    }
+
+    @Override
+    public boolean receive() {
+        boolean received = isNew;
+        isNew = false;
+        return received;
+    }
+
+    @Override
+    public PerceptorMessage message() {
+        return message;
+    }
+
+    @Override
+    public void send(List<EffectorCommand> commands) {
+        answer = commands;
+    }
+
+    @Override
+    public void close() {}
+}

@@ -1,0 +1,164 @@
+package org.robonewbie.agent.log;
+
+import java.io.PrintStream;
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.Deque;
+import java.util.IllegalFormatException;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+
+/** The log of one robot during one run, as the framework handles it. */
+public final class RunLog implements Logger {
+
+    /** The number of lines that are kept in memory, the newest. */
+    public static final int CAPACITY = 200_000;
+
+    private static final int LINES_TO_MOVE = 1000;
+
+    private final String owner;
+    private final int capacity;
+    private final Deque<LogLine> lines = new ArrayDeque<>();
+    private LogOverflow overflow = new DroppedLines();
+    private LogLevel level = LogLevel.INFO;
+    private double seconds;
+    private Consumer<LogLine> listener = line -> {};
+
+    /**
+     * Creates an empty log.
+     *
+     * @param owner whose log it is, for the headline
+     */
+    public RunLog(String owner) {
+        this(owner, CAPACITY);
+    }
+
+    RunLog(String owner, int capacity) {
+        this.owner = owner;
+        this.capacity = capacity;
+    }
+
+    @Override
+    public synchronized void setLevel(LogLevel level) {
+        this.level = level;
+    }
+
+    /**
+     * Sets the clock of the log.
+     *
+     * @param seconds simulated time in seconds
+     */
+    public synchronized void setTime(double seconds) {
+        this.seconds = seconds;
+    }
+
+    /**
+     * Sets the listener for log lines.
+     *
+     * @param listener called at once, in the thread that logs
+     */
+    public synchronized void setListener(Consumer<LogLine> listener) {
+        this.listener = listener;
+    }
+
+    /**
+     * Sets the place for lines that no longer fit into memory; at first they are dropped.
+     *
+     * @param overflow takes the oldest lines
+     */
+    public synchronized void setOverflow(LogOverflow overflow) {
+        this.overflow = overflow;
+    }
+
+    @Override
+    public void debug(String format, Object... values) {
+        log(LogLevel.DEBUG, format, values);
+    }
+
+    @Override
+    public void info(String format, Object... values) {
+        log(LogLevel.INFO, format, values);
+    }
+
+    @Override
+    public void warning(String format, Object... values) {
+        log(LogLevel.WARNING, format, values);
+    }
+
+    @Override
+    public void error(String format, Object... values) {
+        log(LogLevel.ERROR, format, values);
+    }
+
+    @Override
+    public synchronized List<LogLine> lines() {
+        return List.copyOf(lines);
+    }
+
+    /**
+     * Prints what was logged since the last call, and forgets it.
+     *
+     * @param out where to
+     */
+    public synchronized void print(PrintStream out) {
+        if (lines.isEmpty()) {
+            return;
+        }
+        StringBuilder all = new StringBuilder("--- log of " + owner + " ---\n");
+        all.append(overflow.closingNote());
+        lines.forEach(line -> all.append(line).append('\n'));
+        out.print(all.append("--- end of the log ---\n"));
+        out.flush();
+        lines.clear();
+    }
+
+    private synchronized void log(LogLevel importance, String format, Object[] values) {
+        if (importance.compareTo(level) < 0) {
+            return;
+        }
+        if (lines.size() == capacity) {
+            moveOldest(Math.min(capacity, LINES_TO_MOVE));
+        }
+        LogLine line = new LogLine(seconds, importance, text(format, values));
+        lines.addLast(line);
+        listener.accept(line);
+    }
+
+    private void moveOldest(int count) {
+        overflow.take(lines.stream().limit(count).toList());
+        for (int i = 0; i < count; i++) {
+            lines.removeFirst();
+        }
+    }
+
+    /** A wrong pattern must not stop a robot: then pattern and values are written as they are. */
+    private static String text(String format, Object[] values) {
+        if (values.length == 0) {
+            return format;
+        }
+        try {
+            return String.format(Locale.ROOT, format, values);
+        } catch (IllegalFormatException wrongPattern) {
+            return format + " " + Arrays.toString(values);
+        }
+    }
+
+    /** Counts the lines that are dropped. */
+    private static final class DroppedLines implements LogOverflow {
+
+        private long count;
+
+        @Override
+        public void take(List<LogLine> oldest) {
+            count += oldest.size();
+        }
+
+        @Override
+        public String closingNote() {
+            String note = count == 0 ? "" : "(the first " + count + " lines were dropped)\n";
+            count = 0;
+            return note;
+        }
+    }
+}

@@ -1,0 +1,294 @@
+package org.robonewbie.agent.motion;
+
+import java.io.IOException;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Spelling;
+import org.robonewbie.agent.perception.BodyPosition;
+import org.robonewbie.nao.motion.Interpolation;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.MotionFormatException;
+import org.robonewbie.nao.motion.MotionLibrary;
+import org.robonewbie.nao.motion.MotionPlayer;
+import org.robonewbie.nao.motion.MotionProblem;
+import org.robonewbie.nao.motion.Motors;
+
+/**
+ * Plays motions in sequence: finds them by name, makes a fallen robot get up first, and inserts a motion that stops or begins a
+ * walk before those that could not begin otherwise.
+ */
+public final class MotionSequencer implements Motions {
+
+    /** From any state to the stance, and from there to a walk. */
+    private static final int MOST_BRIDGES = 2;
+
+    private final Motors motors;
+    private final MotionLibrary library;
+    private final Mistakes mistakes;
+    private final Supplier<BodyPosition> bodyPosition;
+    private final MotionStates states = new MotionStates();
+    private final Map<String, MotionFile> lastGood = new HashMap<>();
+    private final Deque<MotionFile> queue = new ArrayDeque<>();
+    private Interpolation interpolation = Interpolation.LINEAR;
+    private Optional<MotionPlayer> player = Optional.empty();
+    private double speed = 1;
+    private boolean looping;
+    private boolean gettingUp = true;
+    private Optional<MotionFile> playing = Optional.empty();
+
+    /**
+     * Creates a sequencer without a motion.
+     *
+     * @param motors take the speeds
+     * @param library knows the motions
+     * @param mistakes takes what is wrong with a motion
+     * @param bodyPosition tells whether the robot lies on the ground
+     */
+    public MotionSequencer(
+            Motors motors, MotionLibrary library, Mistakes mistakes, Supplier<BodyPosition> bodyPosition) {
+        this.motors = motors;
+        this.library = library;
+        this.mistakes = mistakes;
+        this.bodyPosition = bodyPosition;
+    }
+
+    @Override
+    public boolean start(String name) {
+        looping &= !isFinished();
+        return isFinished() && load(name).filter(this::prepare).isPresent();
+    }
+
+    @Override
+    public boolean loop(String name) {
+        boolean starts = start(name);
+        looping |= starts;
+        return starts;
+    }
+
+    @Override
+    public boolean startMirrored(String name) {
+        looping &= !isFinished();
+        return isFinished()
+                && load(name)
+                        .map(file -> file.mirrored(name + " mirrored"))
+                        .filter(this::prepare)
+                        .isPresent();
+    }
+
+    @Override
+    public void setAutomaticGetUp(boolean on) {
+        gettingUp = on;
+    }
+
+    @Override
+    public boolean startGetUp() {
+        return bodyPosition.get().isFallen() && start(wayUp());
+    }
+
+    private String wayUp() {
+        return switch (bodyPosition.get()) {
+            case LYING_ON_FRONT -> "stand-up-from-front";
+            case LYING_ON_LEFT_SIDE -> existing("stand-up-from-left-side");
+            case LYING_ON_RIGHT_SIDE -> existing("stand-up-from-right-side");
+            case LYING_ON_BACK, UPRIGHT -> "stand-up-from-back";
+        };
+    }
+
+    private String existing(String name) {
+        return library.names().contains(name) ? name : "stand-up-from-back";
+    }
+
+    @Override
+    public boolean start(Motion motion) {
+        looping &= !isFinished();
+        return isFinished() && prepare(MotionFile.of(motion));
+    }
+
+    @Override
+    public void stop() {
+        if (!isFinished()) {
+            states.reset();
+        }
+        queue.clear();
+        looping = false;
+        player = Optional.empty();
+        motors.stopMotion();
+    }
+
+    @Override
+    public boolean isFinished() {
+        return queue.isEmpty() && (player.isEmpty() || player.get().isFinished());
+    }
+
+    @Override
+    public Optional<String> current() {
+        return player.filter(playing -> !isFinished())
+                .map(playing -> playing.motion().name());
+    }
+
+    @Override
+    public int keyframe() {
+        return player.filter(playing -> !isFinished())
+                .map(playing -> playing.keyframe() + 1)
+                .orElse(0);
+    }
+
+    @Override
+    public void setSpeed(double factor) {
+        if (factor > 0 && Double.isFinite(factor)) {
+            speed = factor;
+        } else {
+            mistakes.report("motion speed", () -> "Motions cannot have speed " + factor + "; use a number above 0.");
+        }
+    }
+
+    @Override
+    public void setInterpolation(Interpolation interpolation) {
+        this.interpolation = interpolation;
+    }
+
+    @Override
+    public void reset() {
+        stop();
+        states.reset();
+    }
+
+    /** Plays one cycle. */
+    public void update() {
+        if (player.isPresent() && player.get().isFinished()) {
+            player = Optional.empty();
+        }
+        if (looping && player.isPresent() && playing.isPresent() && hasToGetUpFor(playing.get())) {
+            prepare(playing.get());
+            player = Optional.empty();
+        }
+        if (player.isEmpty() && !queue.isEmpty()) {
+            begin(next());
+        } else if (player.isEmpty()) {
+            motors.stopMotion();
+        }
+        if (player.isPresent()) {
+            player.get().step(motors);
+        }
+    }
+
+    private MotionFile next() {
+        MotionFile file = queue.remove();
+        Optional<MotionFile> getUp = hasToGetUpFor(file) ? load(wayUp()) : Optional.empty();
+        getUp.ifPresent(way -> queue.addFirst(file));
+        return getUp.orElse(file);
+    }
+
+    private boolean hasToGetUpFor(MotionFile file) {
+        return gettingUp && bodyPosition.get().isFallen() && MotionStates.needsFeet(file);
+    }
+
+    private boolean prepare(MotionFile file) {
+        boolean lying = bodyPosition.get().isFallen();
+        if (hasToGetUpFor(file)) {
+            load(wayUp()).ifPresent(states::ended); // it will be played first
+            lying = false;
+        }
+        if (!lying) {
+            bridgeTo(file);
+        }
+        prepareNow(file);
+        return true;
+    }
+
+    private void prepareNow(MotionFile file) {
+        queue.add(file);
+        states.ended(file);
+    }
+
+    /** Leads to the start of a motion: directly if one bridge does it, otherwise by way of the stance. */
+    private void bridgeTo(MotionFile file) {
+        for (int i = 0; i < MOST_BRIDGES && !states.canStart(file); i++) {
+            List<MotionFile> possible = bridges(file).filter(states::canStart).toList();
+            possible.stream()
+                    .filter(bridge -> MotionStates.canStartAfter(bridge, file))
+                    .findFirst()
+                    .or(() -> states.isStance()
+                            ? Optional.empty()
+                            : possible.stream().findFirst())
+                    .ifPresent(this::prepareNow);
+        }
+    }
+
+    private Stream<MotionFile> bridges(MotionFile file) {
+        return MotionStates.BRIDGES.stream()
+                .filter(name -> !name.equals(file.motion().name()))
+                .flatMap(name -> load(name).stream());
+    }
+
+    private void begin(MotionFile file) {
+        motors.release();
+        Motion motion = speed == 1 ? file.motion() : file.motion().stretched(1 / speed);
+        MotionPlayer next = new MotionPlayer(motion, interpolation);
+        next.setLooping(looping && queue.isEmpty());
+        if (speed != 1 || !library.isShipped(file)) {
+            reportProblems(next, file);
+        }
+        player = Optional.of(next);
+        playing = Optional.of(file);
+    }
+
+    /** What comes with the framework was tried; a kick may well ask for all that a motor can give. */
+    private void reportProblems(MotionPlayer next, MotionFile file) {
+        int fromKeyframe = file.property("start").isPresent() ? 1 : 0;
+        for (String problem : next.problems(motors, fromKeyframe)) {
+            String kind = "too fast " + next.motion().name() + problem.replaceAll("[0-9]+", "");
+            mistakes.reportAt("", kind, () -> problem);
+        }
+    }
+
+    private Optional<MotionFile> load(String name) {
+        try {
+            Optional<MotionFile> file = library.find(name);
+            if (file.isEmpty()) {
+                mistakes.report("unknown motion " + name, () -> unknown(name));
+            }
+            file.ifPresent(this::check);
+            file.ifPresent(good -> lastGood.put(name, good));
+            return file;
+        } catch (IOException | MotionFormatException broken) {
+            boolean known = lastGood.containsKey(name);
+            mistakes.report(
+                    "broken motion " + name + broken.getMessage(),
+                    () -> "The motion " + name + " cannot be played: " + broken.getMessage()
+                            + (known ? ". The robot plays it as it was before." : ". The robot goes on without it."));
+            return Optional.ofNullable(lastGood.get(name));
+        }
+    }
+
+    /** Reports what the robot cannot do quite as the file says; throws if the file cannot be understood at all. */
+    private void check(MotionFile file) {
+        file.motion();
+        for (MotionProblem finding : file.warnings()) {
+            String text = file.name() + " " + finding;
+            mistakes.reportAt("", text, () -> text + "; the robot does what it can.");
+        }
+    }
+
+    private String unknown(String name) {
+        String meant = Spelling.nearest(name.replaceFirst("\\.txt$", ""), library.names())
+                .map(similar -> " Did you mean \"" + similar + "\"?")
+                .orElse("");
+        return String.format(
+                Locale.ROOT,
+                "There is no motion \"%s\".%s Put a file motions/%s.txt into the working directory, or use one of: %s.",
+                name,
+                meant,
+                name,
+                String.join(", ", library.names()));
+    }
+}

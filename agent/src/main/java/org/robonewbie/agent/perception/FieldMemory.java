@@ -1,0 +1,234 @@
+package org.robonewbie.agent.perception;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.nao.Landmark;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.protocol.perceptor.PolarPosition;
+import org.robonewbie.protocol.perceptor.Vision;
+import org.robonewbie.protocol.perceptor.Vision.SeenBodyPart;
+import org.robonewbie.protocol.perceptor.Vision.SeenLandmark;
+import org.robonewbie.protocol.perceptor.Vision.SeenLine;
+import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
+
+/** The memory behind a {@link LocalFieldView}, which the framework feeds with the pictures of the camera. */
+public final class FieldMemory implements LocalFieldView {
+
+    private static final double PLAYER_MEMORY_SECONDS = 10;
+
+    private final Mistakes mistakes;
+    private final FieldItem.Vision vision = new FieldItem.Vision();
+    private final FieldItem ball;
+    private final Map<Landmark, FieldItem> landmarks = new EnumMap<>(Landmark.class);
+    /** All robots that were met since the last beam; each keeps its object, whether it is forgotten meanwhile or not. */
+    private final List<PlayerItem> met = new ArrayList<>();
+
+    private List<SeenLine> seenLines = List.of();
+    private List<LineItem> lines = List.of();
+    private String team = "";
+    private int number;
+    private TeamSide side = TeamSide.LEFT;
+
+    /**
+     * Creates an empty memory.
+     *
+     * @param mistakes takes questions that have no answer
+     */
+    public FieldMemory(Mistakes mistakes) {
+        this.mistakes = mistakes;
+        ball = new FieldItem("ball", vision, mistakes);
+        for (Landmark landmark : Landmark.values()) {
+            landmarks.put(landmark, new FieldItem(landmark.toString(), vision, mistakes));
+        }
+    }
+
+    @Override
+    public void setTransformation(CameraTransformation transformation) {
+        vision.transformation = transformation;
+    }
+
+    /**
+     * Sets whose memory this is, so that the robot does not meet itself.
+     *
+     * @param ownTeam name of the robot's team
+     * @param ownNumber the robot's number
+     * @param ownSide the half that its team defends
+     */
+    public void setIdentity(String ownTeam, int ownNumber, TeamSide ownSide) {
+        team = ownTeam;
+        number = ownNumber;
+        side = ownSide;
+    }
+
+    /**
+     * Sets the clock.
+     *
+     * @param seconds simulated time
+     */
+    public void setTime(double seconds) {
+        vision.nowSeconds = seconds;
+        if (seconds - vision.pictureSeconds > 0.1) {
+            forgetLines();
+        }
+    }
+
+    /**
+     * Adds a picture of the camera, after {@link #setTime}.
+     *
+     * @param picture what the camera recognises
+     * @param neckYawDegrees yaw angle of the neck
+     * @param neckPitchDegrees pitch angle of the neck
+     */
+    public void see(Vision picture, double neckYawDegrees, double neckPitchDegrees) {
+        vision.pictureSeconds = vision.nowSeconds;
+        vision.yawDegrees = neckYawDegrees;
+        vision.pitchDegrees = neckPitchDegrees;
+        if (picture.ball().isPresent()) {
+            see(ball, picture.ball().get());
+        }
+        for (SeenLandmark seen : picture.landmarks()) {
+            see(landmark(seen.landmark()), seen.position());
+        }
+        picture.players().stream().filter(seen -> !isMyself(seen)).forEach(this::see);
+        forgetLines();
+        seenLines = picture.lines();
+    }
+
+    /** Forgets everything, since the robot was put somewhere else. */
+    public void forget() {
+        ball.forget();
+        landmarks.values().forEach(FieldItem::forget);
+        met.clear();
+        forgetLines();
+    }
+
+    @Override
+    public FieldItem ball() {
+        return ball;
+    }
+
+    @Override
+    @SuppressWarnings("NullAway") // the map has each landmark
+    public FieldItem landmark(Landmark landmark) {
+        return landmarks.get(landmark);
+    }
+
+    @Override
+    public FieldItem opponentGoalLeftPost() {
+        return landmark(leftPost(side.opponent()));
+    }
+
+    @Override
+    public FieldItem opponentGoalRightPost() {
+        return landmark(rightPost(side.opponent()));
+    }
+
+    @Override
+    public FieldItem ownGoalLeftPost() {
+        return landmark(leftPost(side));
+    }
+
+    @Override
+    public FieldItem ownGoalRightPost() {
+        return landmark(rightPost(side));
+    }
+
+    @Override
+    public List<PlayerItem> players() {
+        return players(player -> true);
+    }
+
+    @Override
+    public List<PlayerItem> teamMates() {
+        return players(PlayerItem::isTeamMate);
+    }
+
+    @Override
+    public List<PlayerItem> opponents() {
+        return players(player -> !player.isTeamMate());
+    }
+
+    private List<PlayerItem> players(Predicate<PlayerItem> condition) {
+        return met.stream()
+                .filter(player -> player.ageSeconds() <= PLAYER_MEMORY_SECONDS)
+                .filter(condition)
+                .toList();
+    }
+
+    @Override
+    public List<LineItem> lines() {
+        if (!seenLines.isEmpty()) {
+            lines = facingForward(seenLines); // only now, since few robots ask for the many lines
+            seenLines = List.of();
+        }
+        return lines;
+    }
+
+    private static Landmark leftPost(TeamSide goal) {
+        return goal == TeamSide.RIGHT ? Landmark.GOAL_POST_1_RIGHT : Landmark.GOAL_POST_2_LEFT;
+    }
+
+    private static Landmark rightPost(TeamSide goal) {
+        return goal == TeamSide.RIGHT ? Landmark.GOAL_POST_2_RIGHT : Landmark.GOAL_POST_1_LEFT;
+    }
+
+    private boolean isMyself(SeenPlayer seen) {
+        return seen.number() == number && seen.team().equals(team);
+    }
+
+    private void see(SeenPlayer seen) {
+        PlayerItem player = playerOf(seen);
+        boolean hasParts = false;
+        for (SeenBodyPart part : seen.parts()) {
+            hasParts |= see(player.part(part.part()), part.position());
+        }
+        if (hasParts) {
+            player.see();
+        } else if (seen.position().isPresent()) {
+            see(player, seen.position().get());
+        }
+        if (player.isKnown() && !met.contains(player)) {
+            met.add(player);
+        }
+    }
+
+    private PlayerItem playerOf(SeenPlayer seen) {
+        return met.stream()
+                .filter(player ->
+                        player.number() == seen.number() && player.team().equals(seen.team()))
+                .findFirst()
+                .orElseGet(() ->
+                        new PlayerItem(seen.team(), seen.number(), seen.team().equals(team), vision, mistakes));
+    }
+
+    private void forgetLines() {
+        seenLines = List.of();
+        lines = List.of();
+    }
+
+    private List<LineItem> facingForward(List<SeenLine> seen) {
+        List<LineItem> items = new ArrayList<>(seen.size());
+        for (SeenLine line : seen) {
+            if (isFinite(line.start()) && isFinite(line.end())) {
+                items.add(new LineItem(vision.facingForward(line.start()), vision.facingForward(line.end())));
+            }
+        }
+        return List.copyOf(items);
+    }
+
+    private boolean see(FieldItem item, PolarPosition position) {
+        if (isFinite(position)) {
+            item.see(position);
+            return true;
+        }
+        return false;
+    }
+
+    private static boolean isFinite(PolarPosition position) {
+        return Double.isFinite(position.distanceMetres() + position.horizontalDegrees() + position.verticalDegrees());
+    }
+}

@@ -1,0 +1,22 @@
+package org.robonewbie.agent.puppet;
+
+import org.robonewbie.agent.Options;
+import org.robonewbie.protocol.embedded.Puppet;
+import org.robonewbie.protocol.embedded.PuppetProvider;
+import org.robonewbie.protocol.frame.AgentLink;
+
+/** Creates puppets that walk and move as all robots of this framework do; found by {@link java.util.ServiceLoader}. */
+public final class RobotPuppetProvider implements PuppetProvider {
+
+    /** Creates the provider. */
+    public RobotPuppetProvider() {}
+
+    @Override
+    public Puppet start(AgentLink link, String team, int number, int type) {
+        Options options = Options.none()
+                .with("team", team)
+                .with("number", Integer.toString(number))
+                .with("type", Integer.toString(type));
+        return RobotPuppet.start(link, options);
+    }
+}

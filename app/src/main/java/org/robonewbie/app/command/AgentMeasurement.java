@@ -1,0 +1,136 @@
+package org.robonewbie.app.command;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.function.LongFunction;
+import java.util.stream.Collectors;
+import org.robonewbie.nao.file.AtomicFile;
+
+/** Plays many games of the example agents, each with another seed, and reports how well they do. */
+final class AgentMeasurement {
+
+    private static final String LINE = "%-24s %6s %9s %8s  %s";
+
+    private final int trials;
+    private final long firstSeed;
+    private final PrintStream out;
+
+    /** One agent's task; a trial tells how many simulated seconds it needed, or nothing if it failed. */
+    private record Task(String name, String rule, LongFunction<OptionalDouble> trial) {}
+
+    /** How an agent did. */
+    private record Result(Task task, int trials, List<Double> seconds) {
+
+        double median() {
+            List<Double> sorted = seconds.stream().sorted().toList();
+            int failures = trials - sorted.size();
+            int middle = (trials - 1) / 2;
+            return middle < trials - failures ? sorted.get(middle) : Double.POSITIVE_INFINITY;
+        }
+
+        String json() {
+            String median = Double.isFinite(median()) ? String.format(Locale.ROOT, "%.1f", median()) : "null";
+            return String.format(
+                    Locale.ROOT,
+                    "{\"name\":\"%s\",\"trials\":%d,\"successes\":%d,\"median\":%s,\"unit\":\"s\"}",
+                    task.name,
+                    trials,
+                    seconds.size(),
+                    median);
+        }
+
+        @Override
+        public String toString() {
+            String median = Double.isFinite(median()) ? String.format(Locale.ROOT, "%.1f s", median()) : "-";
+            return String.format(Locale.ROOT, LINE, task.name, trials, seconds.size(), median, task.rule);
+        }
+    }
+
+    AgentMeasurement(int trials, long firstSeed, PrintStream out) {
+        this.trials = trials;
+        this.firstSeed = firstSeed;
+        this.out = out;
+    }
+
+    /**
+     * Plays all trials of the agents that have a part of a name in theirs, prints the table, and writes it to a file if there
+     * is one.
+     */
+    void run(String part, Optional<Path> json) throws IOException {
+        List<Task> chosen =
+                tasks().stream().filter(task -> task.name.contains(part)).toList();
+        if (chosen.isEmpty()) {
+            throw new IllegalArgumentException("No measured agent's name has \"" + part + "\" in it.");
+        }
+        List<Result> results = measure(chosen);
+        if (json.isPresent()) {
+            write(json.get(), results);
+        }
+    }
+
+    private List<Result> measure(List<Task> tasks) {
+        List<Result> results = tasks.stream().map(this::measure).toList();
+        out.println(String.format(Locale.ROOT, LINE, "agent", "trials", "successes", "median", "success"));
+        results.forEach(out::println);
+        return results;
+    }
+
+    private static List<Task> tasks() {
+        return List.of(
+                new Task(
+                        "Agent_SimpleWalkToBall",
+                        "stands within 0.6 m of the ball, from any place and direction in its half",
+                        seed -> TimedAgents.walkToBall(seed, start(seed))),
+                new Task(
+                        "Agent_SimpleSoccer",
+                        "scores from the usual start within 20 minutes",
+                        TimedAgents::simpleSoccer),
+                new Task(
+                        "Agent_BetterSoccer",
+                        "scores from the usual start within 5 minutes",
+                        TimedAgents::betterSoccer));
+    }
+
+    private Result measure(Task task) {
+        List<Double> seconds = new ArrayList<>();
+        for (int trial = 1; trial <= trials; trial++) {
+            OptionalDouble needed = quietly(task, firstSeed + trial - 1);
+            needed.ifPresent(seconds::add);
+            String result = needed.isPresent() ? String.format(Locale.ROOT, "%.1f s", needed.getAsDouble()) : "failed";
+            out.println(task.name + " " + trial + "/" + trials + ": " + result);
+        }
+        return new Result(task, trials, seconds);
+    }
+
+    private static OptionalDouble quietly(Task task, long seed) {
+        PrintStream usual = System.out;
+        System.setOut(new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
+        try {
+            return task.trial.apply(seed);
+        } finally {
+            System.setOut(usual);
+        }
+    }
+
+    /** A place in the team's own half that is not too close to the ball in the centre. */
+    private static String start(long seed) {
+        Random random = new Random(seed);
+        double x = -0.8 - 3.7 * random.nextDouble();
+        double y = -3 + 6 * random.nextDouble();
+        return String.format(Locale.ROOT, "%.2f,%.2f,%d", x, y, random.nextInt(360) - 180);
+    }
+
+    private static void write(Path file, List<Result> results) throws IOException {
+        String text = results.stream().map(Result::json).collect(Collectors.joining(",\n ", "{\"agents\":[", "]}\n"));
+        AtomicFile.write(file, text);
+    }
+}

@@ -1,0 +1,175 @@
+package org.robonewbie.app.command;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.concurrent.Callable;
+import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.bench.speed.Benchmark;
+import org.robonewbie.bench.speed.BenchmarkPlan;
+import org.robonewbie.bench.speed.BenchmarkReport;
+import org.robonewbie.bench.speed.CrowdScene;
+import org.robonewbie.bench.speed.ServerAddress;
+import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.simulator.world.PhysicsEngine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** Measures how fast a server is with 1 to 22 robots. */
+@Command(
+        name = "benchmark",
+        hidden = true,
+        description = "Measure how fast the simulator is with 1 to 22 robots that stand, walk or lie in a heap.",
+        sortOptions = false,
+        footer = {
+            "",
+            "The processor time is that of the server alone; the factor of real time includes the agents.",
+            "",
+            "Examples:",
+            "  robonewbie benchmark",
+            "  robonewbie benchmark --robots 1,22 --scene walking --seconds 60 --json result.json",
+            "  robonewbie benchmark --physics exact --scene heap --robots 6",
+            "  robonewbie benchmark --robots 1 --scene walking --seconds 20000 --heap-every 2000      10^6 cycles: is memory lost?",
+            "  robonewbie benchmark --json figures.json --table table.md      the table of docs/performance.md",
+            "  robonewbie benchmark --host 127.0.0.1 --pid 4711      another server in sync mode, such as rcssserver3d",
+            "",
+            "A real rcssserver3d: say $agentSyncMode = true and $enableRealTimeMode = false in a copy of its spark.rb in the folder",
+            "in which it starts, start it there without any monitor, find its process with \"pidof rcssserver3d\", and measure it on",
+            "the same computer as above; --port and --monitor-port if it has others than 3100 and 3200. Robots are placed by its",
+            "monitor port. Memory is that of this process, not of the server."
+        })
+final class BenchmarkCommand implements Callable<Integer> {
+
+    private static final int MOST_ROBOTS = 22;
+    private static final int LAST_PORT = 65535;
+
+    @Mixin
+    final HelpOption help = new HelpOption();
+
+    @Option(
+            names = "--robots",
+            paramLabel = "N",
+            split = ",",
+            description = "How many robots, each number 1 to 22 (1,2,6,11,22).")
+    private List<Integer> robots = List.of(1, 2, 6, 11, 22);
+
+    @Option(
+            names = "--scene",
+            paramLabel = "SCENE",
+            split = ",",
+            description = "What they do: standing, walking, heap (all three).")
+    private List<CrowdScene> scenes = List.of(CrowdScene.values());
+
+    @Option(names = "--seconds", paramLabel = "T", description = "Simulated seconds that are measured (20).")
+    private double seconds = 20;
+
+    @Option(
+            names = "--warm-up",
+            paramLabel = "T",
+            description = "Simulated seconds before that, in which Java compiles what is used most (20).")
+    private double warmUpSeconds = 20;
+
+    @Option(
+            names = "--heap-every",
+            paramLabel = "T",
+            description = "Collect garbage and print the memory in use every T simulated seconds.")
+    private Optional<Double> heapEvery = Optional.empty();
+
+    @Option(
+            names = "--physics",
+            paramLabel = "ENGINE",
+            description = "What computes the motion: exact (ode4j's step) or fast (our own). Usual: ${DEFAULT-VALUE}.")
+    private PhysicsEngine physics = PhysicsEngine.STANDARD;
+
+    @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
+    private Optional<Path> json = Optional.empty();
+
+    @Option(names = "--table", paramLabel = "FILE", description = "Write the results as a Markdown table too.")
+    private Optional<Path> table = Optional.empty();
+
+    @Option(names = "--host", paramLabel = "H", description = "Measure the server on this computer instead of ours.")
+    private Optional<String> host = Optional.empty();
+
+    @Option(names = "--port", paramLabel = "N", description = "Its port for agents (3100).")
+    private int port = 3100;
+
+    @Option(names = "--monitor-port", paramLabel = "N", description = "Its port for monitors and trainers (3200).")
+    private int monitorPort = 3200;
+
+    @Option(
+            names = "--pid",
+            paramLabel = "N",
+            description = "Its process on this computer, to measure its processor time.")
+    private Optional<Long> processId = Optional.empty();
+
+    @Mixin
+    final WithoutStudioOption withoutStudio = new WithoutStudioOption();
+
+    @Override
+    public Integer call() throws IOException {
+        BenchmarkPlan plan = plan();
+        json.ifPresent(BenchmarkCommand::checkFolder);
+        table.ifPresent(BenchmarkCommand::checkFolder);
+        System.out.print(BenchmarkReport.header());
+        BenchmarkReport report = new Benchmark(plan)
+                .run(run -> System.out.print(BenchmarkReport.line(run)), sample -> System.out.print(sample.toLine()));
+        if (json.isPresent()) {
+            AtomicFile.write(json.get(), report.toJson());
+        }
+        if (table.isPresent()) {
+            AtomicFile.write(table.get(), report.toMarkdown());
+        }
+        return ExitCode.OK;
+    }
+
+    private BenchmarkPlan plan() {
+        for (int number : robots) {
+            if (number < 1 || number > MOST_ROBOTS) {
+                throw new CalledWronglyException(
+                        "--robots " + number + " is not possible. Two teams have 1 to " + MOST_ROBOTS + " robots.");
+            }
+        }
+        checkSeconds("--seconds", seconds);
+        checkSeconds("--warm-up", warmUpSeconds);
+        heapEvery.ifPresent(distance -> checkSeconds("--heap-every", distance));
+        checkPort("--port", port);
+        checkPort("--monitor-port", monitorPort);
+        OptionalDouble heap = heapEvery.map(OptionalDouble::of).orElse(OptionalDouble.empty());
+        return new BenchmarkPlan(robots, scenes, warmUpSeconds, seconds, heap, physics, host.map(this::address));
+    }
+
+    private ServerAddress address(String name) {
+        return new ServerAddress(
+                name, port, monitorPort, processId.map(OptionalLong::of).orElse(OptionalLong.empty()));
+    }
+
+    private static void checkSeconds(String option, double value) {
+        if (!(value > 0 && value <= 1e6)) {
+            throw new CalledWronglyException(
+                    option + " " + value + " is not possible. Give simulated seconds above 0, such as 20.");
+        }
+    }
+
+    private static void checkPort(String option, int number) {
+        if (number < 1 || number > LAST_PORT) {
+            throw new CalledWronglyException(
+                    option + " " + number + " does not exist. Ports are 1 to " + LAST_PORT + ".");
+        }
+    }
+
+    /** It would be a pity to learn after all measurements that they cannot be written. */
+    private static void checkFolder(Path file) {
+        Path folder = Objects.requireNonNullElse(file.toAbsolutePath().getParent(), file.toAbsolutePath());
+        if (!Files.isWritable(folder)) {
+            throw new CalledWronglyException(
+                    "The results cannot be written to the folder " + folder + ": name another one.");
+        }
+    }
+}

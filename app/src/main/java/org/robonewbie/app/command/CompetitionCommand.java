@@ -1,0 +1,268 @@
+package org.robonewbie.app.command;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.robonewbie.app.course.ExerciseContests;
+import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.ExampleCatalogue;
+import org.robonewbie.competition.Competition;
+import org.robonewbie.competition.CompetitionSettings;
+import org.robonewbie.competition.contest.Conditions;
+import org.robonewbie.competition.contest.Contest;
+import org.robonewbie.competition.contest.Contests;
+import org.robonewbie.competition.contest.MatchContest;
+import org.robonewbie.competition.contest.Table;
+import org.robonewbie.competition.team.Limits;
+import org.robonewbie.competition.team.TeamEntry;
+import org.robonewbie.competition.team.TeamList;
+import org.robonewbie.competition.team.WrongEntryException;
+import org.robonewbie.competition.trial.Spectators;
+import org.robonewbie.exercises.Exercises;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.embedded.Browser;
+import org.robonewbie.simulator.embedded.Viewer;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Holds a contest between the programs of several teams. */
+@Command(
+        name = "competition",
+        description = {
+            "Hold a contest between the programs of up to ten teams, and rank them.",
+            "",
+            "scoring     one trial of 180 s each: who scores first, else whose ball came nearest to the goal",
+            "penalties   attacker against goalkeeper, both roles, sudden death",
+            "matches     each team against each other one",
+            "walk, kick, stand, gymnastics   small contests for one robot",
+            "exercise:NAME                   an exercise of the course, judged as \"robonewbie grade\" does",
+            "",
+            "Each program runs in a process of its own. What it does wrong costs its team the trial and nothing else."
+                    + " The same seed and programs give the same table. Broken off? The same command goes on where it was."
+        },
+        sortOptions = false,
+        footer = {
+            "",
+            "Examples:",
+            "  robonewbie competition scoring Red=teams/red Blue=blue.jar Agent_SimpleSoccer",
+            "  robonewbie competition scoring --teams teams.properties --seed 7 --vary",
+            "  robonewbie competition penalties --rounds 5 --teams teams.properties",
+            "  robonewbie competition matches --players 3 Red=red Red.together=yes Blue=blue",
+            "  robonewbie competition walk --watch Agent_BetterSoccer Agent_SimpleWalkToBall",
+            "  robonewbie competition exercise:dance --rounds 3 Red=red Blue=blue",
+            "  robonewbie competition scoring \"Green=python3 green.py --port {port} --team {team}\"",
+            "",
+            "A team is NAME=PROGRAM; a program is a folder with Java files, a jar, a .java file, an example, or a"
+                    + " command. In a file of teams stands one on each line. docs/competition.md tells all, with the rules"
+                    + " to hand out."
+        })
+final class CompetitionCommand implements Callable<Integer> {
+
+    private static final long MOST_NANOS_FOR_EYES = TimeUnit.SECONDS.toNanos(20);
+    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
+
+    @Mixin
+    final HelpOption help = new HelpOption();
+
+    @Parameters(index = "0", paramLabel = "CONTEST", description = "Which contest, see above.")
+    private String kind = "";
+
+    @Parameters(
+            index = "1..*",
+            arity = "0..*",
+            paramLabel = "TEAM",
+            description = "NAME=PROGRAM, or a program alone, or NAME.SETTING=VALUE.")
+    private List<String> entries = List.of();
+
+    @Option(names = "--teams", paramLabel = "FILE", description = "Take the teams from a file.")
+    private Optional<Path> teamsFile = Optional.empty();
+
+    @Option(names = "--results", paramLabel = "FOLDER", description = "Folder for results (competition-CONTEST).")
+    private Optional<Path> results = Optional.empty();
+
+    @Option(names = "--seed", paramLabel = "S", description = "Start of all random numbers (1).")
+    private long seed = 1;
+
+    @Option(names = "--vary", description = "Start places that depend on the seed, the same for all teams.")
+    private boolean varied;
+
+    @Option(
+            names = "--seconds",
+            paramLabel = "T",
+            description = "Simulated seconds: scoring 180, penalties 30, matches 300.")
+    private Optional<Double> seconds = Optional.empty();
+
+    @Option(
+            names = "--rounds",
+            paramLabel = "N",
+            description = "penalties: rounds before sudden death; exercises: trials of each team (3).")
+    private int rounds = 3;
+
+    @Option(names = "--players", paramLabel = "N", description = "matches: robots of each team, 1 to 11 (1).")
+    private int players = 1;
+
+    @Option(names = "--parallel", paramLabel = "N", description = "Trials at the same time (one for each processor).")
+    private Optional<Integer> parallel = Optional.empty();
+
+    @Option(names = "--memory", paramLabel = "MB", description = "Memory for each program (${DEFAULT-VALUE}).")
+    private int memoryMegabytes = Limits.USUAL.memoryMegabytes();
+
+    @Option(
+            names = "--patience",
+            paramLabel = "T",
+            description = "Real seconds for which a program may keep the world waiting (${DEFAULT-VALUE}).")
+    private double silentSeconds = Limits.USUAL.silentSeconds();
+
+    @Option(
+            names = "--computing-time",
+            paramLabel = "T",
+            description = "Seconds of processor time for each program and trial (${DEFAULT-VALUE}).")
+    private double processorSeconds = Limits.USUAL.processorSeconds();
+
+    @Option(names = "--watch", description = "Show each trial in the studio, one after the other in real time.")
+    private boolean watched;
+
+    @Option(names = "--headless", description = "Without effect unless --watch is given: no studio.")
+    private boolean headless;
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        try {
+            hold(teams());
+            return ExitCode.OK;
+        } catch (WrongEntryException wrong) {
+            throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
+        }
+    }
+
+    private void hold(List<TeamEntry> teams) throws IOException, InterruptedException {
+        Contest contest = contest(teams);
+        Path folder = results.orElse(Path.of("competition-" + contest.name()));
+        boolean isWatched = watched && !headless;
+        CompetitionSettings settings = new CompetitionSettings(
+                seed,
+                folder,
+                teamsFile
+                        .map(file -> Optional.ofNullable(file.toAbsolutePath().getParent())
+                                .orElse(Path.of("")))
+                        .orElse(Path.of("")),
+                ExampleCatalogue.load().classNames(),
+                isWatched ? 1 : Math.max(1, parallel.orElse(Runtime.getRuntime().availableProcessors())),
+                new Limits(
+                        memoryMegabytes,
+                        processorSeconds,
+                        silentSeconds,
+                        Limits.USUAL.startSeconds(),
+                        Limits.USUAL.realSeconds()),
+                isWatched ? spectators() : Spectators.NOBODY);
+        System.out.println(contest.title() + ": " + contest.rule());
+        Table table = new Competition(contest, teams, settings, System.out).hold();
+        print(table);
+        System.out.println("Table, certificates and recordings: " + folder.resolve("table.html"));
+    }
+
+    private List<TeamEntry> teams() {
+        List<TeamEntry> teams = teamsFile.isPresent() ? TeamList.read(teamsFile.get()) : TeamList.parse(entries);
+        if (teamsFile.isPresent() && !entries.isEmpty()) {
+            throw new CalledWronglyException("Teams stand in " + teamsFile.get()
+                    + " and on the command line. Write all of them into the file, or leave --teams out.");
+        }
+        int needed = kind.equals("penalties") || kind.equals(MatchContest.NAME) ? 2 : 1;
+        if (teams.size() < needed) {
+            throw new CalledWronglyException("A contest of this kind needs at least " + needed + " team"
+                    + (needed == 1 ? "" : "s") + ". Write for example: robonewbie competition " + kind
+                    + " Red=Agent_BetterSoccer Blue=Agent_SimpleSoccer");
+        }
+        return teams;
+    }
+
+    private Contest contest(List<TeamEntry> teams) {
+        if (players < 1
+                || players > 11
+                || rounds < 1
+                || seconds.filter(time -> time <= 0).isPresent()) {
+            throw new CalledWronglyException(
+                    "--players is 1 to 11, --rounds at least 1, and --seconds above 0. Correct the one that is not.");
+        }
+        Map<String, Long> seeds = new HashMap<>();
+        teams.forEach(team -> team.seed().ifPresent(own -> seeds.put(team.name(), own)));
+        Conditions conditions = new Conditions(seed, varied, seeds);
+        if (kind.startsWith(ExerciseContests.PREFIX)) {
+            String name = kind.substring(ExerciseContests.PREFIX.length());
+            return ExerciseContests.of(
+                    Exercises.find(name).orElseThrow(() -> GradeCommand.unknown(name)), seed, rounds);
+        }
+        return switch (kind) {
+            case "scoring" -> Contests.scoring(conditions, seconds.orElse(Contests.SCORING_SECONDS));
+            case "penalties" -> Contests.penalties(conditions, rounds, seconds.orElse(30.0));
+            case MatchContest.NAME -> new MatchContest(players, seconds.orElse(300.0), conditions);
+            case "walk" -> Contests.walk(conditions);
+            case "kick" -> Contests.kick(conditions);
+            case "stand" -> Contests.stand(conditions);
+            case "gymnastics" -> Contests.gymnastics(conditions);
+            default ->
+                throw new CalledWronglyException("There is no contest \"" + kind
+                        + "\". There are: scoring, penalties, matches, walk, kick, stand, gymnastics,"
+                        + " and exercise:NAME, such as exercise:dance.");
+        };
+    }
+
+    private static Spectators spectators() {
+        Viewer viewer = ServiceLoader.load(Viewer.class)
+                .findFirst()
+                .orElseThrow(() -> new IllegalStateException("This program has been packed without a studio."));
+        return (simulation, trial) -> {
+            Viewer.View view = viewer.open(simulation, 0);
+            System.out.println("Watch " + trial.id() + " at " + view.address());
+            Browser.openUnlessWatched(view, Console.standard());
+            awaitEyes(view);
+            return view::close;
+        };
+    }
+
+    /** Waits for a page that shows a trial, since some are over in seconds, but never delays a competition for long. */
+    private static void awaitEyes(Viewer.View view) {
+        long end = System.nanoTime() + MOST_NANOS_FOR_EYES;
+        while (!view.isWatched() && System.nanoTime() < end) {
+            LockSupport.parkNanos(LOOK_NANOS);
+        }
+    }
+
+    /** Prints the table in columns. */
+    private static void print(Table table) {
+        List<List<String>> lines = new ArrayList<>();
+        List<String> head = new ArrayList<>(List.of("", "Team"));
+        head.addAll(table.columns());
+        lines.add(head);
+        for (Table.Row row : table.rows()) {
+            List<String> line = new ArrayList<>(List.of(row.rank() + ".", row.team()));
+            line.addAll(row.cells());
+            lines.add(line);
+        }
+        System.out.println();
+        for (List<String> line : lines) {
+            StringBuilder text = new StringBuilder();
+            for (int i = 0; i < line.size(); i++) {
+                int column = i;
+                int width = lines.stream()
+                        .mapToInt(other -> other.get(column).length())
+                        .max()
+                        .orElse(0);
+                text.append(String.format("%-" + Math.max(1, width) + "s  ", line.get(i)));
+            }
+            System.out.println(text.toString().stripTrailing());
+        }
+        System.out.println();
+    }
+}

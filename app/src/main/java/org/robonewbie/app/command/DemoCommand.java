@@ -1,0 +1,39 @@
+package org.robonewbie.app.command;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.robonewbie.app.program.AgentFinder;
+import org.robonewbie.app.program.ExampleCatalogue;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Unmatched;
+
+/** Runs a robot that plays soccer: simulator, studio and the example {@code Agent_SimpleSoccer} in one process. */
+@Command(
+        name = DemoCommand.NAME,
+        description =
+                "Watch a robot walk to the ball and play it, in the browser. This is what runs without a command.",
+        customSynopsis = "robonewbie demo [OPTIONS]",
+        footer = {
+            "",
+            "Examples:",
+            "  robonewbie demo",
+            "  robonewbie demo --headless --fast --seed 1 --seconds 1200 --report run.json"
+        })
+final class DemoCommand implements Callable<Integer> {
+
+    static final String NAME = "demo";
+    private static final String AGENT = "Agent_SimpleSoccer";
+
+    @Mixin
+    final HelpOption help = new HelpOption();
+
+    @Unmatched
+    private final List<String> agentOptions = new ArrayList<>();
+
+    @Override
+    public Integer call() {
+        return new AgentFinder(ExampleCatalogue.load(), List.of()).find(AGENT).run(agentOptions);
+    }
+}

@@ -1,0 +1,149 @@
+package org.robonewbie.app.command;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.ServiceLoader;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.IntConsumer;
+import org.robonewbie.app.program.AgentFinder;
+import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.learning.series.Experiment;
+import org.robonewbie.learning.series.ExperimentEngine;
+import org.robonewbie.learning.series.ExperimentPlan;
+import org.robonewbie.learning.series.LocalEngine;
+import org.robonewbie.learning.series.PlannedTrial;
+import org.robonewbie.learning.series.ResultTable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Carries out a series of trials and writes a table. */
+@Command(
+        name = "experiment",
+        description = {
+            "Carry out many trials of an experiment and write a table.",
+            "",
+            "A plan is a text file such as:",
+            "  experiment=org.robonewbie.learning.series.PushExperiment",
+            "  trials=1000",
+            "  seed=1",
+            "  newtons=20,40,60",
+            "Each name but the first three is a parameter; all combinations of values are tried in turn.",
+            "The table is the same for any engine and any number of threads."
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  robonewbie experiment push.plan --output push.csv",
+            "  robonewbie experiment my.plan --class-path target/classes --output my.json",
+            "",
+            "On a cluster: see docs/cluster.md."
+        })
+final class ExperimentCommand implements Callable<Integer> {
+
+    private static final long NANOSECONDS_BETWEEN_LINES = 2_000_000_000L;
+
+    @Mixin
+    final HelpOption help = new HelpOption();
+
+    @Parameters(paramLabel = "PLAN", description = "A file that says what to do.")
+    private Path planFile = Path.of("");
+
+    @Option(
+            names = "--engine",
+            paramLabel = "NAME",
+            defaultValue = "local",
+            description = "local or spark (default: local).")
+    private String engine = "local";
+
+    @Option(
+            names = "--master",
+            paramLabel = "URL",
+            defaultValue = "",
+            description = "spark: where the cluster is, such as spark://host:7077 or local-cluster[2,1,1024].")
+    private String master = "";
+
+    @Option(names = "--threads", paramLabel = "N", description = "local: how many threads (default: one per core).")
+    private int threads = Runtime.getRuntime().availableProcessors();
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE",
+            defaultValue = "experiment.csv",
+            description = "Table to write, .csv or .json (default: experiment.csv).")
+    private Path output = Path.of("experiment.csv");
+
+    @Option(
+            names = {"-cp", "--class-path"},
+            paramLabel = "PATH",
+            defaultValue = ".",
+            description = "Folders and jars with your own classes (default: the current folder).")
+    private String classPath = ".";
+
+    @Override
+    public Integer call() throws IOException {
+        if (threads < 1) {
+            throw new CalledWronglyException("--threads " + threads + ": give a number of at least 1.");
+        }
+        if (!Files.isRegularFile(planFile)) {
+            throw new CalledWronglyException(
+                    "There is no plan \"" + planFile + "\". See robonewbie experiment --help.");
+        }
+        List<Path> folders = AgentFinder.folders(classPath);
+        Thread.currentThread().setContextClassLoader(AgentFinder.loaderOf(folders));
+        try {
+            ResultTable table = run(ExperimentPlan.read(planFile), engine());
+            table.write(output);
+            System.out.println("Wrote " + table.trials().size() + " trials to " + output + ".");
+            return ExitCode.OK;
+        } catch (IllegalArgumentException wrong) {
+            throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
+        } catch (IllegalStateException failed) {
+            System.err.println(failed.getMessage());
+            return ExitCode.SOFTWARE;
+        }
+    }
+
+    private ResultTable run(ExperimentPlan plan, ExperimentEngine chosen) {
+        List<PlannedTrial> trials = plan.all();
+        List<String> columns = Experiment.of(plan.experiment()).columns();
+        return new ResultTable(columns, trials, chosen.run(plan.experiment(), trials, master, progress(trials.size())));
+    }
+
+    private ExperimentEngine engine() {
+        if (engine.equals("local")) {
+            return new LocalEngine(threads);
+        }
+        return ServiceLoader.load(ExperimentEngine.class).stream()
+                .map(ServiceLoader.Provider::get)
+                .filter(other -> other.label().equals(engine))
+                .findFirst()
+                .orElseThrow(() -> new CalledWronglyException("There is no engine \"" + engine
+                        + "\" in this program. There is local; spark needs the program of docs/cluster.md."));
+    }
+
+    private static IntConsumer progress(int all) {
+        long start = System.nanoTime();
+        AtomicLong lastLine = new AtomicLong(start);
+        return done -> {
+            long now = System.nanoTime();
+            long last = lastLine.get();
+            if (done == all || (now - last > NANOSECONDS_BETWEEN_LINES && lastLine.compareAndSet(last, now))) {
+                double seconds = (now - start) / 1e9;
+                System.err.printf(
+                        Locale.ROOT,
+                        "%d of %d trials, %.1f per second, %.0f s left%n",
+                        done,
+                        all,
+                        done / seconds,
+                        seconds / done * (all - done));
+            }
+        };
+    }
+}

@@ -1,0 +1,60 @@
+package org.robonewbie.app.command;
+
+import java.io.IOException;
+import java.util.concurrent.Callable;
+import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.learning.gym.GymServer;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** Serves the tasks of the Python package, which starts it by itself. */
+@Command(
+        name = "gym",
+        description = {
+            "Serve tasks for learning programs; the Python package starts this by itself.",
+            "",
+            "Prints \"gym PORT\" and serves on 127.0.0.1 until its standard input ends."
+        },
+        footer = {
+            "",
+            "In Python, after \"pip install ./python\":",
+            "  import gymnasium, robonewbie",
+            "  env = gymnasium.make(\"RoboNewbie/Walk-v0\")",
+            "",
+            "Examples:",
+            "  robonewbie gym",
+            "  robonewbie gym --port 4000"
+        })
+final class GymCommand implements Callable<Integer> {
+
+    @Mixin
+    final HelpOption help = new HelpOption();
+
+    @Option(
+            names = "--port",
+            paramLabel = "PORT",
+            defaultValue = "0",
+            description = "TCP port (default: any free one).")
+    private int port;
+
+    @Override
+    public Integer call() throws IOException {
+        if (port < 0 || port > 65535) {
+            throw new CalledWronglyException("--port " + port + ": give a number from 0 to 65535.");
+        }
+        try (GymServer server = server()) {
+            System.out.println("gym " + server.port());
+            System.out.flush();
+            while (System.in.read() >= 0) {
+                // What is written there has no meaning; its end says that the learning program is gone.
+            }
+        }
+        return ExitCode.OK;
+    }
+
+    private GymServer server() throws IOException {
+        return GymServer.open(port, System.err::println);
+    }
+}

@@ -1,0 +1,128 @@
+package org.robonewbie.app.command;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.learning.measure.MotionMeasurement;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Tries all shipped motions or the example agents many times, or a server under load, and prints how well that works. */
+@Command(
+        name = "measure",
+        hidden = true,
+        description = {
+            "Measure how well RoboNewbie works on this computer.",
+            "",
+            "motions, agents: try all shipped motions or the example agents many times in the simulator.",
+            "server: let many robots play whole matches over TCP; does the server keep step with the clock?"
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  robonewbie measure motions                20 trials of each motion",
+            "  robonewbie measure motions --seeds 3      a quick look",
+            "  robonewbie measure motions --first-seed 1000 --json result.json",
+            "  robonewbie measure agents                 20 games of each example agent",
+            "  robonewbie measure server                 11 against 11 for 10 minutes on the clock",
+            "  robonewbie measure server --fast --matches 3"
+        })
+final class MeasureCommand implements Callable<Integer> {
+
+    private static final String MOTIONS = "motions";
+    private static final String AGENTS = "agents";
+    private static final String SERVER = "server";
+    private static final Map<String, String> DESCRIPTIONS = Map.of(
+            MOTIONS, "Try all shipped motions many times in the simulator.",
+            AGENTS, "Let each example agent play many times.",
+            SERVER, "Let many robots play whole matches over TCP; does the server keep step with the clock?");
+
+    /** What can be measured. */
+    static final List<String> SUBJECTS = List.of(MOTIONS, AGENTS, SERVER);
+
+    @Mixin
+    final HelpOption help = new HelpOption();
+
+    @Parameters(paramLabel = "motions|agents|server", description = "What to measure: motions, agents or server.")
+    private String subject = MOTIONS;
+
+    @Option(
+            names = "--seeds",
+            paramLabel = "N",
+            defaultValue = "20",
+            description = "motions, agents: trials of each one, each disturbed in another way (default: 20).")
+    private int seeds;
+
+    @Option(
+            names = "--first-seed",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "motions, agents: seed of the first trial; another one disturbs in other ways (default: 1).")
+    private long firstSeed;
+
+    @Option(
+            names = "--only",
+            paramLabel = "PART",
+            defaultValue = "",
+            description = "motions, agents: only those whose name has this in it, such as kick.")
+    private String part = "";
+
+    @Option(names = "--json", paramLabel = "FILE", description = "motions, agents: write the results as JSON too.")
+    private Optional<Path> json = Optional.empty();
+
+    @Mixin
+    final ServerLoadOptions load = new ServerLoadOptions();
+
+    @Mixin
+    final WithoutStudioOption withoutStudio = new WithoutStudioOption();
+
+    /** Makes a command that measures one subject, which need not be named then. */
+    static CommandLine of(String subject) {
+        MeasureCommand command = new MeasureCommand();
+        command.subject = subject;
+        CommandSpec spec = CommandSpec.forAnnotatedObject(command);
+        spec.remove(spec.positionalParameters().get(0));
+        spec.usageMessage()
+                .description(DESCRIPTIONS.get(subject))
+                .footer("", "Example:", "  robonewbie bench " + subject);
+        return new CommandLine(spec);
+    }
+
+    @Override
+    public Integer call() throws IOException {
+        if (subject.equals(SERVER)) {
+            return load.measure();
+        }
+        if (!subject.equals(MOTIONS) && !subject.equals(AGENTS)) {
+            throw new CalledWronglyException(
+                    "\"" + subject
+                            + "\" cannot be measured; write: robonewbie measure motions, or: measure agents, or: measure server");
+        }
+        if (seeds < 1) {
+            throw new CalledWronglyException("--seeds " + seeds + ": give a number of trials of at least 1.");
+        }
+        try {
+            measureTrials();
+        } catch (IllegalArgumentException wrong) {
+            throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
+        }
+        return ExitCode.OK;
+    }
+
+    private void measureTrials() throws IOException {
+        if (subject.equals(AGENTS)) {
+            new AgentMeasurement(seeds, firstSeed, System.out).run(part, json);
+        } else {
+            new MotionMeasurement(seeds, firstSeed, part, System.out).run(json);
+        }
+    }
+}

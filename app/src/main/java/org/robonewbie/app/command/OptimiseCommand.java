@@ -1,0 +1,258 @@
+package org.robonewbie.app.command;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.OptimisedAgent;
+import org.robonewbie.app.studio.SearchConsole;
+import org.robonewbie.app.studio.SearchStudio;
+import org.robonewbie.app.studio.SearchStudioOptions;
+import org.robonewbie.learning.design.MotionWorkshop;
+import org.robonewbie.learning.objective.StandardObjective;
+import org.robonewbie.learning.optimise.EngineSubject;
+import org.robonewbie.learning.optimise.MotionSubject;
+import org.robonewbie.learning.optimise.Optimisation;
+import org.robonewbie.learning.optimise.OptimisationListener;
+import org.robonewbie.learning.optimise.OptimisationPlan;
+import org.robonewbie.learning.optimise.OptimisationResult;
+import org.robonewbie.learning.optimise.OtherSide;
+import org.robonewbie.learning.optimise.Subject;
+import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.nao.motion.file.ShippedMotions;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Improves a motion or the walk engine by trial in the simulator. */
+@Command(
+        name = "optimise",
+        description = {
+            "Improve a motion, the walk engine or an agent: change its numbers, try it in the simulator, keep what is better"
+                    + " (CMA-ES).",
+            "",
+            "Objectives: distance-walked, walk-speed, energy, stability, kick-distance, time-to-score.",
+            "The same seed and the same options give the same result, on any number of threads. An interrupted run goes on",
+            "with --resume. A page of the studio shows the progress; after the end the program waits until the page is closed,",
+            "with --headless it opens none. Exit code 1: nothing better was found."
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  robonewbie optimise kick-right --objective kick-distance",
+            "  robonewbie optimise my-walk.txt --objective walk-speed --generations 60 --seed 3",
+            "  robonewbie optimise my-walk.txt --objective walk-speed --generations 60 --seed 3 --resume",
+            "  robonewbie optimise walk-engine --objective stability --threads 1 --headless",
+            "  robonewbie optimise --agent Walker.java --objective distance-walked --seconds 10",
+            "  robonewbie optimise turn-left --again      make the library's motion again"
+        })
+final class OptimiseCommand implements Callable<Integer> {
+
+    private static final double STEP_OF_MOTIONS = 0.15;
+    private static final double STEP_OF_AGENTS = 0.5;
+
+    @Mixin
+    final HelpOption help = new HelpOption();
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "MOTION",
+            description = "What to improve: a motion of the library, a motion file, or walk-engine.")
+    private String name = "";
+
+    @Mixin
+    final OptimisedAgent agent = new OptimisedAgent();
+
+    @Option(names = "--objective", paramLabel = "NAME", description = "The measure to improve.")
+    private String objective = "";
+
+    @Option(names = "--generations", paramLabel = "N", defaultValue = "30", description = "Rounds (default: 30).")
+    private int generations;
+
+    @Option(
+            names = "--population",
+            paramLabel = "N",
+            defaultValue = "12",
+            description = "Candidates in each round (default: 12).")
+    private int population;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Chooses candidates and trials (default: 1).")
+    private long seed;
+
+    @Option(
+            names = "--seeds",
+            paramLabel = "N",
+            defaultValue = "4",
+            description = "Trials of each candidate, each disturbed in another way (default: 4).")
+    private int trials;
+
+    @Option(
+            names = "--step",
+            paramLabel = "X",
+            description =
+                    "Spread of the first candidates: 1 is 5 degrees and 60 ms in each keyframe (default: 0.15), or a"
+                            + " quarter of each range of an agent's numbers (default: 0.5).")
+    private Optional<Double> step = Optional.empty();
+
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            description = "Trials at the same time (default: one for each core).")
+    private int threads = Runtime.getRuntime().availableProcessors();
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE",
+            description = "Where the result goes (default: NAME-optimised.txt in this folder).")
+    private Optional<Path> output = Optional.empty();
+
+    @Option(names = "--both-sides", description = "Write the mirror image for the other side beside the output too.")
+    private boolean bothSides;
+
+    @Option(names = "--resume", description = "Go on with an interrupted run, from its file OUTPUT.checkpoint.")
+    private boolean resume;
+
+    @Option(
+            names = "--again",
+            description = "Search for a motion of the library again, from the first guess on; OUTPUT is a folder.")
+    private boolean again;
+
+    @Mixin
+    final SearchStudioOptions studio = new SearchStudioOptions();
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        try {
+            return again ? makeAgain() : optimise();
+        } catch (IllegalArgumentException wrong) {
+            throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
+        }
+    }
+
+    private int makeAgain() throws IOException {
+        Path folder = output.orElse(Path.of("motions"));
+        MotionWorkshop.make(name, folder);
+        System.out.println("Written to the folder " + folder + ".");
+        laterSearch(name)
+                .ifPresent(command -> System.out.println("The library's file was improved then by: " + command));
+        return ExitCode.OK;
+    }
+
+    /** The search that continued from the result of {@code --again}, if there was one. */
+    static Optional<String> laterSearch(String motion) {
+        return ShippedMotions.file(motion)
+                .property("made by")
+                .filter(command -> command.startsWith("robonewbie ") && !command.contains(" --again"));
+    }
+
+    private int optimise() throws IOException, InterruptedException {
+        if (agent.isWanted() != name.isEmpty()) {
+            throw new CalledWronglyException(
+                    "Name what to improve: a motion, walk-engine, or --agent CLASS; one of them.");
+        }
+        if (objective.isEmpty()) {
+            throw new CalledWronglyException("Name the measure by which to improve " + plainName()
+                    + ": --objective NAME. There are: " + StandardObjective.labels() + ".");
+        }
+        StandardObjective wanted = StandardObjective.labelled(objective);
+        Subject subject = subject(wanted);
+        Path file = output.orElse(agent.isWanted() ? agent.file() : Path.of(plainName() + "-optimised.txt"));
+        if (bothSides) {
+            OtherSide.of(file);
+        }
+        var plan = new OptimisationPlan(seed, generations, population, trials, firstStep(), threads);
+        System.out.printf(
+                Locale.ROOT,
+                "%s: %d numbers, %d generations of %d candidates with %d trials each, on %d threads%n",
+                subject.name(),
+                subject.dimension(),
+                generations,
+                population,
+                trials,
+                threads);
+        OptimisationResult result = run(subject, wanted, plan, file);
+        return result.isBetter() ? ExitCode.OK : ExitCode.SOFTWARE;
+    }
+
+    private OptimisationResult run(Subject subject, StandardObjective wanted, OptimisationPlan plan, Path file)
+            throws IOException, InterruptedException {
+        var optimisation = new Optimisation(subject, wanted, plan, file);
+        OptimisationListener console = new SearchConsole(System.out, wanted.unit(), file);
+        if (studio.isHeadless()) {
+            return search(optimisation, subject, console, file);
+        }
+        try (SearchStudio pages = SearchStudio.open(studio, subject, wanted, plan, optimisation, file)) {
+            System.out.println("Studio: " + pages.address());
+            pages.showBrowser();
+            OptimisationResult result = search(optimisation, subject, pages.and(console), file);
+            pages.awaitUnwatched();
+            return result;
+        }
+    }
+
+    private OptimisationResult search(
+            Optimisation optimisation, Subject subject, OptimisationListener listener, Path file) throws IOException {
+        if (agent.isWanted()) {
+            rehearse(subject);
+        }
+        OptimisationResult result = agent.isWanted()
+                ? SilentPrograms.entirely(() -> optimisation.run(resume, listener))
+                : optimisation.run(resume, listener);
+        if (result.isBetter() && bothSides) {
+            OtherSide.write(file);
+        }
+        return result;
+    }
+
+    /** Runs an agent once, so that its mistakes are seen once and not in each of some thousand trials. */
+    private void rehearse(Subject subject) throws IOException {
+        SilentPrograms.complaining(() -> subject.attempt(new double[subject.dimension()], seed));
+    }
+
+    private double firstStep() {
+        return step.orElse(agent.isWanted() ? STEP_OF_AGENTS : STEP_OF_MOTIONS);
+    }
+
+    private String plainName() {
+        if (agent.isWanted()) {
+            return agent.simpleName();
+        }
+        return String.valueOf(Path.of(name).getFileName()).replaceFirst("\\.txt$", "");
+    }
+
+    private Subject subject(StandardObjective wanted) throws IOException {
+        if (agent.isWanted()) {
+            return agent.subject(wanted);
+        }
+        if (name.equals(EngineSubject.NAME)) {
+            return new EngineSubject(wanted);
+        }
+        return new MotionSubject(name.replace('\\', '/'), motionFile(), wanted);
+    }
+
+    private MotionFile motionFile() throws IOException {
+        Path path = Path.of(name);
+        if (!name.endsWith(".txt")) {
+            return ShippedMotions.file(name);
+        }
+        if (!Files.isRegularFile(path)) {
+            throw new CalledWronglyException("There is no motion file " + path + ".");
+        }
+        MotionFile file = MotionFiles.load(path);
+        if (!file.errors().isEmpty()) {
+            throw new CalledWronglyException(
+                    path + " cannot be read: " + file.errors().get(0));
+        }
+        return file;
+    }
+}

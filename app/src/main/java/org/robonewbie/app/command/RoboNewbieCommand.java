@@ -1,0 +1,128 @@
+package org.robonewbie.app.command;
+
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import org.robonewbie.agent.Options;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.IVersionProvider;
+import picocli.CommandLine.Model.UsageMessageSpec;
+import picocli.CommandLine.TypeConversionException;
+
+/** The program itself; its commands do the work. */
+@Command(
+        name = "robonewbie",
+        description = "Program a simulated humanoid robot in your first hour.",
+        synopsisSubcommandLabel = "COMMAND",
+        mixinStandardHelpOptions = true,
+        versionProvider = RoboNewbieCommand.Version.class,
+        subcommands = {
+            DemoCommand.class,
+            RunCommand.class,
+            SimulatorCommand.class,
+            StudioCommand.class,
+            FidelityCommand.class,
+            RecordCommand.class,
+            RecordReferenceCommand.class,
+            MeasureCommand.class,
+            CompetitionCommand.class,
+            OptimiseCommand.class,
+            BenchmarkCommand.class,
+            GradeCommand.class,
+            NewCommand.class,
+            EvaluationCommand.class,
+            ExperimentCommand.class,
+            GymCommand.class,
+            DoctorCommand.class
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  robonewbie                            watch a robot play soccer in the browser",
+            "  robonewbie run Agent_BasicStructure   run an example",
+            "  robonewbie run MyAgent.java           run your own agent",
+            "  robonewbie run --help                 more about one command",
+            "",
+            "Exit code: 0 all went well, 1 the command ran and failed, 2 it was called wrongly."
+        })
+public final class RoboNewbieCommand {
+
+    private static final Set<String> OWN_OPTIONS = Set.of("-h", "--help", "-V", "--version");
+
+    private RoboNewbieCommand() {}
+
+    /**
+     * Runs one command.
+     *
+     * @param arguments the command and its options; none runs the demo
+     * @return the exit code: 0 all went well, 1 the command ran and failed, 2 it was called wrongly
+     */
+    public static int run(String... arguments) {
+        return commandLine().execute(withDefaultCommand(arguments));
+    }
+
+    /** {@return all commands with their options} */
+    public static CommandLine commandLine() {
+        CommandLine commandLine = new CommandLine(new RoboNewbieCommand())
+                .addSubcommand(BenchCommand.commandLine())
+                .setParameterExceptionHandler(new PlainMessages())
+                .setExecutionExceptionHandler(new PlainMessages())
+                .registerConverter(Integer.class, text -> number(text, Integer::valueOf, "a whole number"))
+                .registerConverter(int.class, text -> number(text, Integer::valueOf, "a whole number"))
+                .registerConverter(Long.class, text -> number(text, Long::valueOf, "a whole number"))
+                .registerConverter(Double.class, text -> number(text, Double::valueOf, "a number"))
+                .setCaseInsensitiveEnumValuesAllowed(true)
+                .setUsageHelpAutoWidth(true);
+        subcommand(commandLine, RunCommand.NAME).setStopAtPositional(true);
+        appendToHelp(commandLine, DemoCommand.NAME, () -> "Options of the agent:%n" + Options.help());
+        appendToHelp(commandLine, RunCommand.NAME, () -> "Options of the agent:%n" + Options.help());
+        appendToHelp(commandLine, SimulatorCommand.NAME, SimulatorCommand::listOfParameters);
+        return commandLine;
+    }
+
+    /** Appends lists that other modules provide to a command's help, unchanged. */
+    private static void appendToHelp(CommandLine commandLine, String command, Supplier<String> list) {
+        UsageMessageSpec usage =
+                subcommand(commandLine, command).getCommandSpec().usageMessage();
+        usage.sectionMap().put("list", help -> String.format("%n" + list.get() + "%n"));
+        usage.sectionKeys(
+                Stream.concat(usage.sectionKeys().stream(), Stream.of("list")).toList());
+    }
+
+    private static CommandLine subcommand(CommandLine commandLine, String name) {
+        return Objects.requireNonNull(commandLine.getSubcommands().get(name));
+    }
+
+    /** Options without a command belong to the demo: {@code robonewbie --seed 3}. */
+    private static String[] withDefaultCommand(String... arguments) {
+        boolean isDemo = arguments.length == 0 || (arguments[0].startsWith("-") && !OWN_OPTIONS.contains(arguments[0]));
+        return isDemo
+                ? Stream.concat(Stream.of(DemoCommand.NAME), Stream.of(arguments))
+                        .toArray(String[]::new)
+                : arguments;
+    }
+
+    private static <T> T number(String text, Function<String, T> reading, String expected) {
+        try {
+            return reading.apply(text);
+        } catch (NumberFormatException wrong) {
+            throw new TypeConversionException("\"" + text + "\" is not " + expected);
+        }
+    }
+
+    /** The version of RoboNewbie and of Java. */
+    static final class Version implements IVersionProvider {
+
+        @Override
+        public String[] getVersion() {
+            String version = Optional.ofNullable(
+                            RoboNewbieCommand.class.getPackage().getImplementationVersion())
+                    .orElse("(not packaged)");
+            return new String[] {"RoboNewbie " + version + ", Java " + Runtime.version()};
+        }
+    }
+}

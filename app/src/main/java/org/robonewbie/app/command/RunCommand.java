@@ -1,0 +1,66 @@
+package org.robonewbie.app.command;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.robonewbie.app.program.AgentFinder;
+import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.ExampleCatalogue;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Unmatched;
+
+/** Runs one agent: an example, a class of the user or a Java file. */
+@Command(
+        name = RunCommand.NAME,
+        description =
+                "Run an agent. Without a running simulator it starts its own and opens the studio in the browser.",
+        customSynopsis = "robonewbie run [--class-path PATH] AGENT [OPTIONS OF THE AGENT]",
+        footer = {
+            "",
+            "Examples:",
+            "  robonewbie run Agent_BasicStructure",
+            "  robonewbie run Agent_BasicStructure --headless --fast --seed 1 --seconds 12",
+            "  robonewbie run MyAgent.java",
+            "  robonewbie run --class-path target/classes my.team.Attacker --number 9"
+        })
+final class RunCommand implements Callable<Integer> {
+
+    static final String NAME = "run";
+
+    @Mixin
+    final HelpOption help = new HelpOption();
+
+    @Option(
+            names = {"-cp", "--class-path"},
+            paramLabel = "PATH",
+            description = "Folders and jars with your own classes (default: the current folder).")
+    private String classPath = "";
+
+    @Parameters(
+            arity = "0..*",
+            paramLabel = "AGENT",
+            description =
+                    "Name of an example, name of a class of yours, or a .java file; then the options of the agent.")
+    private List<String> agentAndOptions = List.of();
+
+    @Unmatched
+    private final List<String> optionsBeforeTheAgent = new ArrayList<>();
+
+    @Override
+    public Integer call() {
+        if (!optionsBeforeTheAgent.isEmpty()) {
+            throw new CalledWronglyException("Name the agent first, then its options: robonewbie run "
+                    + ExampleCatalogue.FIRST_EXAMPLE + " " + optionsBeforeTheAgent.get(0));
+        }
+        AgentFinder finder = new AgentFinder(ExampleCatalogue.load(), AgentFinder.folders(classPath));
+        if (agentAndOptions.isEmpty()) {
+            throw new CalledWronglyException("Which agent do you want to run? Write for example: robonewbie run "
+                    + ExampleCatalogue.FIRST_EXAMPLE + System.lineSeparator() + finder.listOfExamples());
+        }
+        List<String> options = agentAndOptions.subList(1, agentAndOptions.size());
+        return finder.find(agentAndOptions.get(0)).run(options);
+    }
+}

@@ -1,0 +1,130 @@
+package org.robonewbie.app.command;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.robonewbie.app.studio.CourseDesk;
+import org.robonewbie.app.studio.OpenedFile;
+import org.robonewbie.protocol.tcp.TelemetryServer;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.embedded.Browser;
+import org.robonewbie.simulator.embedded.Viewer;
+import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.studio.ShownSimulation;
+import org.robonewbie.studio.StudioViewer;
+import org.robonewbie.studio.monitor.MonitoredSimulation;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Opens the studio: with a simulator behind it, attached to a server that runs elsewhere, or with a file. */
+@Command(
+        name = StudioCommand.NAME,
+        description = {
+            "Start the studio in the browser. Without a server to watch it has a simulator of its own, which waits for agents on"
+                    + " the beginners' pitch.",
+            "FILE is opened at once: a recording (.rec), the log of a SimSpark server (.log, also packed), or a motion (.txt)."
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  robonewbie studio                     then, in another window: robonewbie run Agent_SimpleSoccer",
+            "  robonewbie studio --monitor 127.0.0.1:3200     watch a running rcssserver3d or robonewbie simulator",
+            "  robonewbie studio game.rec            see a recorded run again",
+            "  robonewbie studio sparkmonitor.log    see the log of a server again",
+            "  robonewbie studio motions/wave.txt    shape a motion"
+        })
+final class StudioCommand implements Callable<Integer> {
+
+    static final String NAME = "studio";
+
+    @Mixin
+    final HelpOption help = new HelpOption();
+
+    @Parameters(arity = "0..1", paramLabel = "FILE", description = "A recording, a server's log or a motion file.")
+    private Optional<Path> file = Optional.empty();
+
+    @Option(
+            names = "--monitor",
+            paramLabel = "HOST:PORT",
+            description = "Watch the server with this monitor port instead of a simulator of its own.")
+    private Optional<String> monitor = Optional.empty();
+
+    @Option(names = "--agent-port", paramLabel = "N", description = "Port for agents of the built-in simulator (3100).")
+    private int agentPort = SimulatorSettings.DEFAULT_AGENT_PORT;
+
+    @Option(names = "--port", paramLabel = "N", description = "Port of the studio's pages (3400, or any free one).")
+    private int port;
+
+    @Option(names = "--no-browser", description = "Print the studio's address and open no browser.")
+    private boolean withoutBrowser;
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        OpenedFile opened = OpenedFile.of(file);
+        SimulationControl simulation = monitor.isPresent() ? watch(monitor.get()) : start();
+        ShownSimulation shown = new ShownSimulation(simulation);
+        CourseDesk course = new CourseDesk(Path.of("").toAbsolutePath(), simulation, shown);
+        Runtime.getRuntime().addShutdownHook(new Thread(course::close, "end-of-exercise"));
+        Viewer.View view = StudioViewer.open(shown, port, opened.folders(), course);
+        URI address = URI.create(view.address() + opened.place());
+        Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
+        System.out.println("Studio: " + address);
+        System.out.println(monitor.map(server -> "It watches the server at " + server + ". Control-C ends it.")
+                .orElse("Agents can join at port " + agentPort + ". Control-C ends it."));
+        hearRobots(view);
+        show(view, address);
+        Thread.currentThread().join();
+        return ExitCode.OK;
+    }
+
+    /** Robots of other processes send telemetry to a port near that of the agents; they play just as well without it. */
+    private void hearRobots(Viewer.View view) {
+        try {
+            TelemetryServer telemetry = TelemetryServer.open(TelemetryServer.portFor(agentPort), view.telemetry());
+            Runtime.getRuntime().addShutdownHook(new Thread(telemetry::close, "end-of-telemetry"));
+        } catch (IOException portInUse) {
+            System.out.println("What robots think cannot be shown, since another program listens for it.");
+        }
+    }
+
+    private void show(Viewer.View view, URI address) {
+        if (withoutBrowser) {
+            return;
+        }
+        if (file.isPresent()) {
+            Browser.open(address, Console.standard());
+        } else {
+            Browser.openUnlessWatched(view, Console.standard());
+        }
+    }
+
+    private static MonitoredSimulation watch(String server) throws IOException {
+        MonitorAddress address = MonitorAddress.of(server);
+        return MonitoredSimulation.connect(address.host(), address.port());
+    }
+
+    private SimulationControl start() throws IOException {
+        Optional<Path> recording =
+                file.isPresent() ? Optional.empty() : RecordingShelf.ofUser().flatMap(RecordingShelf::next);
+        Simulator simulator = Simulator.start(
+                SimulatorSettings.beginner()
+                        .agentPort(agentPort)
+                        .synchronous(true)
+                        .awaitedAgents(1)
+                        .seed(System.nanoTime() & 0xfffff)
+                        .recording(recording)
+                        .build(),
+                Console.standard());
+        agentPort = simulator.agentPort();
+        Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));
+        return simulator.control();
+    }
+}

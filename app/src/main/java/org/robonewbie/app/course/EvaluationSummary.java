@@ -1,0 +1,118 @@
+package org.robonewbie.app.course;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.robonewbie.app.program.CalledWronglyException;
+
+/** Answers of a course, as means by experience in robotics and in Java; answers go from 1 to 5, and none may be missing. */
+public final class EvaluationSummary {
+
+    private static final List<String> EXPERIENCES = List.of("robotics", "java");
+    private static final String SEPARATOR = "[,;\t]";
+
+    private final List<String> questions;
+    private final List<double[]> answers;
+
+    private EvaluationSummary(List<String> questions, List<double[]> answers) {
+        this.questions = questions;
+        this.answers = answers;
+    }
+
+    /** Participants with an experience from {@code least} to {@code most}. */
+    private record Group(String name, String experience, double least, double most) {}
+
+    /**
+     * Reads the answers.
+     *
+     * @param file one line of answers per participant
+     * @return the means
+     * @throws CalledWronglyException if the file cannot be read or understood; its message names the line
+     */
+    public static EvaluationSummary of(Path file) {
+        try {
+            return of(Files.readAllLines(file));
+        } catch (IOException unreadable) {
+            throw new CalledWronglyException("The file " + file + " cannot be read. Is its name right?");
+        }
+    }
+
+    static EvaluationSummary of(List<String> lines) {
+        if (lines.isEmpty()) {
+            throw new CalledWronglyException("The file is empty. Its first line names the questions.");
+        }
+        List<String> questions =
+                List.of(lines.get(0).trim().toLowerCase(Locale.ROOT).split(SEPARATOR, -1));
+        List<double[]> answers = new ArrayList<>();
+        for (int i = 1; i < lines.size(); i++) {
+            if (!lines.get(i).isBlank()) {
+                answers.add(answer(lines.get(i), i + 1, questions.size()));
+            }
+        }
+        return new EvaluationSummary(questions, answers);
+    }
+
+    @Override
+    public String toString() {
+        List<Group> groups = new ArrayList<>(List.of(new Group("all", "", 0, 5)));
+        for (String experience : EXPERIENCES) {
+            if (questions.contains(experience)) {
+                groups.add(new Group(experience + " little", experience, 1, 2));
+                groups.add(new Group(experience + " some", experience, 3, 3));
+                groups.add(new Group(experience + " much", experience, 4, 5));
+            }
+        }
+        StringBuilder table = new StringBuilder(String.format("%-16s%8s", "experience", "people"));
+        questions.forEach(question -> table.append(String.format("  %11.11s", question)));
+        table.append(System.lineSeparator());
+        groups.forEach(group -> append(table, group));
+        return table.toString();
+    }
+
+    private void append(StringBuilder table, Group group) {
+        List<double[]> people =
+                answers.stream().filter(answer -> belongs(answer, group)).toList();
+        table.append(String.format("%-16s%8d", group.name, people.size()));
+        for (int i = 0; i < questions.size(); i++) {
+            int column = i;
+            OptionalDouble mean =
+                    people.stream().mapToDouble(answer -> answer[column]).average();
+            table.append(
+                    mean.isPresent() ? String.format(Locale.ROOT, "  %11.2f", mean.getAsDouble()) : "            -");
+        }
+        table.append(System.lineSeparator());
+    }
+
+    private boolean belongs(double[] answer, Group group) {
+        if (group.experience.isEmpty()) {
+            return true;
+        }
+        double experience = answer[questions.indexOf(group.experience)];
+        return experience >= group.least && experience <= group.most;
+    }
+
+    private static double[] answer(String line, int number, int questions) {
+        String[] words = line.trim().split(SEPARATOR, -1);
+        if (words.length != questions) {
+            throw new CalledWronglyException(
+                    "Line " + number + " has " + words.length + " answers, but there are " + questions + " questions.");
+        }
+        double[] answers = new double[questions];
+        for (int i = 0; i < questions; i++) {
+            answers[i] = number(words[i].trim(), number);
+        }
+        return answers;
+    }
+
+    private static double number(String word, int line) {
+        if (!word.matches("[1-5]")) {
+            throw new CalledWronglyException(
+                    "Line " + line + ": \"" + word + "\" is no answer. Answers go from 1 to 5.");
+        }
+        return Double.parseDouble(word);
+    }
+}

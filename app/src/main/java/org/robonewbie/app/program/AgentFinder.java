@@ -1,0 +1,134 @@
+package org.robonewbie.app.program;
+
+import java.io.File;
+import java.io.UncheckedIOException;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.robonewbie.agent.log.Spelling;
+
+/** Finds the program that the user names: an example, a class or a Java file. */
+public final class AgentFinder {
+
+    private final ExampleCatalogue examples;
+    private final List<Path> classPath;
+
+    /**
+     * Creates a finder.
+     *
+     * @param examples examples, which take precedence
+     * @param classPath folders and jars with the user's own classes
+     */
+    public AgentFinder(ExampleCatalogue examples, List<Path> classPath) {
+        this.examples = examples;
+        this.classPath = classPath;
+    }
+
+    /**
+     * Reads a class path as Java writes it.
+     *
+     * @param classPath folders and jars with the system's separator between them
+     * @return each of them
+     */
+    public static List<Path> folders(String classPath) {
+        return Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
+    }
+
+    /**
+     * Finds a program.
+     *
+     * @param name simple name of an example, a class or a Java file
+     * @return the program
+     * @throws CalledWronglyException if there is none; its message says what there is
+     */
+    public AgentProgram find(String name) {
+        if (name.endsWith(".java")) {
+            return JavaSource.of(Path.of(name)).compile(classPath);
+        }
+        return examples.find(name).or(() -> findOwnClass(name)).orElseThrow(() -> unknown(name));
+    }
+
+    /**
+     * Finds a class to be loaded repeatedly, each time with static fields of its own unless it belongs to RoboNewbie.
+     *
+     * @param name simple name of an example, a class or a Java file
+     * @return loads the class
+     * @throws CalledWronglyException if there is none; its message says what there is
+     */
+    public Supplier<Class<?>> findClass(String name) {
+        if (name.endsWith(".java")) {
+            return JavaSource.of(Path.of(name)).load(classPath);
+        }
+        String className = examples.classNames().getOrDefault(name, name);
+        if (ownClass(className).isEmpty()) {
+            throw unknown(name);
+        }
+        return () -> ownClass(className).orElseThrow();
+    }
+
+    /** {@return the examples, one per line} */
+    public String listOfExamples() {
+        return examples.classNames().keySet().stream()
+                .map(name -> "  " + name)
+                .collect(Collectors.joining(System.lineSeparator(), "The examples are:" + System.lineSeparator(), ""));
+    }
+
+    private Optional<AgentProgram> findOwnClass(String name) {
+        return ownClass(name).map(type -> AgentProgram.of(type).orElseThrow(() -> withoutMain(type.getSimpleName())));
+    }
+
+    private Optional<Class<?>> ownClass(String name) {
+        try {
+            return Optional.of(Class.forName(name, false, loaderOf(classPath)));
+        } catch (ClassNotFoundException | NoClassDefFoundError none) {
+            return Optional.empty();
+        }
+    }
+
+    /**
+     * Creates a class loader for the user's own classes that also knows those of RoboNewbie.
+     *
+     * @param classPath folders and jars
+     * @return the class loader
+     */
+    public static URLClassLoader loaderOf(List<Path> classPath) {
+        return new URLClassLoader(
+                classPath.stream().map(AgentFinder::urlOf).toArray(URL[]::new), AgentFinder.class.getClassLoader());
+    }
+
+    private static URL urlOf(Path folderOrJar) {
+        try {
+            return folderOrJar.toUri().toURL();
+        } catch (MalformedURLException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
+    }
+
+    static CalledWronglyException withoutMain(String simpleName) {
+        return new CalledWronglyException("""
+                %1$s cannot be run, since it has no main method. Add to it:
+                  public static void main(String[] args) {
+                    new %1$s().run(args);
+                  }""".formatted(simpleName));
+    }
+
+    private CalledWronglyException unknown(String name) {
+        Path file = Path.of(name + ".java");
+        String question = Optional.of(file.toString())
+                .filter(own -> Files.isRegularFile(file))
+                .or(() -> Spelling.nearest(name, examples.classNames().keySet()))
+                .map(nearest -> " Did you mean " + nearest + "?")
+                .orElse("");
+        return new CalledWronglyException("""
+                There is no agent "%s".%s
+                %s
+                Your own agent runs by its file, for example: robonewbie run MyAgent.java""".formatted(name, question, listOfExamples()));
+    }
+}

@@ -1,0 +1,100 @@
+package org.robonewbie.app.program;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+/** Knows all examples that can be run: the classes with a {@code main} method in {@code org.robonewbie.examples}. */
+public final class ExampleCatalogue {
+
+    /** The example to begin with. */
+    public static final String FIRST_EXAMPLE = "Agent_BasicStructure";
+
+    private static final String PACKAGE = "org.robonewbie.examples";
+    private static final String FOLDER = PACKAGE.replace('.', '/');
+
+    private final SortedMap<String, String> classNames = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
+
+    private ExampleCatalogue() {}
+
+    /**
+     * Looks through the class path.
+     *
+     * @return the examples on it
+     */
+    public static ExampleCatalogue load() {
+        ExampleCatalogue catalogue = new ExampleCatalogue();
+        try {
+            for (var places = loader().getResources(FOLDER); places.hasMoreElements(); ) {
+                catalogue.addAll(places.nextElement().toURI());
+            }
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException("The examples cannot be read", unreadable);
+        } catch (URISyntaxException impossible) {
+            throw new IllegalStateException("The class path cannot be read", impossible);
+        }
+        return catalogue;
+    }
+
+    /** {@return the examples: simple name to class name} */
+    public SortedMap<String, String> classNames() {
+        return classNames;
+    }
+
+    /**
+     * Finds an example by its simple name, ignoring case.
+     *
+     * @param simpleName name of the class without its package
+     * @return the example, if there is one
+     */
+    public Optional<AgentProgram> find(String simpleName) {
+        return Optional.ofNullable(classNames.get(simpleName)).flatMap(ExampleCatalogue::program);
+    }
+
+    private void addAll(URI place) throws IOException {
+        if (place.getScheme().equals("jar")) {
+            try (FileSystem jar = FileSystems.newFileSystem(place, Map.of())) {
+                addAll(jar.getPath(FOLDER));
+            }
+        } else {
+            addAll(Path.of(place));
+        }
+    }
+
+    private void addAll(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            files.filter(file -> file.toString().endsWith(".class"))
+                    .map(file -> PACKAGE + "." + classNameOf(folder.relativize(file)))
+                    .filter(name -> program(name).isPresent())
+                    .forEach(name -> classNames.put(name.substring(name.lastIndexOf('.') + 1), name));
+        }
+    }
+
+    private static String classNameOf(Path file) {
+        String separator = file.getFileSystem().getSeparator();
+        String name = file.toString().replace(separator, ".");
+        return name.substring(0, name.length() - ".class".length());
+    }
+
+    private static Optional<AgentProgram> program(String className) {
+        try {
+            return AgentProgram.of(Class.forName(className, false, loader()));
+        } catch (ClassNotFoundException | LinkageError none) {
+            return Optional.empty();
+        }
+    }
+
+    private static ClassLoader loader() {
+        return ExampleCatalogue.class.getClassLoader();
+    }
+}

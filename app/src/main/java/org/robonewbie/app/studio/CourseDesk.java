@@ -1,0 +1,129 @@
+package org.robonewbie.app.studio;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.robonewbie.app.course.GradingProcess;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.Score;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.studio.ShownSimulation;
+import org.robonewbie.studio.course.Attempt;
+import org.robonewbie.studio.course.Course;
+import org.robonewbie.studio.course.Lesson;
+
+/** The exercises behind the studio's page. What is tried is shown there instead of the free pitch. */
+public final class CourseDesk implements Course, AutoCloseable {
+
+    /** The port at which students' own agents are awaited, if it is free. */
+    static final int USUAL_PORT = 3110;
+
+    private static final String JAVA = ".java";
+
+    private final Path folder;
+    private final SimulationControl freePitch;
+    private final ShownSimulation shown;
+    private Optional<CourseAttempt> current = Optional.empty();
+    private long attempts;
+
+    /**
+     * Prepares the exercises.
+     *
+     * @param folder where students' programs are
+     * @param freePitch what the studio shows when nothing is tried
+     * @param shown what the studio shows
+     */
+    public CourseDesk(Path folder, SimulationControl freePitch, ShownSimulation shown) {
+        this.folder = folder;
+        this.freePitch = freePitch;
+        this.shown = shown;
+    }
+
+    @Override
+    public List<Lesson> lessons() {
+        return Exercises.all().stream().map(CourseDesk::lesson).toList();
+    }
+
+    private static Lesson lesson(Exercise exercise) {
+        return new Lesson(
+                exercise.number(),
+                exercise.name(),
+                exercise.title(),
+                exercise.goal(),
+                exercise.level(),
+                exercise.minutes(),
+                Score.MOST_POINTS,
+                "docs/exercises/" + exercise.fullName() + ".html",
+                exercise.className() + JAVA);
+    }
+
+    @Override
+    public List<String> programs() {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> String.valueOf(file.getFileName()))
+                    .filter(name -> name.endsWith(JAVA))
+                    .sorted()
+                    .toList();
+        } catch (IOException unreadable) {
+            return List.of();
+        }
+    }
+
+    @Override
+    public String handOut(String exercise) throws IOException {
+        Exercise found = find(exercise);
+        Path file = folder.resolve(found.className() + JAVA);
+        if (Files.exists(file)) {
+            throw new IllegalArgumentException(
+                    "There is a file " + file.getFileName() + " already, and it is kept. Rename it to start over.");
+        }
+        GradingProcess.write(file, found.startCode());
+        return String.valueOf(file.getFileName());
+    }
+
+    @Override
+    public synchronized void begin(String exercise, String program, int trials) throws IOException {
+        Exercise found = find(exercise);
+        current.ifPresent(CourseAttempt::close);
+        attempts++;
+        current = Optional.of(CourseAttempt.begin(attempts, found, program, trials, folder, shown::show));
+    }
+
+    @Override
+    public synchronized void leave() {
+        current.ifPresent(CourseAttempt::close);
+        current = Optional.empty();
+        shown.show(freePitch);
+    }
+
+    @Override
+    public synchronized Attempt attempt() {
+        return current.map(CourseAttempt::state).orElse(Attempt.NONE);
+    }
+
+    /** Waits until the attempt that goes on is over. */
+    Attempt awaitEnd() throws InterruptedException {
+        CourseAttempt attempt = now().orElseThrow();
+        attempt.awaitEnd();
+        return attempt.state();
+    }
+
+    private synchronized Optional<CourseAttempt> now() {
+        return current;
+    }
+
+    @Override
+    public synchronized void close() {
+        current.ifPresent(CourseAttempt::close);
+    }
+
+    private static Exercise find(String name) {
+        return Exercises.find(name)
+                .orElseThrow(() ->
+                        new IllegalArgumentException("There is no exercise \"" + name + "\". Load the page again."));
+    }
+}

@@ -1,0 +1,64 @@
+package org.robonewbie.app.studio;
+
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.Locale;
+import org.robonewbie.learning.optimise.Attempt;
+import org.robonewbie.learning.optimise.Generation;
+import org.robonewbie.learning.optimise.OptimisationListener;
+import org.robonewbie.learning.optimise.OptimisationResult;
+
+/**
+ * Prints the progress of an optimisation; what was printed before an interruption is not printed again.
+ *
+ * @param out where it is printed
+ * @param unit of the values
+ * @param file where the best one is written
+ */
+public record SearchConsole(PrintStream out, String unit, Path file) implements OptimisationListener {
+
+    @Override
+    public void begins(Attempt before) {
+        out.printf(Locale.ROOT, "start: %.3f %s%n", before.value(), unit);
+    }
+
+    @Override
+    public void reached(Generation generation) {
+        if (!generation.isRemembered()) {
+            out.println(line(generation));
+        }
+    }
+
+    @Override
+    public void ends(OptimisationResult result) {
+        out.println("before: " + result.words(result.before()));
+        out.println("after:  " + result.words(result.after()));
+        out.println(outcome(result, file));
+        if (result.isBetter()) {
+            out.print(result.advice());
+        }
+    }
+
+    /** The outcome in words. */
+    static String outcome(OptimisationResult result, Path file) {
+        return result.isBetter()
+                ? "Written to " + file + "."
+                : "Nothing better was found, so nothing is written. More --generations or another --seed may help.";
+    }
+
+    private String line(Generation generation) {
+        long seconds = Math.round(generation.pace().secondsLeft());
+        return String.format(
+                Locale.ROOT,
+                "generation %d/%d: best %.3f %s, mean %.3f %s, %.0f%% succeed, %d:%02d left",
+                generation.number(),
+                generation.of(),
+                generation.score().best(),
+                unit,
+                generation.score().mean(),
+                unit,
+                100 * generation.score().success(),
+                seconds / 60,
+                seconds % 60);
+    }
+}

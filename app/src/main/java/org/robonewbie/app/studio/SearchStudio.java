@@ -1,0 +1,235 @@
+package org.robonewbie.app.studio;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.robonewbie.learning.objective.Objective;
+import org.robonewbie.learning.optimise.Attempt;
+import org.robonewbie.learning.optimise.Generation;
+import org.robonewbie.learning.optimise.MotionSubject;
+import org.robonewbie.learning.optimise.Optimisation;
+import org.robonewbie.learning.optimise.OptimisationListener;
+import org.robonewbie.learning.optimise.OptimisationPlan;
+import org.robonewbie.learning.optimise.OptimisationResult;
+import org.robonewbie.learning.optimise.Subject;
+import org.robonewbie.learning.optimise.SubjectNumber;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.embedded.Browser;
+import org.robonewbie.simulator.embedded.Viewer;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.studio.StudioFolders;
+import org.robonewbie.studio.StudioViewer;
+import org.robonewbie.studio.search.SearchBoard;
+import org.robonewbie.studio.search.SearchNumber;
+import org.robonewbie.studio.search.SearchRound;
+import org.robonewbie.studio.search.SearchTask;
+
+/** A studio that shows an optimisation while it runs, and opens the present motion in the motion editor. */
+public final class SearchStudio implements OptimisationListener, AutoCloseable {
+
+    private final Subject subject;
+    private final List<SubjectNumber> start;
+    private final SearchBoard board;
+    private final Path fileSoFar;
+    private final Path file;
+    private final boolean withBrowser;
+    private final Simulator world;
+    private final Viewer.View view;
+
+    private SearchStudio(
+            Subject subject, SearchBoard board, Path fileSoFar, Path file, SearchStudioOptions options, Simulator world)
+            throws IOException {
+        this.subject = subject;
+        this.start = subject.numbers(new double[subject.dimension()]);
+        this.board = board;
+        this.fileSoFar = fileSoFar;
+        this.file = file;
+        this.withBrowser = !options.isWithoutBrowser;
+        this.world = world;
+        StudioFolders folders = new StudioFolders(
+                Optional.ofNullable(file.toAbsolutePath().getParent()).orElse(Path.of("")), Optional.empty());
+        this.view = StudioViewer.open(world.control(), options.port, folders, board);
+    }
+
+    /**
+     * Opens the studio with an empty pitch, since the trials have worlds of their own.
+     *
+     * @param options how it is shown
+     * @param subject what is improved
+     * @param objective what is measured
+     * @param plan how long the search continues
+     * @param optimisation the search
+     * @param file where the best one is written
+     * @return the open studio
+     */
+    public static SearchStudio open(
+            SearchStudioOptions options,
+            Subject subject,
+            Objective objective,
+            OptimisationPlan plan,
+            Optimisation optimisation,
+            Path file)
+            throws IOException {
+        String method = String.format(
+                Locale.ROOT,
+                "%d generations of %d candidates with %d trials each",
+                plan.generations(),
+                plan.population(),
+                plan.trials());
+        SearchBoard board = new SearchBoard(new SearchTask(
+                subject.name(),
+                objective.label(),
+                objective.unit(),
+                objective.isLargerBetter(),
+                plan.generations(),
+                method));
+        SimulatorSettings pitch = SimulatorSettings.beginner()
+                .agentPort(0)
+                .synchronous(true)
+                .awaitedAgents(1)
+                .build();
+        Simulator world = Simulator.start(pitch, Console.silent());
+        try {
+            return new SearchStudio(subject, board, optimisation.fileSoFar(), file, options, world);
+        } catch (IOException portInUse) {
+            world.close();
+            throw portInUse;
+        }
+    }
+
+    /** {@return the address of the page that shows the search} */
+    public URI address() {
+        return SearchBoard.page(view.address());
+    }
+
+    /** Opens the page in the browser, unless the options ask for no browser. */
+    public void showBrowser() {
+        if (withBrowser) {
+            Browser.openUnlessWatched(new Page(), Console.standard());
+        }
+    }
+
+    /**
+     * Reports to another listener as well.
+     *
+     * @param other called after this page
+     * @return both
+     */
+    public OptimisationListener and(OptimisationListener other) {
+        return new Both(this, other);
+    }
+
+    /**
+     * Waits until no page is open any more.
+     *
+     * @throws InterruptedException if the thread is interrupted while it waits
+     */
+    public void awaitUnwatched() throws InterruptedException {
+        if (board.isWatched()) {
+            System.out.println("The page stays until you close it, or press Control-C here.");
+            board.awaitUnwatched(view::isWatched);
+        }
+    }
+
+    @Override
+    public void begins(Attempt before) {
+        board.begins(before.value());
+    }
+
+    @Override
+    public void reached(Generation generation) {
+        Generation.Score score = generation.score();
+        SearchRound round = new SearchRound(
+                generation.number(),
+                score.best(),
+                score.mean(),
+                score.success(),
+                generation.cloud().step(),
+                generation.pace().trialsPerSecond(),
+                generation.pace().secondsLeft());
+        board.reached(round, numbers(generation), generation.isRemembered() ? "" : place(fileSoFar));
+    }
+
+    @Override
+    public void ends(OptimisationResult result) {
+        String words = result.words(result.after()) + ". " + SearchConsole.outcome(result, file);
+        board.ends(result.after().value(), words, result.isBetter() ? place(file) : "");
+    }
+
+    @Override
+    public void close() {
+        view.close();
+        world.close();
+    }
+
+    private List<SearchNumber> numbers(Generation generation) {
+        List<Double> middle = generation.cloud().middle();
+        List<Double> spread = generation.cloud().spread();
+        List<SubjectNumber> now =
+                subject.numbers(middle.stream().mapToDouble(Double::doubleValue).toArray());
+        return IntStream.range(0, now.size())
+                .mapToObj(i -> {
+                    SubjectNumber number = now.get(i);
+                    double size = number.coordinateSize();
+                    return new SearchNumber(
+                            number.name(),
+                            number.unit(),
+                            start.get(i).value(),
+                            number.value(),
+                            size * spread.get(i),
+                            size);
+                })
+                .toList();
+    }
+
+    private String place(Path motion) {
+        return subject instanceof MotionSubject && motion.toString().endsWith(".txt")
+                ? OpenedFile.motionPlace(motion)
+                : "";
+    }
+
+    /** Of all pages, the one that is opened. */
+    private final class Page implements Viewer.View {
+
+        @Override
+        public URI address() {
+            return SearchStudio.this.address();
+        }
+
+        @Override
+        public boolean isWatched() {
+            return board.isWatched();
+        }
+
+        @Override
+        public void close() {
+            view.close();
+        }
+    }
+
+    private record Both(OptimisationListener one, OptimisationListener other) implements OptimisationListener {
+
+        @Override
+        public void begins(Attempt before) {
+            one.begins(before);
+            other.begins(before);
+        }
+
+        @Override
+        public void reached(Generation generation) {
+            one.reached(generation);
+            other.reached(generation);
+        }
+
+        @Override
+        public void ends(OptimisationResult result) {
+            one.ends(result);
+            other.ends(result);
+        }
+    }
+}

@@ -1,0 +1,24 @@
+package org.robonewbie.app.studio;
+
+import picocli.CommandLine.Option;
+
+/** How a search is shown to people. */
+public final class SearchStudioOptions {
+
+    @Option(names = "--headless", description = "Open no page; the program ends as soon as the search does.")
+    boolean isHeadless;
+
+    @Option(names = "--no-browser", description = "Print the address of the page and open no browser.")
+    boolean isWithoutBrowser;
+
+    @Option(names = "--port", paramLabel = "N", description = "Port of the page (3400, or any free one).")
+    int port;
+
+    /** Creates the options as they are if nothing is said. */
+    public SearchStudioOptions() {}
+
+    /** {@return whether the search is shown in no page} */
+    public boolean isHeadless() {
+        return isHeadless;
+    }
+}

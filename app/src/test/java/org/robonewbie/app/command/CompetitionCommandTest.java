@@ -1,0 +1,120 @@
+package org.robonewbie.app.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.robonewbie.app.Printed;
+
+/** The command that holds a contest: what it refuses, and what it leaves behind. */
+class CompetitionCommandTest {
+
+    @TempDir
+    Path folder = Path.of("");
+
+    @Test
+    void eleventhTeamIsRefused() {
+        String[] words = Stream.concat(
+                        Stream.of("competition", "scoring"),
+                        IntStream.rangeClosed(1, 11).mapToObj(i -> "Team" + i + "=Agent_SimpleSoccer"))
+                .toArray(String[]::new);
+
+        Printed printed = Printed.by(words);
+
+        assertThat(printed.exitCode()).isEqualTo(2);
+        assertThat(printed.err()).contains("A competition has at most 10 teams, and these are 11.");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            running Red=Agent_Wave             | There is no contest "running". There are: scoring, penalties
+            penalties Red=Agent_Wave           | needs at least 2 teams
+            scoring                            | needs at least 1 team.
+            matches A=Agent_Wave B=Agent_Wave --players 12 | --players is 1 to 11
+            exercise:kickk Red=Agent_Wave      | There is no exercise "kickk". Did you mean kick?
+            walk --teams nowhere.properties    | nowhere.properties
+            """)
+    void mistakeIsToldWithWhatToDo(String line, String message) {
+        Printed printed = Printed.by(("competition " + line).split(" ", -1));
+
+        assertThat(printed.exitCode()).isEqualTo(2);
+        assertThat(printed.err()).contains(message);
+    }
+
+    @Test
+    void contestLeavesTableCertificatesAndRecordings() throws IOException {
+        Path results = folder.resolve("results");
+
+        Printed printed = Printed.by(
+                "competition",
+                "walk",
+                "Red=Agent_Wave",
+                "Blue=Agent_Wave",
+                "--results",
+                results.toString(),
+                "--seconds",
+                "2");
+
+        assertThat(printed.exitCode()).as(printed.err()).isZero();
+        assertThat(printed.out()).contains("Fastest walk: ", "1.  Red", "1.  Blue", "table.html");
+        try (Stream<Path> files = Files.walk(results)) {
+            assertThat(files.map(file -> file.getFileName().toString()))
+                    .contains("table.html", "table.csv", "table.json", "Red.html", "walk-Red.rec");
+        }
+    }
+
+    @Test
+    void exerciseIsAContestJudgedByItsOwnChecker() throws IOException {
+        Path results = folder.resolve("results");
+        Path good = Files.writeString(folder.resolve("Good.java"), program("Good", """
+                nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, 4 * (60 - nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH)));
+                nao.setJointSpeed(Joint.RIGHT_SHOULDER_PITCH, 4 * (45 - nao.getJointAngle(Joint.RIGHT_SHOULDER_PITCH)));
+                """));
+        Path leaving = Files.writeString(folder.resolve("Leaving.java"), program("Leaving", "System.exit(0);"));
+
+        Printed printed = Printed.by(
+                "competition",
+                "exercise:raise-arms",
+                "Blue=Agent_BasicStructure",
+                "Green=" + leaving,
+                "Red=" + good,
+                "--rounds",
+                "2",
+                "--results",
+                results.toString());
+
+        assertThat(printed.exitCode()).as(printed.err()).isZero();
+        assertThat(printed.out().replaceAll(" +", " "))
+                .contains("Exercise 1: Raise both arms")
+                .contains("1. Red 20 of 20 2 of 2 played to the end")
+                .contains("2. Blue 0 of 20 0 of 2 played to the end")
+                .contains("2. Green 0 of 20 0 of 2 its program ended before the trial was over");
+        assertThat(results.resolve("recordings/exercise-raise-arms-Red-2.rec")).isNotEmptyFile();
+    }
+
+    private static String program(String name, String thought) {
+        return """
+                import org.robonewbie.agent.Agent;
+                import org.robonewbie.nao.Joint;
+
+                public class %1$s extends Agent {
+                    public static void main(String[] args) {
+                        new %1$s().run(args);
+                    }
+
+                    @Override
+                    protected void think() {
+                        nao.setJointSpeed(Joint.NECK_YAW, 0);
+                        %2$s
+                    }
+                }
+                """.formatted(name, thought);
+    }
+}

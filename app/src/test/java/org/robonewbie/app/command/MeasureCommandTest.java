@@ -1,0 +1,57 @@
+package org.robonewbie.app.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.app.program.CalledWronglyException;
+import picocli.CommandLine;
+
+class MeasureCommandTest {
+
+    @Test
+    void refusesToMeasureWithoutTrials() {
+        MeasureCommand command = command("motions", "--seeds", "0");
+
+        assertThatThrownBy(command::call)
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessage("--seeds 0: give a number of trials of at least 1.");
+    }
+
+    @Test
+    void saysWhatCanBeMeasured() {
+        MeasureCommand command = command("mountains");
+
+        assertThatThrownBy(command::call)
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessage("\"mountains\" cannot be measured; write: robonewbie measure motions, or: measure agents,"
+                        + " or: measure server");
+    }
+
+    @Tag("slow")
+    @Test
+    void letsTheExampleAgentsPlayAndPrintsHowWellTheyDo() throws IOException {
+        ByteArrayOutputStream printed = new ByteArrayOutputStream();
+        AgentMeasurement measurement =
+                new AgentMeasurement(1, 1, new PrintStream(printed, true, StandardCharsets.UTF_8));
+
+        measurement.run("BetterSoccer", Optional.empty());
+        measurement.run("WalkToBall", Optional.empty());
+
+        assertThat(printed.toString(StandardCharsets.UTF_8))
+                .containsPattern("Agent_SimpleWalkToBall +1 +1 +[0-9.]+ s")
+                .containsPattern("Agent_BetterSoccer +1 +1 +[0-9.]+ s");
+    }
+
+    private static MeasureCommand command(String... arguments) {
+        MeasureCommand command = new MeasureCommand();
+        new CommandLine(command).parseArgs(arguments);
+        return command;
+    }
+}

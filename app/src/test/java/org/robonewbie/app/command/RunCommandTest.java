@@ -1,0 +1,164 @@
+package org.robonewbie.app.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.app.Printed;
+
+class RunCommandTest {
+
+    @TempDir
+    Path temporaryFolder;
+
+    private Path folder = Path.of("");
+
+    @BeforeEach
+    void makeFolderWithBlanks() throws IOException {
+        folder = Files.createDirectories(temporaryFolder.resolve("my first robots"));
+    }
+
+    @Test
+    void unknownAgentIsAnsweredWithTheListOfExamples() {
+        Printed answer = Printed.by("run", "Agent_DoesNotExist");
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err()).contains("There is no agent \"Agent_DoesNotExist\".", "The examples are:");
+    }
+
+    @Test
+    void missingAgentIsAskedFor() {
+        Printed answer = Printed.by("run");
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err()).contains("Which agent do you want to run?");
+    }
+
+    @Test
+    void optionsBeforeTheAgentAreExplained() {
+        Printed answer = Printed.by("run", "--headless", "Agent_BasicStructure");
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err()).contains("Name the agent first, then its options:");
+    }
+
+    @Test
+    void javaFileRunsWithAllFurtherOptions() throws IOException {
+        Path file = write("Greeting.java", program("Greeting", "System.out.println(String.join(\"|\", args));"));
+
+        Printed answer = Printed.by("run", file.toString(), "--seed", "3", "--help");
+
+        assertThat(answer.out().strip()).isEqualTo("--seed|3|--help");
+        assertThat(answer.exitCode()).isZero();
+    }
+
+    @Test
+    void javaFileUsesItsNeighbours() throws IOException {
+        write("Other.java", "class Other { static String word() { return \"neighbour\"; } }");
+        Path file = write("Caller.java", program("Caller", "System.out.println(Other.word());"));
+
+        Printed answer = Printed.by("run", file.toString());
+
+        assertThat(answer.out().strip()).isEqualTo("neighbour");
+    }
+
+    @Test
+    void javaFileInPackageUsesItsNeighbours() throws IOException {
+        write("red/team/Other.java", "package red.team; class Other { static String word() { return \"red\"; } }");
+        Path file = write(
+                "red/team/Caller.java", "package red.team;" + program("Caller", "System.out.println(Other.word());"));
+
+        Printed answer = Printed.by("run", file.toString());
+
+        assertThat(answer.out().strip()).isEqualTo("red");
+    }
+
+    @Test
+    void javaFileLeavesNoFilesBehind() throws IOException {
+        Path file = write("Tidy.java", program("Tidy", "new Object() {};"));
+
+        Printed.by("run", file.toString());
+
+        try (var files = Files.list(folder)) {
+            assertThat(files).containsExactly(file);
+        }
+    }
+
+    @Test
+    void mistakeInJavaFileIsShownWithItsLine() throws IOException {
+        Path file = write("Broken.java", "public class Broken {\n    int angle = \"thirty\";\n}\n");
+
+        Printed answer = Printed.by("run", file.toString());
+
+        assertThat(answer.exitCode()).isEqualTo(1);
+        assertThat(answer.err())
+                .contains("Broken.java:2: error", "thirty", "Correct the line of the first error above");
+    }
+
+    @Test
+    void missingJavaFileIsNamedWithItsFolder() {
+        Printed answer = Printed.by("run", "Missing.java");
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err())
+                .contains(
+                        "The file Missing.java cannot be read",
+                        Path.of("").toAbsolutePath().toString());
+    }
+
+    @Test
+    void classWithoutMainIsToldHowToGetOne() throws IOException {
+        Path file = write("Idle.java", "public class Idle {}");
+
+        Printed answer = Printed.by("run", file.toString());
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err()).contains("Idle cannot be run, since it has no main method.", "new Idle().run(args);");
+    }
+
+    @Test
+    void classThatIsNamedUnlikeItsFileIsExplained() throws IOException {
+        Path file = write("Left.java", "class Right {}");
+
+        Printed answer = Printed.by("run", file.toString());
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err()).contains("has no class Left", "need the same name");
+    }
+
+    @Test
+    void exceptionOfTheAgentIsShownFromItsOwnLinesOn() throws IOException {
+        Path file = write("Falling.java", program("Falling", "throw new IllegalStateException(\"tripped\");"));
+
+        Printed answer = Printed.by("run", file.toString());
+
+        assertThat(answer.exitCode()).isEqualTo(1);
+        assertThat(answer.err())
+                .contains("Falling ended with java.lang.IllegalStateException: tripped", "Falling.java:")
+                .doesNotContain("jdk.internal.reflect");
+    }
+
+    @Test
+    void ownClassOnTheClassPathRuns() throws IOException {
+        Path file = write("Compiled.java", program("Compiled", "System.out.println(\"from a class file\");"));
+        javax.tools.ToolProvider.getSystemJavaCompiler().run(null, null, null, file.toString());
+
+        Printed answer = Printed.by("run", "--class-path", folder.toString(), "Compiled");
+
+        assertThat(answer.out().strip()).isEqualTo("from a class file");
+    }
+
+    private Path write(String name, String text) throws IOException {
+        Path file = folder.resolve(name);
+        Files.createDirectories(file.getParent());
+        return Files.writeString(file, text);
+    }
+
+    private static String program(String name, String statements) {
+        return "public class " + name + " { public static void main(String[] args) { " + statements + " } }";
+    }
+}

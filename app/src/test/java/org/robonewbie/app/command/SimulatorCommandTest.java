@@ -1,0 +1,216 @@
+package org.robonewbie.app.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.app.Printed;
+import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.sensing.CameraSettings;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import picocli.CommandLine;
+
+class SimulatorCommandTest {
+
+    @TempDir
+    Path folder = Path.of("");
+
+    @Test
+    void withoutOptionsItIsLikeTheOriginalServer() {
+        SimulatorSettings settings = settings();
+
+        assertThat(settings.agentPort()).isEqualTo(3100);
+        assertThat(settings.monitorPort()).hasValue(3200);
+        assertThat(settings.bindAddress()).isEqualTo("127.0.0.1");
+        assertThat(settings.world().synchronous()).isFalse();
+        assertThat(settings.speed()).isEqualTo(1);
+        assertThat(settings.world().camera().noise()).isTrue();
+        assertThat(settings.world().parameters()).isEqualTo(SoccerParameters.league());
+    }
+
+    @Test
+    void beginnersGetTheirOwnPitch() {
+        assertThat(settings("--beginner").world().parameters()).isEqualTo(SoccerParameters.beginner());
+    }
+
+    @Test
+    void bothProfilesTogetherAreRefused() {
+        assertThatThrownBy(() -> settings("--beginner", "--league"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("exclude each other");
+    }
+
+    @Test
+    void fastIncludesWaitingForAgents() {
+        SimulatorSettings settings = settings("--fast");
+
+        assertThat(settings.world().synchronous()).isTrue();
+        assertThat(settings.speed()).isEqualTo(SimulationControl.AS_FAST_AS_POSSIBLE);
+    }
+
+    @Test
+    void monitorsAreToldAndLoggedAsWanted() {
+        SimulatorSettings settings = settings("--log", "match.log", "--monitor-step", "0.02");
+
+        assertThat(settings.monitorLog()).contains(Path.of("match.log"));
+        assertThat(settings.monitorStepSeconds()).isEqualTo(0.02);
+        assertThat(settings().monitorLog()).isEmpty();
+        assertThat(settings().monitorStepSeconds()).isEqualTo(0.04);
+    }
+
+    @Test
+    void monitorStepShorterThanACycleIsRefused() {
+        assertThatThrownBy(() -> settings("--monitor-step", "0.01"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("0.01 s is not possible")
+                .hasMessageContaining("at least 0.02");
+    }
+
+    @Test
+    void parametersAreChangedOneByOne() {
+        SimulatorSettings settings = settings("--set", "RuleHalfTime=60", "--set", "UseCharging=false");
+
+        assertThat(settings.world().parameters().get(SoccerParameter.RULE_HALF_TIME))
+                .isEqualTo(60);
+        assertThat(settings.world().parameters().isOn(SoccerParameter.USE_CHARGING))
+                .isFalse();
+    }
+
+    @Test
+    void parametersCanStandInAFile() throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("training.properties"),
+                "# training\nRuleHalfTime=60\n\nUseCharging = false # no fouls\n");
+
+        SimulatorSettings settings = settings("--parameters", file.toString(), "--set", "RuleHalfTime=90");
+
+        assertThat(settings.world().parameters().get(SoccerParameter.RULE_HALF_TIME))
+                .isEqualTo(90);
+        assertThat(settings.world().parameters().isOn(SoccerParameter.USE_CHARGING))
+                .isFalse();
+    }
+
+    @Test
+    void mistakeInAFileOfParametersIsNamedWithItsLine() throws IOException {
+        Path file = Files.writeString(folder.resolve("training.properties"), "RuleHalfTime=60\nUseChargin=false\n");
+
+        assertThatThrownBy(() -> settings("--parameters", file.toString()))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("training.properties, line 2: ")
+                .hasMessageContaining("Did you mean UseCharging?");
+    }
+
+    @Test
+    void missingFileOfParametersIsTold() {
+        assertThatThrownBy(() -> settings("--parameters", "nowhere.properties"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("nowhere.properties cannot be read");
+    }
+
+    @Test
+    void eachParameterOfEachProfileIsExplainedByTheHelp() {
+        String help = Printed.by("simulator", "--help").out();
+
+        for (SoccerParameter parameter : SoccerParameter.values()) {
+            assertThat(help).contains(parameter.simSparkName() + " ").contains(parameter.description());
+        }
+    }
+
+    @Test
+    void truthIsToldWhereItIsWanted() {
+        assertThat(settings().world().camera().ownPosition()).isFalse();
+        assertThat(settings("--ground-truth").world().camera())
+                .isEqualTo(CameraSettings.STANDARD.withTruth(true, true, true));
+        assertThat(settings("--ground-truth", "mypos,ballpos").world().camera())
+                .isEqualTo(CameraSettings.STANDARD.withTruth(true, false, true));
+        assertThatThrownBy(() -> settings("--ground-truth=mood"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("No ground truth \"mood\" exists");
+    }
+
+    @Test
+    void patienceWithSilentAgentsCanBeSet() {
+        assertThat(settings().silentAgentSeconds()).isEqualTo(60);
+        assertThat(settings("--drop-silent-after", "2.5").silentAgentSeconds()).isEqualTo(2.5);
+        assertThat(settings("--drop-silent-after", "Infinity").silentAgentSeconds())
+                .isInfinite();
+        assertThatThrownBy(() -> settings("--drop-silent-after", "0"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("cannot be dropped after 0.0 s");
+    }
+
+    @Test
+    void unknownParameterIsAnsweredWithTheNearest() {
+        assertThatThrownBy(() -> settings("--set", "RuleHalftime=60"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("Did you mean RuleHalfTime?");
+    }
+
+    @Test
+    void commandLineIsStrongerThanTheScript() throws IOException {
+        Path script =
+                Files.writeString(folder.resolve("start.rb"), "$agentPort = 3500\naddSoccerVar('RuleHalfTime', 60)\n");
+
+        SimulatorSettings settings =
+                settings("--script-path", script.toString(), "--agent-port", "0", "--set", "RuleHalfTime=90");
+
+        assertThat(settings.agentPort()).isZero();
+        assertThat(settings.world().parameters().get(SoccerParameter.RULE_HALF_TIME))
+                .isEqualTo(90);
+    }
+
+    @Test
+    void scriptSetsWhatTheCommandLineLeavesOpen() throws IOException {
+        Path script = Files.writeString(folder.resolve("start.rb"), "$agentPort = 3500\nBeamNoiseXY = 0\n");
+
+        SimulatorSettings settings = settings("--script-path", script.toString());
+
+        assertThat(settings.agentPort()).isEqualTo(3500);
+        assertThat(settings.world().parameters().get(SoccerParameter.BEAM_NOISE_XY))
+                .isZero();
+    }
+
+    @Test
+    void portThatCannotBeIsRefused() {
+        assertThatThrownBy(() -> settings("--agent-port", "70000"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("Port 70000 does not exist");
+    }
+
+    @Test
+    void portInUseEndsWithOneClearMessage() throws IOException {
+        try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            String port = Integer.toString(other.getLocalPort());
+
+            Printed answer = Printed.by("simulator", "--agent-port", port, "--monitor-port", "0");
+
+            assertThat(answer.exitCode()).isEqualTo(1);
+            assertThat(answer.err().lines()).singleElement().asString().contains(port, "--agent-port");
+        }
+    }
+
+    @Test
+    void simulationEndsAfterTheGivenTime() {
+        Printed answer =
+                Printed.by("simulator", "--agent-port", "0", "--monitor-port", "0", "--fast", "--seconds", "1");
+
+        assertThat(answer.exitCode()).isZero();
+        assertThat(answer.err()).contains("Agents can join at port ");
+    }
+
+    private static SimulatorSettings settings(String... options) {
+        SimulatorCommand command = new SimulatorCommand();
+        new CommandLine(command).parseArgs(options);
+        return command.settings(Console.silent());
+    }
+}

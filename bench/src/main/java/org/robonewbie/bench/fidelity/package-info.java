@@ -1,0 +1,6 @@
+/**
+ * Measures how closely this simulator follows a real rcssserver3d: recordings of the original are replayed command by
+ * command, and every row is compared. Read {@link org.robonewbie.bench.fidelity.FidelityBench} first.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.bench.fidelity;

@@ -1,0 +1,86 @@
+package org.robonewbie.bench.speed;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.OptionalLong;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.SteppedSimulator;
+import org.robonewbie.simulator.cycle.WorldSettings;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.world.PhysicsEngine;
+
+/** Our own server, run by the thread that measures it; its agents are not counted. */
+final class EmbeddedServer implements BenchmarkServer {
+
+    /** Rules that would take robots out of a heap, or off the pitch when they fall. */
+    private static final String[] WITHOUT_FOULS = {
+        "MinRobotTypesCount=1",
+        "MaxRobotTypeCount=11",
+        "MaxSumTwoRobotTypes=11",
+        "MaxTouchGroupSize=1000",
+        "MaxPlayersInsideOwnArea=1000",
+        "UseCharging=false",
+        "FoulOnSelfCollisions=false",
+        "NotStandingMaxTime=1000000",
+        "GoalieNotStandingMaxTime=1000000",
+        "GroundMaxTime=1000000",
+        "GoalieGroundMaxTime=1000000",
+        "RuleHalfTime=1000000"
+    };
+
+    private final SteppedSimulator simulator;
+    private final ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private long cpuNanoseconds;
+    private long allocatedBytes;
+
+    EmbeddedServer(PhysicsEngine physics) {
+        SoccerParameters parameters = SoccerParameters.league();
+        for (String assignment : WITHOUT_FOULS) {
+            parameters = parameters.with(assignment);
+        }
+        simulator = SteppedSimulator.start(
+                WorldSettings.league().withParameters(parameters).withPhysics(physics), Console.silent());
+    }
+
+    @Override
+    public AgentLink connect() {
+        return simulator.connect();
+    }
+
+    @Override
+    public void cycle() {
+        long cpu = thread.getCurrentThreadCpuTime();
+        long bytes = thread.getCurrentThreadAllocatedBytes();
+        simulator.cycle();
+        cpuNanoseconds += thread.getCurrentThreadCpuTime() - cpu;
+        allocatedBytes += thread.getCurrentThreadAllocatedBytes() - bytes;
+    }
+
+    @Override
+    public void place(int robot, Vector3 position) {
+        simulator.world().robots().get(robot).moveUpright(position, 70.0 * robot);
+    }
+
+    @Override
+    public void playOn() {
+        simulator.match().setPlayMode(PlayMode.PLAY_ON);
+    }
+
+    @Override
+    public OptionalLong cpuNanoseconds() {
+        return OptionalLong.of(cpuNanoseconds);
+    }
+
+    @Override
+    public OptionalLong allocatedBytes() {
+        return OptionalLong.of(allocatedBytes);
+    }
+
+    @Override
+    public void close() {
+        simulator.close();
+    }
+}

@@ -1,0 +1,199 @@
+package org.robonewbie.nao.kinematics;
+
+import java.util.List;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.Posture;
+
+/**
+ * The true state of a robot's body: the pose of its torso on the pitch and its joint angles. Everything else follows from these
+ * by forward kinematics. Immutable.
+ *
+ * <pre>{@code
+ * BodyState body = robot.body();
+ * if (!body.isFallen()) {
+ *     double height = body.limbs().camera().position().z();
+ * }
+ * }</pre>
+ *
+ * <p>The world frame has its origin at the centre spot, x towards the right goal, y to the left of that and z up. The torso's
+ * own axes are those of the body frame: x forward, y left, z up.
+ */
+public final class BodyState {
+
+    /** Tilt of the torso beyond which a robot counts as fallen, in degrees. */
+    public static final double FALLEN_DEGREES = 60;
+
+    /** Height of the torso's centre below which a robot counts as fallen, in metres. */
+    public static final double FALLEN_METRES = 0.2;
+
+    private static final double STANDING_DEGREES = 30;
+    private static final double STANDING_METRES = 0.25;
+    private static final Vector3 FORWARD = new Vector3(1, 0, 0);
+    private static final Vector3 UP = new Vector3(0, 0, 1);
+
+    private final NaoModel model;
+    private final Pose torso;
+    private final double[] hingeDegrees;
+
+    private BodyState(NaoModel model, Pose torso, double[] hingeDegrees) {
+        this.model = model;
+        this.torso = torso;
+        this.hingeDegrees = hingeDegrees;
+    }
+
+    /**
+     * Creates the state of a body whose toes, if it has any, are straight.
+     *
+     * @param type the robot type
+     * @param torso pose of the torso in the world frame
+     * @param joints the joint angles
+     * @return the state
+     */
+    public static BodyState of(RobotType type, Pose torso, Posture joints) {
+        NaoModel model = NaoModel.of(type);
+        return new BodyState(model, torso, ForwardKinematics.of(type).hingeDegrees(joints));
+    }
+
+    /**
+     * Creates the state of a body from the angles of all its hinges, toes included.
+     *
+     * @param type the robot type
+     * @param torso pose of the torso in the world frame
+     * @param hingeDegrees angle of each hinge in the order of {@link NaoModel#hinges()}; copied
+     * @return the state
+     * @throws IllegalArgumentException if the number of angles is not that of the hinges
+     */
+    public static BodyState ofHinges(RobotType type, Pose torso, double[] hingeDegrees) {
+        NaoModel model = NaoModel.of(type);
+        if (hingeDegrees.length != model.hinges().size()) {
+            throw new IllegalArgumentException("A robot of " + type + " has "
+                    + model.hinges().size() + " hinges, but " + hingeDegrees.length + " angles were given.");
+        }
+        return new BodyState(model, torso, hingeDegrees.clone());
+    }
+
+    /** {@return the robot type} */
+    public RobotType type() {
+        return model.type();
+    }
+
+    /** {@return the torso's pose in the world frame} */
+    public Pose torso() {
+        return torso;
+    }
+
+    /** {@return the centre of the torso in the world frame, metres} */
+    public Vector3 position() {
+        return torso.position();
+    }
+
+    /**
+     * Returns a joint angle.
+     *
+     * @param joint the joint
+     * @return its angle in degrees
+     */
+    public double degrees(Joint joint) {
+        return hingeDegrees[model.hingeIndex(joint)];
+    }
+
+    /** {@return the angles of all hinges in degrees, in the order of {@link NaoModel#hinges()}; a copy} */
+    public double[] hingeDegrees() {
+        return hingeDegrees.clone();
+    }
+
+    /** {@return the angles of the 22 joints} */
+    public Posture joints() {
+        double[] degrees = new double[Joint.COUNT];
+        for (Joint joint : Joint.values()) {
+            degrees[joint.ordinal()] = degrees(joint);
+        }
+        return Posture.of(degrees);
+    }
+
+    /** {@return the direction in which the torso faces, as for {@link #headingDegrees(Vector3)}} */
+    public double headingDegrees() {
+        return headingDegrees(torso.rotation().apply(FORWARD));
+    }
+
+    /** {@return how far the torso leans to any side: 0 upright, 90 lying, 180 upside down} */
+    public double tiltDegrees() {
+        return tiltDegrees(torso.rotation().apply(UP));
+    }
+
+    /** {@return whether the torso is tilted by more than 60 degrees or its centre is lower than 0.2 m} */
+    public boolean isFallen() {
+        return isFallen(tiltDegrees(), position().z());
+    }
+
+    /** {@return whether the robot is on its feet: tilted by less than 30 degrees and its torso higher than 0.25 m} */
+    public boolean isStanding() {
+        return isStanding(tiltDegrees(), position().z());
+    }
+
+    /** {@return the poses of all links in the world frame, calculated for each call} */
+    public BodyPoses limbs() {
+        return ForwardKinematics.of(type()).poses(hingeDegrees).seenFrom(torso);
+    }
+
+    /** {@return the centre of mass of all links in the world frame, metres} */
+    public Vector3 centreOfMass() {
+        return limbs().centreOfMass();
+    }
+
+    /**
+     * Returns the area over which the centre of mass must be for the robot to keep its balance: the convex hull of all that
+     * touches the ground, or nearly so.
+     *
+     * @return its corners on the ground counter-clockwise, seen from above; empty if nothing touches the ground
+     */
+    public List<Vector3> supportPolygon() {
+        return limbs().supportPolygon();
+    }
+
+    /**
+     * Calculates the direction in which a torso faces.
+     *
+     * @param forward the torso's forward axis in the world frame
+     * @return degrees from -180 to 180, 0 along the world's x axis, positive to the left
+     */
+    public static double headingDegrees(Vector3 forward) {
+        return PortableMath.toDegrees(PortableMath.atan2(forward.y(), forward.x()));
+    }
+
+    /**
+     * Calculates the tilt of a torso.
+     *
+     * @param up the torso's upward axis in the world frame, of length 1
+     * @return degrees from the vertical, 0 to 180
+     */
+    public static double tiltDegrees(Vector3 up) {
+        return PortableMath.toDegrees(PortableMath.acos(Math.max(-1, Math.min(1, up.z()))));
+    }
+
+    /**
+     * Decides whether a robot has fallen; a robot that sits on the ground has.
+     *
+     * @param tiltDegrees tilt of its torso
+     * @param torsoMetres height of its torso's centre above the ground
+     * @return whether it is tilted by more than {@link #FALLEN_DEGREES} or lower than {@link #FALLEN_METRES}
+     */
+    public static boolean isFallen(double tiltDegrees, double torsoMetres) {
+        return tiltDegrees > FALLEN_DEGREES || torsoMetres < FALLEN_METRES;
+    }
+
+    /**
+     * Decides whether a robot is on its feet, with straight or bent knees.
+     *
+     * @param tiltDegrees tilt of its torso
+     * @param torsoMetres height of its torso's centre above the ground
+     * @return whether it is tilted by less than 30 degrees and higher than 0.25 m
+     */
+    public static boolean isStanding(double tiltDegrees, double torsoMetres) {
+        return tiltDegrees < STANDING_DEGREES && torsoMetres > STANDING_METRES;
+    }
+}

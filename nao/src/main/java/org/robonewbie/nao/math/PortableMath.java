@@ -1,0 +1,200 @@
+package org.robonewbie.nao.math;
+
+/**
+ * The functions of {@link Math} whose last bit is left to the platform, defined here by arithmetic alone.
+ *
+ * <p>A walking robot magnifies the last bit of a sine into another step within seconds. {@link Math#sin} and its kin may be
+ * one unit in the last place off, each JVM, processor and browser in its own way, and compilers to WebAssembly replace
+ * others ({@code rint}, {@code round}, {@code IEEEremainder}, {@code toRadians}) by simpler formulas. All that moves the
+ * world therefore calls this class:
+ *
+ * <pre>{@code
+ * double side = PortableMath.sin(PortableMath.toRadians(30)) * length;
+ * }</pre>
+ *
+ * <p>Only operations that IEEE 754 rounds correctly are used: {@code + - * /}, the square root, comparisons and bit
+ * patterns. {@link Math#sqrt}, {@code abs}, {@code min}, {@code max}, {@code floor}, {@code ceil}, {@code signum} and
+ * {@code copySign} are exact everywhere and are called directly. Algorithms and coefficients are those of fdlibm (Sun
+ * Microsystems, 1993), which {@link StrictMath} prescribes too, so that the results equal those of {@code StrictMath}: bit
+ * by bit wherever a test has looked, and certainly within one unit in the last place. Special values are those of {@code
+ * Math}.
+ */
+public final class PortableMath {
+
+    private static final double RADIANS_PER_DEGREE = 0.017453292519943295;
+    private static final double DEGREES_PER_RADIAN = 57.29577951308232;
+
+    private PortableMath() {}
+
+    /**
+     * {@return the sine of an angle}
+     *
+     * @param radians the angle
+     */
+    public static double sin(double radians) {
+        return Trigonometry.sin(radians);
+    }
+
+    /**
+     * {@return the cosine of an angle}
+     *
+     * @param radians the angle
+     */
+    public static double cos(double radians) {
+        return Trigonometry.cos(radians);
+    }
+
+    /**
+     * {@return the tangent of an angle}
+     *
+     * @param radians the angle
+     */
+    public static double tan(double radians) {
+        return Trigonometry.tan(radians);
+    }
+
+    /**
+     * {@return the angle in radians between -pi/2 and pi/2 that has a given sine, NaN if there is none}
+     *
+     * @param sine the sine, -1 to 1
+     */
+    public static double asin(double sine) {
+        return ArcFunctions.asin(sine);
+    }
+
+    /**
+     * {@return the angle in radians between 0 and pi that has a given cosine, NaN if there is none}
+     *
+     * @param cosine the cosine, -1 to 1
+     */
+    public static double acos(double cosine) {
+        return ArcFunctions.acos(cosine);
+    }
+
+    /**
+     * {@return the angle in radians between -pi/2 and pi/2 that has a given tangent}
+     *
+     * @param tangent the tangent
+     */
+    public static double atan(double tangent) {
+        return ArcFunctions.atan(tangent);
+    }
+
+    /**
+     * {@return the direction of a point in radians between -pi and pi, counted from the x axis towards the y axis}
+     *
+     * @param y second coordinate of the point
+     * @param x first coordinate of the point
+     */
+    public static double atan2(double y, double x) {
+        return ArcFunctions.atan2(y, x);
+    }
+
+    /**
+     * {@return e to the power of x}
+     *
+     * @param x the exponent
+     */
+    public static double exp(double x) {
+        return Exponential.exp(x);
+    }
+
+    /**
+     * {@return the natural logarithm, NaN for negative numbers}
+     *
+     * @param x the number
+     */
+    public static double log(double x) {
+        return Logarithm.log(x);
+    }
+
+    /**
+     * {@return the logarithm to the base of ten, NaN for negative numbers}
+     *
+     * @param x the number
+     */
+    public static double log10(double x) {
+        return Logarithm.log10(x);
+    }
+
+    /**
+     * {@return a number to the power of another, with the special cases of {@link Math#pow}}
+     *
+     * @param base the number that is raised
+     * @param exponent what it is raised to
+     */
+    public static double pow(double base, double exponent) {
+        return Power.pow(base, exponent);
+    }
+
+    /**
+     * {@return the length of the vector (x, y), without overflow on the way}
+     *
+     * @param x first component
+     * @param y second component
+     */
+    public static double hypot(double x, double y) {
+        return Hypotenuse.hypot(x, y);
+    }
+
+    /**
+     * {@return an angle in radians}
+     *
+     * @param degrees the angle in degrees
+     */
+    public static double toRadians(double degrees) {
+        return degrees * RADIANS_PER_DEGREE;
+    }
+
+    /**
+     * {@return an angle in degrees}
+     *
+     * @param radians the angle in radians
+     */
+    public static double toDegrees(double radians) {
+        return radians * DEGREES_PER_RADIAN;
+    }
+
+    /**
+     * {@return the nearest whole number as a double; of two equally near ones the even one}
+     *
+     * @param x the number to round
+     */
+    public static double rint(double x) {
+        return Rounding.rint(x);
+    }
+
+    /**
+     * {@return the nearest whole number; of two equally near ones the larger one; 0 for NaN}
+     *
+     * @param x the number to round
+     */
+    public static long round(double x) {
+        return Rounding.round(x);
+    }
+
+    /**
+     * {@return dividend - n * divisor without any rounding, where n is the whole number nearest to the quotient, the even
+     * one of two}
+     *
+     * <p>The remainder of an angle by 360 is the same direction between -180 and 180 degrees.
+     *
+     * @param dividend the number to divide
+     * @param divisor what it is divided by
+     */
+    public static double IEEEremainder(double dividend, double divisor) {
+        return Rounding.remainder(dividend, divisor);
+    }
+
+    /**
+     * {@return what the product of two numbers lost when it was rounded: the exact product is {@code a * b} plus this}
+     *
+     * <p>By Dekker (1971): each factor is split into halves of 26 bits whose products are exact.
+     *
+     * @param a first factor, of a magnitude below 2^970
+     * @param b second factor, of a magnitude below 2^970
+     */
+    public static double productError(double a, double b) {
+        return Rounding.productError(a, b);
+    }
+}

@@ -1,0 +1,6 @@
+/**
+ * Mathematics that gives the same bits on each processor, JVM and browser. Read {@link
+ * org.robonewbie.nao.math.PortableMath} first; its neighbours hold the formulas.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.nao.math;

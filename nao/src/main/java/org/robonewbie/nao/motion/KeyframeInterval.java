@@ -1,0 +1,67 @@
+package org.robonewbie.nao.motion;
+
+/**
+ * The interval from one keyframe of a motion to the next, together with its neighbours, which a smooth curve needs.
+ *
+ * @param start where the robot was when the motion began
+ * @param motion the motion
+ * @param index index of the keyframe at the end of the interval, from 0
+ */
+public record KeyframeInterval(Posture start, Motion motion, int index) {
+
+    /** Checks the index. */
+    public KeyframeInterval {
+        if (index < 0 || index >= motion.keyframes().size()) {
+            throw new IllegalArgumentException("Motion " + motion.name() + " has "
+                    + motion.keyframes().size() + " keyframes, so there is no keyframe " + index + ".");
+        }
+    }
+
+    /** {@return the posture at the beginning} */
+    public Posture from() {
+        return postureAt(index - 1);
+    }
+
+    /** {@return the posture at the end} */
+    public Posture to() {
+        return postureAt(index);
+    }
+
+    /** {@return the posture before {@link #from}; {@link #from} itself at the beginning of the motion} */
+    public Posture before() {
+        return postureAt(index - 2);
+    }
+
+    /** {@return the posture after {@link #to}; {@link #to} itself at the end of the motion} */
+    public Posture after() {
+        return postureAt(index + 1);
+    }
+
+    /** {@return the duration from {@link #from} to {@link #to} in milliseconds} */
+    public int durationMillis() {
+        return durationAt(index);
+    }
+
+    /** {@return the duration from {@link #before} to {@link #from} in milliseconds; 0 at the beginning of the motion} */
+    public int durationBeforeMillis() {
+        return durationAt(index - 1);
+    }
+
+    /** {@return the duration from {@link #to} to {@link #after} in milliseconds; 0 at the end of the motion} */
+    public int durationAfterMillis() {
+        return durationAt(index + 1);
+    }
+
+    private Posture postureAt(int keyframe) {
+        if (keyframe < 0) {
+            return start;
+        }
+        int last = motion.keyframes().size() - 1;
+        return motion.keyframes().get(Math.min(keyframe, last)).posture();
+    }
+
+    private int durationAt(int keyframe) {
+        boolean exists = keyframe >= 0 && keyframe < motion.keyframes().size();
+        return exists ? motion.keyframes().get(keyframe).durationMillis() : 0;
+    }
+}

@@ -1,0 +1,88 @@
+package org.robonewbie.nao.motion;
+
+import java.io.IOException;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+
+/**
+ * Finds motions by their names: first among the user's, then among those that come with the framework. A new motion is a new
+ * file; nothing else has to be changed. The user's files are read again each time, so an edit shows at the next start of the
+ * motion. A motion with {@code left} in its name also exists in its mirror image with {@code right}, and the other way round.
+ *
+ * <pre>{@code
+ * MotionLibrary library = MotionFiles.library();
+ * Motion wave = library.find("wave").orElseThrow().motion();
+ * }</pre>
+ */
+public final class MotionLibrary {
+
+    private static final Pattern NAME = Pattern.compile("[\\p{Alnum}_-][\\p{Alnum}._ -]*");
+
+    private final MotionSource own;
+    private final MotionSource shipped;
+    private final Map<String, MotionFile> shippedFiles = new HashMap<>();
+
+    /**
+     * Creates a library.
+     *
+     * @param own the user's motions
+     * @param shipped the motions that come with the framework, which never change
+     */
+    public MotionLibrary(MotionSource own, MotionSource shipped) {
+        this.own = own;
+        this.shipped = shipped;
+    }
+
+    /**
+     * Finds a motion.
+     *
+     * @param name its name without {@code .txt}
+     * @return the file; empty if there is none of this name
+     * @throws IOException if the file exists but cannot be read
+     */
+    public Optional<MotionFile> find(String name) throws IOException {
+        if (!NAME.matcher(name).matches()) {
+            return Optional.empty();
+        }
+        Optional<MotionFile> file = findAsItIs(name);
+        String other = MotionFile.otherSide(name);
+        return file.isPresent() || other.equals(name) ? file : findAsItIs(other).map(found -> found.mirrored(name));
+    }
+
+    /**
+     * {@return whether a file that was found comes with the framework}
+     *
+     * @param file a result of {@link #find}
+     */
+    public boolean isShipped(MotionFile file) {
+        return shippedFiles.containsValue(file);
+    }
+
+    /** {@return the names of all motions in alphabetical order} */
+    public SortedSet<String> names() {
+        SortedSet<String> names = new TreeSet<>(own.names());
+        names.addAll(shipped.names());
+        return Collections.unmodifiableSortedSet(names);
+    }
+
+    private Optional<MotionFile> findAsItIs(String name) throws IOException {
+        Optional<byte[]> bytes = own.read(name);
+        return bytes.isPresent() ? bytes.map(content -> parse(name, content)) : findShipped(name);
+    }
+
+    private Optional<MotionFile> findShipped(String name) throws IOException {
+        if (!shippedFiles.containsKey(name)) {
+            shipped.read(name).ifPresent(content -> shippedFiles.put(name, parse(name, content)));
+        }
+        return Optional.ofNullable(shippedFiles.get(name));
+    }
+
+    private static MotionFile parse(String name, byte[] content) {
+        return MotionFile.parse(name + ".txt", content);
+    }
+}

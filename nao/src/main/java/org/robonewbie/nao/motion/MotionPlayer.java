@@ -1,0 +1,212 @@
+package org.robonewbie.nao.motion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.math.PortableMath;
+
+/**
+ * Plays one motion: turns keyframes into one speed for each joint and cycle. Pure calculation, without a connection.
+ *
+ * <pre>{@code
+ * MotionPlayer player = new MotionPlayer(motion, Interpolation.LINEAR);
+ * while (!player.isFinished()) {
+ *     // joints.sense(joint, degrees) for each joint of the new message
+ *     player.step(motors);
+ *     motors.endCycle();
+ *     // send motors.sentDegreesPerSecond(joint) for each joint
+ * }
+ * }</pre>
+ *
+ * <p>In each cycle a joint gets the speed that leads from where it will be when the speed begins to act ({@link
+ * Motors#expectedDegrees}) to where the interpolation wants it one cycle later. The plan runs through the keyframes without
+ * a stop; a difference between plan and robot is made good by half in each cycle, and all of it in the last one. The time of
+ * a keyframe is played in whole cycles of 20 ms, at least one, and their sum is that of the motion. After its last step the
+ * player stops all motors.
+ */
+public final class MotionPlayer {
+
+    private static final int CYCLE_MILLIS = 20;
+    private static final Joint[] JOINTS = Joint.values();
+
+    private final Motion motion;
+    private final Interpolation interpolation;
+    private final int[] keyframeEnds;
+    private Optional<PostureFollower> follower = Optional.empty();
+    private List<KeyframeInterval> sections = List.of();
+    private double fraction;
+    private int cycle;
+    private int keyframe;
+    private boolean looping;
+
+    /**
+     * Prepares a motion; it begins with the first {@link #step}.
+     *
+     * @param motion the motion
+     * @param interpolation how joints move from one keyframe to the next
+     */
+    public MotionPlayer(Motion motion, Interpolation interpolation) {
+        this.motion = motion;
+        this.interpolation = interpolation;
+        this.keyframeEnds = keyframeEnds(motion);
+    }
+
+    /**
+     * Names what is played.
+     *
+     * @return the motion
+     */
+    public Motion motion() {
+        return motion;
+    }
+
+    /** {@return the index of the keyframe that is being approached, from 0; the last one after the end} */
+    public int keyframe() {
+        return keyframe;
+    }
+
+    /** {@return the time since the motion began, or since its last repetition began, in seconds} */
+    public double seconds() {
+        return cycle * Cycle.SECONDS;
+    }
+
+    /** {@return the duration of the motion in seconds, in whole cycles} */
+    public double durationSeconds() {
+        return lengthInCycles() * Cycle.SECONDS;
+    }
+
+    /**
+     * Repeats the motion or lets it end.
+     *
+     * @param looping whether the motion begins again after its last keyframe
+     */
+    public void setLooping(boolean looping) {
+        this.looping = looping;
+    }
+
+    /** {@return whether the motion is over: all its speeds have been set} */
+    public boolean isFinished() {
+        return cycle >= lengthInCycles() && !(looping && lengthInCycles() > 0);
+    }
+
+    /**
+     * Plays one cycle of 20 ms; after the end it stops the motors.
+     *
+     * @param motors know where the joints are and take their new speeds
+     */
+    public void step(Motors motors) {
+        if (isFinished()) {
+            motors.stopMotion();
+            return;
+        }
+        if (cycle == 0) {
+            begin(motors);
+        } else if (cycle == lengthInCycles()) {
+            beginAgain();
+        }
+        cycle++;
+        while (cycle > keyframeEnds[keyframe]) {
+            keyframe++;
+        }
+        if (follower.isPresent()) {
+            drive(follower.get());
+        }
+    }
+
+    /**
+     * Finds what the motors cannot do in time.
+     *
+     * @param motors tell from where the robot starts
+     * @param fromKeyframe index of the first keyframe that counts; 1 if the way from where the robot happens to be to the
+     *     beginning of the motion may take longer
+     * @return one sentence for each joint and keyframe that asks for too much
+     */
+    public List<String> problems(Motors motors, int fromKeyframe) {
+        List<String> problems = new ArrayList<>();
+        for (int i = fromKeyframe; i < keyframeEnds.length; i++) {
+            KeyframeInterval section = new KeyframeInterval(motors.expectedPosture(), motion, i);
+            double seconds = cyclesOf(i) * Cycle.SECONDS;
+            for (Joint joint : JOINTS) {
+                double way = Math.abs(reachable(joint, section.to()) - reachable(joint, section.from()));
+                if (motors.isFree(joint) && way / seconds > joint.maxDegreesPerSecond() * 1.001) {
+                    problems.add(tooFast(i, joint, way, seconds));
+                }
+            }
+        }
+        return problems;
+    }
+
+    private String tooFast(int index, Joint joint, double way, double seconds) {
+        int enough = (int) Math.ceil(way / joint.maxDegreesPerSecond() * 1000 / CYCLE_MILLIS) * CYCLE_MILLIS;
+        return String.format(
+                Locale.ROOT,
+                "Motion %s turns %s by %.0f degrees in %.0f ms on the way to keyframe %d, faster than its motor can; give"
+                        + " it at least %d ms.",
+                motion.name(),
+                joint,
+                way,
+                seconds * 1000,
+                index + 1,
+                enough);
+    }
+
+    private void begin(Motors motors) {
+        sections = sectionsFrom(motors.expectedPosture());
+        follower = Optional.of(new PostureFollower(motors));
+    }
+
+    private void beginAgain() {
+        Posture last = motion.keyframes().get(keyframe).posture();
+        if (!sections.get(0).start().equals(last)) {
+            sections = sectionsFrom(last);
+        }
+        cycle = 0;
+        keyframe = 0;
+    }
+
+    private List<KeyframeInterval> sectionsFrom(Posture start) {
+        return IntStream.range(0, keyframeEnds.length)
+                .mapToObj(index -> new KeyframeInterval(start, motion, index))
+                .toList();
+    }
+
+    private void drive(PostureFollower leader) {
+        int before = keyframe == 0 ? 0 : keyframeEnds[keyframe - 1];
+        fraction = (double) (cycle - before) / cyclesOf(keyframe);
+        leader.follow(this::plannedDegrees, cycle == lengthInCycles() ? 1 : PostureFollower.CORRECTION);
+    }
+
+    private double plannedDegrees(Joint joint) {
+        return interpolation.degrees(sections.get(keyframe), joint, fraction);
+    }
+
+    private int cyclesOf(int index) {
+        return keyframeEnds[index] - (index == 0 ? 0 : keyframeEnds[index - 1]);
+    }
+
+    private int lengthInCycles() {
+        return keyframeEnds.length == 0 ? 0 : keyframeEnds[keyframeEnds.length - 1];
+    }
+
+    private static double reachable(Joint joint, Posture posture) {
+        return Motors.inside(joint, posture.degrees(joint));
+    }
+
+    /** In which cycle each keyframe is reached: the nearest to its time, but later than the one before. */
+    private static int[] keyframeEnds(Motion motion) {
+        int[] ends = new int[motion.keyframes().size()];
+        int millis = 0;
+        int end = 0;
+        for (int i = 0; i < ends.length; i++) {
+            Keyframe frame = motion.keyframes().get(i);
+            millis += Math.max(0, frame.durationMillis());
+            end = Math.max(end + 1, (int) PortableMath.round((double) millis / CYCLE_MILLIS));
+            ends[i] = end;
+        }
+        return ends;
+    }
+}

@@ -1,0 +1,83 @@
+package org.robonewbie.protocol.tcp;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.ReadableByteChannel;
+import java.util.Arrays;
+import org.robonewbie.protocol.frame.MessageBuffer;
+
+/**
+ * Collects the bytes of a non-blocking channel until whole messages have arrived: for servers that look at each client once per
+ * cycle. It never holds more than one message of the maximum length and one chunk.
+ *
+ * <pre>{@code
+ * open = decoder.fillFrom(channel);
+ * while (decoder.next(message)) { ... }
+ * }</pre>
+ */
+public final class FrameDecoder {
+
+    private static final int CHUNK_BYTES = 1 << 14;
+
+    private final int maxBytes;
+    private byte[] bytes = new byte[CHUNK_BYTES];
+    private int start;
+    private int end;
+
+    /**
+     * Creates a decoder for one client.
+     *
+     * @param maxBytes the longest message that is accepted, in bytes
+     */
+    public FrameDecoder(int maxBytes) {
+        this.maxBytes = maxBytes;
+    }
+
+    /**
+     * Reads what the channel has ready, up to one chunk of 16 KiB, so that no client takes more than its share of a server's
+     * time. To read everything, call it until it returns 0 or -1, taking out all messages by {@link #next} in between.
+     *
+     * @param channel the client's channel
+     * @return how many bytes were read; 0 if there are none, -1 if the client has closed the connection
+     * @throws IOException if the connection is broken
+     */
+    public int fillFrom(ReadableByteChannel channel) throws IOException {
+        makeRoom();
+        int count = channel.read(ByteBuffer.wrap(bytes, end, Math.min(CHUNK_BYTES, bytes.length - end)));
+        end += Math.max(0, count);
+        return count;
+    }
+
+    /**
+     * Takes out the next complete message.
+     *
+     * @param message receives the message; unchanged if there is none
+     * @return whether there was a complete message
+     * @throws FrameTooLongException if the client announces a message longer than accepted
+     */
+    public boolean next(MessageBuffer message) throws FrameTooLongException {
+        if (end - start < LengthPrefix.BYTES) {
+            return false;
+        }
+        int length = LengthPrefix.read(bytes, start, maxBytes);
+        if (end - start - LengthPrefix.BYTES < length) {
+            return false;
+        }
+        message.clear();
+        message.resize(length);
+        System.arraycopy(bytes, start + LengthPrefix.BYTES, message.bytes(), 0, length);
+        start += LengthPrefix.BYTES + length;
+        return true;
+    }
+
+    private void makeRoom() {
+        if (start > 0) {
+            System.arraycopy(bytes, start, bytes, 0, end - start);
+            end -= start;
+            start = 0;
+        }
+        if (bytes.length - end < CHUNK_BYTES / 2) {
+            bytes = Arrays.copyOf(bytes, bytes.length * 2);
+        }
+    }
+}

@@ -1,6 +1,0 @@
-/**
- * How fast a whole server is with robots that stand, walk or lie in a heap. Read {@link
- * org.robonewbie.simulator.benchmark.Benchmark} first.
- */
-@org.jspecify.annotations.NullMarked
-package org.robonewbie.simulator.benchmark;

@@ -1,0 +1,219 @@
+package org.robonewbie.simulator.cycle;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorMessageReader;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.simulator.Console;
+
+/** The conversation with one agent: which commands have come, which message goes out, and whether it keeps in step. */
+public final class AgentConnection implements Restorable {
+
+    /** Messages after which an agent must answer each one in sync mode, so that it can join without. */
+    private static final int FREE_MESSAGES = 5;
+
+    /** Commands of one agent that are kept for one cycle; a robot has 24 hinges. */
+    private static final int MAXIMUM_COMMANDS = 2000;
+
+    /** Bytes of an agent's messages of one cycle that are kept for observers. */
+    private static final int MAXIMUM_KEPT_BYTES = 65_536;
+
+    private final ServerLink link;
+    private final boolean synchronous;
+    private final boolean strict;
+    private final ComplaintBook complaints;
+    private final EffectorMessageReader reader = new EffectorMessageReader();
+    private final MessageBuffer incoming = new MessageBuffer();
+    private final MessageBuffer outgoing = new MessageBuffer();
+    private final List<EffectorCommand> commands = new ArrayList<>();
+    private List<EffectorCommand> executed = List.of();
+    private MessageBuffer received = new MessageBuffer();
+    private MessageBuffer executedMessage = new MessageBuffer();
+    private boolean synchronised;
+    private boolean everSynchronised;
+    private boolean answered = true;
+    private boolean heardOf;
+    private int generatedMessages;
+    private long unansweredMessages;
+
+    /**
+     * Begins the conversation.
+     *
+     * @param link the connection
+     * @param synchronous whether the world waits for agents
+     * @param strict whether in sync mode the agent is waited for from the beginning, as those are that the world awaits
+     *     before it begins and those within this process
+     * @param console where to tell the agent's mistakes
+     */
+    AgentConnection(ServerLink link, boolean synchronous, boolean strict, Console console) {
+        this.link = link;
+        this.synchronous = synchronous;
+        this.strict = strict;
+        this.complaints = new ComplaintBook(console, "The agent " + link.address());
+    }
+
+    /** {@return the simulator's end of the connection} */
+    public ServerLink link() {
+        return link;
+    }
+
+    /** Reads the messages that have arrived. */
+    void read() {
+        while (link.poll(incoming)) {
+            heardOf = true;
+            answered = true;
+            if (received.length() < MAXIMUM_KEPT_BYTES) {
+                received.append(incoming);
+            }
+            reader.read(incoming, this::take, this::complain);
+        }
+    }
+
+    /** Takes out the commands that have arrived, in their order. */
+    List<EffectorCommand> takeCommands() {
+        executed = commands.isEmpty() ? Collections.emptyList() : List.copyOf(commands);
+        commands.clear();
+        MessageBuffer last = executedMessage;
+        executedMessage = received;
+        received = last;
+        received.clear();
+        return executed;
+    }
+
+    /** {@return the agent's messages that were carried out in this cycle, one after the other, as they came} */
+    public MessageBuffer executedMessage() {
+        return executedMessage;
+    }
+
+    /** The commands that were executed in this cycle. */
+    List<EffectorCommand> executedCommands() {
+        return executed;
+    }
+
+    /**
+     * Whether the agent is gone. Its end is noticed only when its next answer is due, so that in sync mode it does not depend
+     * on how quickly the end arrives.
+     */
+    boolean hasLeft() {
+        return !link.isOpen() && !(synchronous && synchronised);
+    }
+
+    /** Whether the agent has ever sent anything. */
+    boolean isHeardOf() {
+        return heardOf;
+    }
+
+    /** Whether in sync mode the world need not wait for this agent. */
+    boolean isSynchronised() {
+        return synchronised
+                || !link.isOpen()
+                || (generatedMessages < FREE_MESSAGES && (!strict || hasAnsweredInItsOwnWay()))
+                || (!link.isLocal() && !heardOf);
+    }
+
+    /** Agents of other processes may join without {@code (syn)}; then any answer counts. */
+    private boolean hasAnsweredInItsOwnWay() {
+        return !link.isLocal() && answered && !everSynchronised;
+    }
+
+    /** Whether the agent, of another process, is one of those that a world in sync mode awaits before it begins. */
+    boolean isAwaited() {
+        return synchronous && strict && !link.isLocal();
+    }
+
+    /** The buffer for the next message, to be filled and announced by {@link #messageGenerated}. */
+    MessageBuffer emptyMessage() {
+        outgoing.clear();
+        return outgoing;
+    }
+
+    /** {@return the message that was generated last, empty before the first one} */
+    public MessageBuffer newestMessage() {
+        return outgoing;
+    }
+
+    void messageGenerated() {
+        generatedMessages++;
+    }
+
+    /** Sends the message that was generated last, if there is one. */
+    void send() {
+        if (outgoing.length() == 0) {
+            return;
+        }
+        if (!answered) {
+            unansweredMessages++;
+        }
+        if (link.offer(outgoing) || !link.isOpen()) {
+            synchronised = false;
+            answered = false;
+        } else {
+            complain("slow", "does not read its messages fast enough; some are thrown away.");
+        }
+    }
+
+    /** The number of messages that were not answered before the next one was sent. */
+    long unansweredMessages() {
+        return unansweredMessages;
+    }
+
+    void complain(String kind, String sentence) {
+        complaints.complain(kind, sentence);
+    }
+
+    private void complain(String problem) {
+        complain(problem, "sent something that cannot be used. " + problem + ".");
+    }
+
+    private void take(EffectorCommand command) {
+        if (command instanceof EffectorCommand.Synchronise) {
+            synchronised = true;
+            everSynchronised = true;
+        } else if (commands.size() < MAXIMUM_COMMANDS) {
+            commands.add(command);
+        } else {
+            complain("flood", "sends more than " + MAXIMUM_COMMANDS + " commands in one cycle; the rest is ignored.");
+        }
+    }
+
+    /** Writes what has been read and not carried out, what is to be sent, and who has to answer. */
+    @Override
+    public void save(StateWriter out) {
+        out.putAll(link.messagesForAgent(), message -> out.putBytes(message, message.length));
+        out.putAll(commands, command -> SavedCommand.save(command, out));
+        out.putBytes(outgoing.bytes(), outgoing.length());
+        out.putBytes(received.bytes(), received.length());
+        out.putBoolean(synchronised);
+        out.putBoolean(everSynchronised);
+        out.putBoolean(answered);
+        out.putBoolean(heardOf);
+        out.putInt(generatedMessages);
+        out.putLong(unansweredMessages);
+    }
+
+    /** Takes on a state; what the agent has sent and was not read yet belongs to the past and is dropped. */
+    @Override
+    public void restore(StateReader in) {
+        while (link.poll(incoming)) {
+            incoming.clear();
+        }
+        link.setMessagesForAgent(in.getAll(in::getBytes));
+        commands.clear();
+        commands.addAll(in.getAll(() -> SavedCommand.restore(in)));
+        outgoing.set(in.getBytes());
+        received.set(in.getBytes());
+        executed = List.of();
+        executedMessage.clear();
+        synchronised = in.getBoolean();
+        everSynchronised = in.getBoolean();
+        answered = in.getBoolean();
+        heardOf = in.getBoolean();
+        generatedMessages = in.getInt();
+        unansweredMessages = in.getLong();
+    }
+}

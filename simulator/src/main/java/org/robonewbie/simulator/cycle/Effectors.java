@@ -1,0 +1,307 @@
+package org.robonewbie.simulator.cycle;
+
+import java.util.List;
+import java.util.function.ObjDoubleConsumer;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.model.Hinge;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorCommand.Beam;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
+import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
+import org.robonewbie.protocol.effector.EffectorCommand.RequestPass;
+import org.robonewbie.protocol.effector.EffectorCommand.Say;
+import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
+import org.robonewbie.simulator.sensing.Camera;
+import org.robonewbie.simulator.sensing.CameraSettings;
+import org.robonewbie.simulator.soccer.JoinRefusedException;
+import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.Player;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.state.LinearCongruence;
+import org.robonewbie.simulator.state.SplitMix;
+import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+/**
+ * Carries out the commands of agents. Hinges move and words are heard at once; robots are created, join and are beamed just
+ * before the world's next step.
+ */
+final class Effectors implements Restorable {
+
+    private static final String STANDARD_ROBOT = "rsg/agent/nao/nao.rsg";
+    private static final String TYPED_ROBOT = "rsg/agent/nao/nao_hetero.rsg";
+    private static final int MAXIMUM_ROBOTS = 44;
+    private static final double ROOM = 1;
+    private static final double HEARING_RANGE = 50;
+    private static final Vector3 PLACE_OF_REFUSED = new Vector3(0, 0, 10);
+
+    private final SoccerWorld world;
+    private final Match match;
+    private final CameraSettings cameraSettings;
+    private final LinearCongruence random;
+    private int createdRobots;
+
+    Effectors(SoccerWorld world, Match match, CameraSettings cameraSettings, long seed) {
+        this.world = world;
+        this.match = match;
+        this.cameraSettings = cameraSettings;
+        this.random = new LinearCongruence(seed);
+    }
+
+    /** Does what acts at once and keeps the rest for {@link #prepareStep}. */
+    void execute(ConnectedAgent agent, List<ConnectedAgent> everybody) {
+        for (EffectorCommand command : agent.connection().takeCommands()) {
+            if (command instanceof CreateRobot create) {
+                wantRobot(agent, create);
+            } else if (agent.robot().isEmpty()) {
+                agent.connection()
+                        .complain(
+                                "no robot",
+                                "sent a command although it has no robot. Send (scene " + STANDARD_ROBOT
+                                        + ") first and wait for a message.");
+            } else {
+                execute(agent, agent.robot().get(), command, everybody);
+            }
+        }
+    }
+
+    /** Creates robots, lets them join and beams them, as agents asked for in this cycle. */
+    void prepareStep(ConnectedAgent agent) {
+        agent.takeWantedRobot().ifPresent(create -> create(agent, create));
+        agent.takeWantedTeam().ifPresent(join -> join(agent, join));
+        agent.takeWantedBeam().ifPresent(beam -> beam(agent, beam));
+    }
+
+    /** Replaces a player's body by a new one with its joints at 0, where the old one was last beamed. */
+    void renew(ConnectedAgent agent, Player player) {
+        Robot robot = world.addRobot(player.robot().model().type());
+        world.removeRobot(player.robot());
+        agent.replacePlayer(match.replaceRobot(player, robot));
+        agent.setRobot(robot);
+        putToStart(agent);
+    }
+
+    /** Moves a robot to where it was last beamed or, if it never was, to where new robots appear. */
+    private void putToStart(ConnectedAgent agent) {
+        agent.player()
+                .ifPresent(player -> agent.lastBeam()
+                        .ifPresentOrElse(
+                                beam -> place(
+                                        player,
+                                        beam.xMetres(),
+                                        beam.yMetres(),
+                                        beam.headingDegrees(),
+                                        player.robot()::moveUpright),
+                                () -> match.teams().putToStart(player)));
+    }
+
+    private void execute(ConnectedAgent agent, Robot robot, EffectorCommand command, List<ConnectedAgent> everybody) {
+        if (command instanceof SetHingeSpeed speed) {
+            setSpeed(agent, robot, speed);
+        } else if (command instanceof JoinTeam join) {
+            agent.want(join);
+        } else if (command instanceof Beam beam) {
+            agent.want(beam);
+        } else if (command instanceof Say say) {
+            agent.player().ifPresent(speaker -> say(agent, speaker, say.text(), everybody));
+        } else if (command instanceof RequestPass) {
+            agent.player().ifPresent(match::requestPass);
+        }
+    }
+
+    private static void wantRobot(ConnectedAgent agent, CreateRobot create) {
+        if (agent.robot().isEmpty()) {
+            agent.want(create);
+        } else {
+            agent.connection().complain("second robot", "asked for a second robot; it keeps the first one.");
+        }
+    }
+
+    private void setSpeed(ConnectedAgent agent, Robot robot, SetHingeSpeed command) {
+        List<Hinge> hinges = robot.model().hinges();
+        for (int i = 0; i < hinges.size(); i++) {
+            if (hinges.get(i).effectorName().equals(command.effectorName())) {
+                if (Double.isNaN(command.radiansPerSecond())) {
+                    agent.connection()
+                            .complain(
+                                    "NaN " + command.effectorName(),
+                                    "sent speed NaN for hinge " + command.effectorName()
+                                            + ", which is ignored. Was something divided by zero?");
+                }
+                robot.setMotorSpeed(i, isFrozen(agent, i) ? 0 : command.radiansPerSecond());
+                return;
+            }
+        }
+        agent.connection()
+                .complain(
+                        command.effectorName(),
+                        "moves hinge " + command.effectorName() + ", which a robot of type "
+                                + robot.model().type().ordinal() + " does not have.");
+    }
+
+    private boolean isFrozen(ConnectedAgent agent, int hinge) {
+        return agent.player().isPresent() && match.isFrozen(agent.player().get(), hinge);
+    }
+
+    private static void say(ConnectedAgent agent, Player speaker, String text, List<ConnectedAgent> everybody) {
+        String team = speaker.team().name();
+        agent.hearing().hearOwn(team, text);
+        for (ConnectedAgent other : everybody) {
+            if (other != agent && other.player().isPresent()) {
+                Player listener = other.player().get();
+                Vector3 way = speaker.position().minus(listener.position());
+                if (way.length() <= HEARING_RANGE) {
+                    double sign = listener.side() == TeamSide.LEFT ? 1 : -1;
+                    double direction = PortableMath.toDegrees(PortableMath.atan2(sign * way.y(), sign * way.x()));
+                    other.hearing().hear(listener.team() == speaker.team(), team, direction, text);
+                }
+            }
+        }
+    }
+
+    private void create(ConnectedAgent agent, CreateRobot create) {
+        int type = robotType(create);
+        if (type < 0) {
+            agent.connection()
+                    .complain(
+                            "scene",
+                            "asked for the unknown robot \"" + create.path() + " "
+                                    + String.join(" ", create.parameters()) + "\". There are " + STANDARD_ROBOT
+                                    + " and "
+                                    + TYPED_ROBOT + " with a type from 0 to 4.");
+        } else if (world.robots().size() >= MAXIMUM_ROBOTS) {
+            agent.connection()
+                    .complain("crowd", "gets no robot, since there are " + MAXIMUM_ROBOTS + " robots already.");
+        } else {
+            Vector3 place = freePlace(Robot.START_POSITION);
+            Robot robot = world.addRobot(RobotType.values()[type]);
+            robot.moveTo(place);
+            agent.setId(nextId());
+            agent.setRobot(robot);
+            agent.setCamera(newCamera(random.nextLong()));
+        }
+    }
+
+    /** Finds a free place near the wanted one, since interpenetrating robots cost the engine much time. */
+    private Vector3 freePlace(Vector3 wanted) {
+        Vector3 place = wanted;
+        for (int i = 1; isOccupied(place); i++) {
+            int column = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
+            place = wanted.plus(new Vector3(column * ROOM, 0, 0));
+        }
+        return place;
+    }
+
+    private boolean isOccupied(Vector3 place) {
+        return world.robots().stream()
+                .map(robot -> robot.torso().position())
+                .anyMatch(other -> PortableMath.hypot(other.x() - place.x(), other.y() - place.y()) < ROOM - 0.01);
+    }
+
+    /** The wanted robot type; -1 for a robot that does not exist. */
+    private static int robotType(CreateRobot create) {
+        if (create.path().equals(STANDARD_ROBOT)) {
+            return 0;
+        }
+        if (!create.path().equals(TYPED_ROBOT)) {
+            return -1;
+        }
+        String type = create.parameters().isEmpty() ? "0" : create.parameters().get(0);
+        return type.matches("[0-4]") ? type.charAt(0) - '0' : -1;
+    }
+
+    private void join(ConnectedAgent agent, JoinTeam join) {
+        if (agent.player().isPresent()) {
+            agent.connection()
+                    .complain(
+                            "init",
+                            "wants to join again; it stays " + agent.player().get() + ".");
+            match.teams().putToStart(agent.player().get());
+            return;
+        }
+        Robot robot = agent.robot().orElseThrow();
+        try {
+            agent.join(match.teams().join(join.team(), join.number(), robot));
+        } catch (JoinRefusedException e) {
+            agent.connection().complain(String.valueOf(e.getMessage()), "cannot join: " + e.getMessage() + ".");
+            robot.moveUpright(freePlace(PLACE_OF_REFUSED), 0);
+        }
+    }
+
+    private void beam(ConnectedAgent agent, Beam beam) {
+        if (agent.player().isEmpty() || !mayBeam(agent)) {
+            return;
+        }
+        SoccerParameters parameters = match.parameters();
+        double noise = parameters.get(SoccerParameter.BEAM_NOISE_XY);
+        double x = beam.xMetres() + spread(noise);
+        double y = beam.yMetres() + spread(noise);
+        double yaw = beam.headingDegrees() + spread(parameters.get(SoccerParameter.BEAM_NOISE_ANGLE));
+        if (!Double.isFinite(x) || !Double.isFinite(y) || !Double.isFinite(yaw)) {
+            agent.connection().complain("beam", "wants to be beamed to " + beam + ", which is not a place.");
+            return;
+        }
+        agent.remember(new Beam(x, y, yaw));
+        Player player = agent.player().get();
+        place(player, x, y, yaw, player.robot()::beam);
+    }
+
+    private void place(
+            Player player, double wantedX, double wantedY, double headingDegrees, ObjDoubleConsumer<Vector3> move) {
+        SoccerField field = world.field();
+        double x = wantedX;
+        double y = wantedY;
+        if (!match.parameters().isOn(SoccerParameter.START_ANY_FIELD_POSITION)) {
+            x = Math.max(-field.length() / 2, Math.min(0, x));
+            y = Math.max(-field.width() / 2, Math.min(field.width() / 2, y));
+        }
+        double z = match.parameters().get(SoccerParameter.AGENT_RADIUS);
+        boolean left = player.side() == TeamSide.LEFT;
+        Vector3 position = left ? new Vector3(x, y, z) : new Vector3(-x, -y, z);
+        move.accept(position, left ? headingDegrees - 90 : headingDegrees + 90);
+    }
+
+    private boolean mayBeam(ConnectedAgent agent) {
+        return match.mayBeam() || agent.secondsInTeam() < match.parameters().get(SoccerParameter.BEAM_GRACE_TIME);
+    }
+
+    private double spread(double limit) {
+        return limit == 0 ? 0 : limit * (2 * random.nextDouble() - 1);
+    }
+
+    Camera newCamera(long seed) {
+        return new Camera(world.field(), cameraSettings, new SplitMix(seed));
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        random.save(out);
+        out.putInt(createdRobots);
+    }
+
+    @Override
+    public void restore(StateReader in) {
+        random.restore(in);
+        createdRobots = in.getInt();
+    }
+
+    int createdRobots() {
+        return createdRobots;
+    }
+
+    void countOnFrom(int robots) {
+        createdRobots = robots;
+    }
+
+    int nextId() {
+        return ++createdRobots;
+    }
+}

@@ -1,0 +1,111 @@
+package org.robonewbie.simulator.cycle;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.model.Hinge;
+import org.robonewbie.protocol.perceptor.GameState;
+import org.robonewbie.protocol.perceptor.JointAngles;
+import org.robonewbie.protocol.perceptor.JointAngles.ExtraHinge;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.perceptor.Vision;
+import org.robonewbie.simulator.sensing.VisiblePlayer;
+import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.Player;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+/** Asks all perceptors of a robot at the end of a cycle. */
+final class Percepts {
+
+    private final SoccerWorld world;
+    private final Match match;
+
+    Percepts(SoccerWorld world, Match match) {
+        this.world = world;
+        this.match = match;
+    }
+
+    /**
+     * Takes the pictures of all cameras. As in SimSpark they see the world as its step has left it, before the referee moves
+     * anything.
+     */
+    void takePictures(List<ConnectedAgent> agents) {
+        List<VisiblePlayer> players = match.teams().players().stream()
+                .map(player -> new VisiblePlayer(player.robot(), player.team().name(), player.number()))
+                .toList();
+        for (ConnectedAgent agent : agents) {
+            agent.setPicture(picture(agent, players));
+        }
+    }
+
+    private Optional<Vision> picture(ConnectedAgent agent, List<VisiblePlayer> players) {
+        if (!agent.seesInThisCycle() || agent.robot().isEmpty() || isStillNobody(agent)) {
+            return Optional.empty();
+        }
+        Optional<TeamSide> side = agent.player().map(Player::side);
+        return agent.camera().map(camera -> camera.look(agent.robot().get(), world, players, side));
+    }
+
+    /** What an awaited agent sees from where its robot happened to appear would depend on who came first. */
+    private static boolean isStillNobody(ConnectedAgent agent) {
+        return agent.connection().isAwaited() && agent.player().isEmpty();
+    }
+
+    PerceptorMessage of(ConnectedAgent agent, Robot robot, double seconds) {
+        double playSeconds = match.state().playSeconds();
+        boolean labelled = match.parameters().isOn(SoccerParameter.LABEL_MESSAGES);
+        return new PerceptorMessage(
+                OptionalDouble.of(seconds),
+                Optional.of(gameState(agent, playSeconds)),
+                agent.hearing().collect(playSeconds, labelled),
+                Optional.of(robot.gyroDegreesPerSecond()),
+                Optional.of(robot.acceleration()),
+                jointAngles(robot),
+                robot.footForces(),
+                agent.picture());
+    }
+
+    private GameState gameState(ConnectedAgent agent, double playSeconds) {
+        boolean tellTeam = agent.takeTeamToBeTold();
+        boolean tellScore = match.parameters().isOn(SoccerParameter.REPORT_SCORE);
+        return new GameState(
+                agent.player()
+                        .filter(player -> tellTeam)
+                        .map(player -> OptionalInt.of(player.number()))
+                        .orElse(OptionalInt.empty()),
+                agent.player().filter(player -> tellTeam).map(player -> player.side()),
+                tellScore ? OptionalInt.of(match.state().score(TeamSide.LEFT)) : OptionalInt.empty(),
+                tellScore ? OptionalInt.of(match.state().score(TeamSide.RIGHT)) : OptionalInt.empty(),
+                playSeconds,
+                match.state().playMode().simSparkName());
+    }
+
+    private static JointAngles jointAngles(Robot robot) {
+        double[] degrees = new double[Joint.COUNT];
+        for (Joint joint : Joint.values()) {
+            degrees[joint.ordinal()] = robot.jointDegrees(joint);
+        }
+        return JointAngles.of(degrees, toes(robot));
+    }
+
+    private static List<ExtraHinge> toes(Robot robot) {
+        if (!robot.model().type().hasToes()) {
+            return List.of();
+        }
+        List<ExtraHinge> toes = new ArrayList<>();
+        List<Hinge> hinges = robot.model().hinges();
+        for (int i = 0; i < hinges.size(); i++) {
+            String name = hinges.get(i).perceptorName();
+            if (name.endsWith("j7")) {
+                toes.add(new ExtraHinge(name, robot.jointDegrees(i)));
+            }
+        }
+        return toes;
+    }
+}

@@ -1,0 +1,69 @@
+package org.robonewbie.simulator.cycle;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.physics.BodyPose;
+import org.robonewbie.simulator.physics.RotationMatrix;
+import org.robonewbie.simulator.soccer.Player;
+import org.robonewbie.simulator.soccer.TrainersHand;
+import org.robonewbie.simulator.world.LinkMotion;
+
+/** Restores a world to a state that was seen before; velocities are those between two states. */
+final class Restoration {
+
+    private final SimulationCycle cycle;
+
+    Restoration(SimulationCycle cycle) {
+        this.cycle = cycle;
+    }
+
+    void restore(WorldSnapshot before, WorldSnapshot moment) {
+        double seconds = moment.seconds() - before.seconds();
+        restoreGame(moment);
+        for (RobotSnapshot robot : moment.robots()) {
+            RobotSnapshot earlier = before.robots().stream()
+                    .filter(each -> each.id() == robot.id() && each.type() == robot.type())
+                    .findFirst()
+                    .orElse(robot);
+            player(robot).ifPresent(player -> player.robot().place(motions(earlier, robot, seconds)));
+        }
+        cycle.world().ball().place(LinkMotion.between(ball(before), ball(moment), seconds));
+    }
+
+    private void restoreGame(WorldSnapshot moment) {
+        TrainersHand hand = new TrainersHand(cycle.match());
+        if (moment.playMode() != cycle.match().state().playMode()) {
+            cycle.match().setPlayMode(moment.playMode());
+        }
+        hand.setHalf(moment.half());
+        hand.setPlaySeconds(moment.gameTime());
+        hand.setScore(moment.scoreLeft(), moment.scoreRight());
+    }
+
+    private Optional<Player> player(RobotSnapshot robot) {
+        return robot.side()
+                .flatMap(side -> cycle.match().teams().player(side, robot.number()))
+                .filter(player -> player.robot().model().type() == robot.type());
+    }
+
+    private static List<LinkMotion> motions(RobotSnapshot before, RobotSnapshot now, double seconds) {
+        List<BodyPose> earlier = links(before);
+        List<BodyPose> later = links(now);
+        List<LinkMotion> motions = new ArrayList<>();
+        for (int i = 0; i < later.size(); i++) {
+            motions.add(LinkMotion.between(earlier.get(i), later.get(i), seconds));
+        }
+        return motions;
+    }
+
+    private static List<BodyPose> links(RobotSnapshot robot) {
+        return robot.body().limbs().links().stream().map(BodyPose::ofBodyAxes).toList();
+    }
+
+    private static BodyPose ball(WorldSnapshot snapshot) {
+        return new BodyPose(snapshot.ballPosition(), RotationMatrix.of(snapshot.ballRotation()));
+    }
+}

@@ -1,6 +1,0 @@
-/**
- * Measures how closely this simulator follows a real rcssserver3d: recordings of the original are replayed command by
- * command, and every row is compared. Read {@link org.robonewbie.simulator.fidelity.FidelityBench} first.
- */
-@org.jspecify.annotations.NullMarked
-package org.robonewbie.simulator.fidelity;

@@ -1,0 +1,49 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import org.jspecify.annotations.Nullable;
+
+/** Whatever holds two bodies, or a body and what never moves: a hinge or a place where they touch. */
+abstract class ConstraintJoint {
+
+    /** The body that moves along the rows' Jacobians. */
+    Body first;
+    /** The body against which it is held; none for ground and walls. */
+    @Nullable
+    Body second;
+    /** Where the joint's rows begin in the island's rows, while the island is stepped. */
+    int firstRow;
+    /** Whether this step has put the joint in an island already. */
+    boolean visited;
+
+    ConstraintJoint(Body first, @Nullable Body second) {
+        this.first = first;
+        this.second = second;
+    }
+
+    /** Adds this joint to its bodies. */
+    final void attach() {
+        first.joints.add(this);
+        if (second != null) {
+            second.joints.add(this);
+        }
+    }
+
+    /** The number of rows that the joint needs in this step. */
+    abstract int rowCount();
+
+    /**
+     * Writes Jacobians, speeds, softness and limits.
+     *
+     * @param rows the island's rows, cleared
+     * @param rate steps per second, 1/h
+     */
+    abstract void writeRows(ConstraintRows rows, double rate);
+
+    /** Takes from the rows what has to be remembered after the step. */
+    void readForces(ConstraintRows rows) {}
+
+    /** The body at the other end of the joint. */
+    final @Nullable Body opposite(Body body) {
+        return body == first ? second : first;
+    }
+}

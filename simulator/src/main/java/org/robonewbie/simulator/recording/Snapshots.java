@@ -1,0 +1,55 @@
+package org.robonewbie.simulator.recording;
+
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.MatchState;
+import org.robonewbie.simulator.soccer.Player;
+import org.robonewbie.simulator.world.Ball;
+
+/** Takes pictures of the world for recordings and observers. */
+public final class Snapshots {
+
+    private Snapshots() {}
+
+    /**
+     * Takes a picture of a world that runs in real time.
+     *
+     * @param cycle number of the cycle
+     * @param match the game
+     * @param ball the ball
+     * @param participants all robots in the order in which they connected
+     * @return the present state
+     */
+    public static WorldSnapshot of(long cycle, Match match, Ball ball, List<Participant> participants) {
+        MatchState state = match.state();
+        return new WorldSnapshot(
+                cycle,
+                state.playSeconds(),
+                state.playMode(),
+                match.teams().name(TeamSide.LEFT),
+                match.teams().name(TeamSide.RIGHT),
+                state.score(TeamSide.LEFT),
+                state.score(TeamSide.RIGHT),
+                state.half(),
+                ball.position(),
+                ball.rotation().toTurn(),
+                participants.stream().map(Snapshots::robot).toList(),
+                false,
+                1,
+                1);
+    }
+
+    private static RobotSnapshot robot(Participant participant) {
+        Optional<Player> player = participant.player();
+        return new RobotSnapshot(
+                participant.id(),
+                player.map(member -> member.team().name()).orElse(""),
+                player.map(Player::side),
+                player.map(Player::number).orElse(0),
+                participant.robot().body());
+    }
+}

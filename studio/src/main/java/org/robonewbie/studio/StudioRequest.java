@@ -1,0 +1,75 @@
+package org.robonewbie.studio;
+
+import java.util.List;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
+
+/** What a page can ask for. */
+interface StudioRequest {
+
+    /**
+     * Does what is asked for.
+     *
+     * @param stage what can be acted upon
+     */
+    void applyTo(Stage stage);
+
+    /** The page has drawn its last frame and is ready for the next. */
+    record Seen() implements StudioRequest {
+        @Override
+        public void applyTo(Stage stage) {}
+    }
+
+    /**
+     * Asks for the thoughts of one robot only.
+     *
+     * @param team name of its team
+     * @param number its number
+     */
+    record Watch(String team, int number) implements StudioRequest {
+        @Override
+        public void applyTo(Stage stage) {}
+    }
+
+    /**
+     * Gives orders to the world.
+     *
+     * @param orders the orders, carried out in this order
+     */
+    record Orders(List<Order> orders) implements StudioRequest {
+
+        Orders(Order... orders) {
+            this(List.of(orders));
+        }
+
+        @Override
+        public void applyTo(Stage stage) {
+            orders.forEach(stage.simulation()::order);
+        }
+    }
+
+    /**
+     * Adds a robot that is steered by hand.
+     *
+     * @param side its team; the first robot of all plays on the left
+     */
+    record AddPuppet(TeamSide side) implements StudioRequest {
+        @Override
+        public void applyTo(Stage stage) {
+            stage.puppets().add(side, stage.now());
+        }
+    }
+
+    /**
+     * Takes a robot away that people steer.
+     *
+     * @param player the robot
+     */
+    record RemovePuppet(PlayerNumber player) implements StudioRequest {
+        @Override
+        public void applyTo(Stage stage) {
+            stage.puppets().remove(player);
+        }
+    }
+}

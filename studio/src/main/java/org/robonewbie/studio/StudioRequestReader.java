@@ -1,0 +1,156 @@
+package org.robonewbie.studio;
+
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParseException;
+import com.google.gson.JsonParser;
+import java.util.Arrays;
+import java.util.Locale;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.simulator.SimulationControl;
+
+/**
+ * Reads what a page asks for, such as <code>{"do":"step","cycles":1}</code>. Nothing that is out of range gets through to the
+ * simulation.
+ */
+final class StudioRequestReader {
+
+    private static final double SLOWEST = 0.1;
+    private static final double FASTEST = 100;
+    private static final int MAX_CYCLES = 50_000;
+    private static final double REACH_METRES = 50;
+    private static final int PLAYERS = 11;
+    private static final Order BALL_TO_CENTRE = new Order.MoveBall(new Vector3(0, 0, 0.042), Vector3.ZERO);
+
+    private final JsonObject json;
+
+    private StudioRequestReader(JsonObject json) {
+        this.json = json;
+    }
+
+    /**
+     * Reads a command.
+     *
+     * @param text one JSON object
+     * @return the command
+     * @throws IllegalArgumentException if it cannot be understood; the message is meant for the person at the page
+     */
+    static StudioRequest read(String text) {
+        try {
+            return new StudioRequestReader(JsonParser.parseString(text).getAsJsonObject()).read();
+        } catch (JsonParseException | IllegalStateException e) {
+            throw new IllegalArgumentException("The studio cannot read \"" + text + "\". Load the page again.", e);
+        }
+    }
+
+    private StudioRequest read() {
+        String name = text("do");
+        return switch (name) {
+            case "seen" -> new StudioRequest.Seen();
+            case "watch" -> new StudioRequest.Watch(text("team"), (int) number("number", 0, PLAYERS));
+            case "pause" -> order(new Order.Pause());
+            case "resume" -> order(new Order.Resume());
+            case "step" -> order(new Order.Step((int) number("cycles", 1, MAX_CYCLES)));
+            case "speed" -> order(new Order.SetSpeed(speed()));
+            case "reset" -> order(new Order.Reset());
+            case "placeBall" -> order(new Order.MoveBall(position(), Vector3.ZERO));
+            case "placeRobot" -> order(new Order.PlaceRobot(player(), position(), number("headingDegrees", -360, 360)));
+            case "kickOff" -> new StudioRequest.Orders(new Order.KickOff(side()), BALL_TO_CENTRE);
+            case "dropBall" -> order(new Order.DropBall());
+            case "playMode" -> order(new Order.ChangePlayMode(playMode()));
+            case "addPuppet" -> new StudioRequest.AddPuppet(side());
+            case "removePuppet" -> new StudioRequest.RemovePuppet(player());
+            case "walk" ->
+                new PuppetOrder.To(player(), new PuppetOrder.Walk(part("forward"), part("left"), part("turn")));
+            case "perform" -> new PuppetOrder.To(player(), new PuppetOrder.Perform(text("motion")));
+            case "look" ->
+                new PuppetOrder.To(
+                        player(), new PuppetOrder.Look(number("yaw", -180, 180), number("pitch", -180, 180)));
+            case "hold" -> new PuppetOrder.To(player(), new PuppetOrder.Hold(joint(), number("degrees", -180, 180)));
+            default ->
+                throw new IllegalArgumentException(
+                        "The studio does not know the command \"" + name + "\". Load the page again.");
+        };
+    }
+
+    private static StudioRequest order(Order order) {
+        return new StudioRequest.Orders(order);
+    }
+
+    private double speed() {
+        boolean fastest = json.has("factor") && text("factor").equals("fastest");
+        return fastest ? SimulationControl.AS_FAST_AS_POSSIBLE : number("factor", SLOWEST, FASTEST);
+    }
+
+    private PlayerNumber player() {
+        return new PlayerNumber(side(), (int) number("number", 1, PLAYERS));
+    }
+
+    private double part(String key) {
+        return number(key, -1, 1);
+    }
+
+    private Joint joint() {
+        return Arrays.stream(Joint.values())
+                .filter(joint -> joint.name().equals(text("joint")))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "The robot has no joint \"" + text("joint") + "\". Load the page again."));
+    }
+
+    private Vector3 position() {
+        return new Vector3(
+                number("x", -REACH_METRES, REACH_METRES),
+                number("y", -REACH_METRES, REACH_METRES),
+                number("z", 0, REACH_METRES));
+    }
+
+    private TeamSide side() {
+        return switch (text("side")) {
+            case "left" -> TeamSide.LEFT;
+            case "right" -> TeamSide.RIGHT;
+            default ->
+                throw new IllegalArgumentException(
+                        "The side \"" + text("side") + "\" does not exist. Choose \"left\" or \"right\".");
+        };
+    }
+
+    private PlayMode playMode() {
+        return PlayMode.ofSimSparkName(text("mode"))
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "The play mode \"" + text("mode") + "\" does not exist. Choose one of the list."));
+    }
+
+    private double number(String key, double min, double max) {
+        double value = numberOrNaN(key);
+        if (!(value >= min && value <= max)) {
+            throw new IllegalArgumentException(String.format(
+                    Locale.ROOT,
+                    "The value %s for \"%s\" of \"%s\" is not possible. Choose one from %s to %s.",
+                    json.get(key),
+                    key,
+                    text("do"),
+                    min,
+                    max));
+        }
+        return value;
+    }
+
+    private double numberOrNaN(String key) {
+        try {
+            return json.has(key) ? json.get(key).getAsDouble() : Double.NaN;
+        } catch (NumberFormatException | UnsupportedOperationException | IllegalStateException e) {
+            return Double.NaN;
+        }
+    }
+
+    private String text(String key) {
+        JsonElement element = json.get(key);
+        return element != null && element.isJsonPrimitive() ? element.getAsString() : "";
+    }
+}

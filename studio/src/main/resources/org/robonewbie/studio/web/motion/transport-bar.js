@@ -1,0 +1,157 @@
+/** Play, time, and trial of a motion. */
+import { button, check, choice, element, setText } from '../panels/elements.js';
+import { balanceOf } from '../state/motion/balance.js';
+import { placed, posesOf } from '../state/motion/body.js';
+import { documentOf, framesOf, lengthOf, postureNow } from '../state/motion/editor-state.js';
+import { problemOf } from '../state/motion/motion-text.js';
+import { secondsText } from '../state/motion/timing.js';
+import { numberField, showNumber } from './number-field.js';
+import { MARK_KINDS } from './timeline.js';
+import { orderButton } from './toolbar.js';
+
+/**
+ * @typedef {import('./editor.js').Editor} Editor
+ * @typedef {import('./orders.js').Order} Order
+ *
+ * @typedef {object} Deeds
+ * @property {(millis: number) => void} setTime of the chosen keyframe
+ * @property {(start: string) => void} tryPhysically
+ * @property {() => void} takePosture
+ * @property {(text: string) => void} note
+ * @property {() => string} robotOfRun who gives the posture, empty if there is no robot
+ */
+
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
+const TRIAL = 'Try on a physical robot';
+const TRIAL_HINT = 'A robot with weight, motors and ground plays the motion now';
+
+/** @type {Array<[value: string, text: string]>} */
+const STARTS = [
+  ['standing', 'standing'],
+  ['back', 'on its back'],
+  ['front', 'on its front'],
+];
+
+/**
+ * @param {HTMLElement} place
+ * @param {Editor} editor
+ * @param {Order[]} orders
+ * @param {Deeds} deeds
+ * @returns {() => void}
+ */
+export function transportBar(place, editor, orders, deeds) {
+  const parts = partsOf(editor, orders, deeds);
+  const { play, loop, speed, reading, millis, insert, take, verdict, trial, start } = parts;
+  place.append(
+    ...[play, loop.label, speed, reading, timeField(millis), insert, take, verdict],
+    element('div', { class: 'group trial' }, trial, start),
+  );
+  return () => {
+    drawPlaying(parts, editor);
+    drawTrial(parts, editor);
+    drawTake(take, deeds.robotOfRun());
+  };
+}
+
+/** @param {Editor} editor @param {Order[]} orders @param {Deeds} deeds */
+function partsOf(editor, orders, deeds) {
+  const byId = (/** @type {string} */ id) => /** @type {Order} */ (orders.find((order) => order.id === id));
+  const play = orderButton(byId('play'));
+  play.className = 'primary';
+  const start = choice({ id: 'trial-start', 'aria-label': 'How the robot is before the trial' }, STARTS, () => {});
+  return {
+    play,
+    insert: orderButton(byId('insert')),
+    loop: check('loop', 'Loop', '', (looping) => editor.apply((state) => ({ ...state, looping }))),
+    speed: choice(
+      { id: 'animation-speed', 'aria-label': 'Speed of the animation' },
+      SPEEDS.map((each) => [String(each), `${each}×`]),
+      (speed) => editor.apply((state) => ({ ...state, speed: Number(speed) })),
+    ),
+    millis: millisField(deeds),
+    start,
+    trial: button(TRIAL, TRIAL_HINT, () => deeds.tryPhysically(start.value), { id: 'trial' }),
+    take: button('Take posture', '', deeds.takePosture, { id: 'take-posture' }),
+    reading: element('span', { class: 'seconds' }),
+    verdict: element('span', { class: 'verdict', role: 'status' }),
+  };
+}
+
+/** @param {Deeds} deeds */
+function millisField({ setTime, note }) {
+  const label = 'Time of the way to this keyframe in milliseconds';
+  return numberField({ inputmode: 'numeric', id: 'millis', 'aria-label': label }, setTime, (text) =>
+    note(`“${text}” is not a time in milliseconds; the keyframe stays where it is.`),
+  );
+}
+
+/** @param {HTMLInputElement} millis */
+function timeField(millis) {
+  const title = 'Time of the way from the keyframe before, in milliseconds';
+  return element('label', { class: 'field', title }, 'Way', millis, 'ms');
+}
+
+/** @typedef {ReturnType<typeof partsOf>} Parts */
+
+/** @param {Parts} parts @param {Editor} editor */
+function drawPlaying({ play, reading, loop, speed, millis }, { state }) {
+  const frame = framesOf(state)[state.last];
+  setText(play, state.playing ? '❚❚ Pause' : '▶ Play');
+  setText(reading, `${secondsText(state.time)} of ${secondsText(lengthOf(state))}`);
+  loop.box.checked = state.looping;
+  speed.value = String(state.speed);
+  showNumber(millis, frame ? String(frame.millis) : '');
+  millis.disabled = !frame;
+}
+
+/** @param {Parts} parts @param {Editor} editor */
+function drawTrial({ trial, verdict }, editor) {
+  const { state, marks, busy } = editor;
+  trial.disabled = framesOf(state).length === 0 || busy;
+  setText(trial, busy ? 'Trying…' : TRIAL);
+  setText(verdict, verdictText(editor));
+  verdict.dataset.tone = (marks.length > 0 || problemOf(documentOf(state)) !== '') && !state.trial ? 'warning' : '';
+}
+
+/** @param {HTMLButtonElement} take @param {string} robot */
+function drawTake(take, robot) {
+  take.disabled = robot === '';
+  take.title =
+    robot === ''
+      ? 'Start an agent: the posture of its robot can then become a keyframe'
+      : `The posture of ${robot} in the run becomes a keyframe`;
+}
+
+/** @param {Editor} editor */
+function verdictText({ state, marks }) {
+  if (state.trial) {
+    return state.trial.fallSeconds === undefined
+      ? 'Physical robot'
+      : `Physical robot falls after ${secondsText(1000 * state.trial.fallSeconds)}`;
+  }
+  if (state.playing) {
+    return '';
+  }
+  const problem = problemOf(documentOf(state));
+  if (problem) {
+    return `${problem}. Agents refuse this file.`;
+  }
+  const here = marks.find(({ from, to, kind }) => kind !== 'balance' && state.time >= from - 1 && state.time <= to + 1);
+  if (here) {
+    return here.text;
+  }
+  const found = MARK_KINDS.map(({ kind, name }) => ({
+    name,
+    count: marks.filter((mark) => mark.kind === kind).length,
+  })).filter(({ count }) => count > 0);
+  return [...found.map(({ name, count }) => `${name}: ${count}`), balanceText(state)].filter(Boolean).join(' · ');
+}
+
+/** @param {Editor['state']} state */
+function balanceText(state) {
+  const posture = postureNow(state);
+  const { margin } = balanceOf(state.body, posesOf(state.body, posture, placed(state.body, posture, state.manner)));
+  return Number.isFinite(margin)
+    ? `${margin >= 0 ? 'balanced by' : 'tips over by'} ${Math.abs(100 * margin).toFixed(1)} cm`
+    : '';
+}

@@ -1,0 +1,133 @@
+/** The controls below the picture of a replay. */
+import { button, choice, element, setEntries, setText } from '../panels/elements.js';
+import { NO_CLOCK } from '../panels/transport.js';
+import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
+import { ReplayLine } from './replay-line.js';
+
+/**
+ * @typedef {import('../state/replay/replay-state.js').ReplayState} ReplayState
+ * @typedef {import('./recordings.js').RecordingEntry} RecordingEntry
+ *
+ * @typedef {object} Deeds
+ * @property {(key: string) => void} press does what a key does
+ * @property {(name: string) => void} choose opens a recording
+ * @property {(speed: number) => void} setSpeed
+ * @property {(index: number) => void} goTo
+ * @property {() => void} startHere
+ * @property {Record<'csv' | 'log' | 'html', () => void>} save
+ *
+ * @typedef {object} Shown
+ * @property {ReplayState} state
+ * @property {readonly RecordingEntry[]} list
+ * @property {import('./recordings.js').RecordingFile | undefined} file
+ * @property {boolean} hasClock whether the simulation can go on from here
+ */
+
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
+const START_HINT =
+  'The simulation goes on from this moment, with the clock stopped; puppets stand in for missing robots';
+
+export class ReplayBar {
+  /**
+   * @param {HTMLElement} place
+   * @param {import('./comparison-panel.js').ComparisonPanel} comparison
+   * @param {Deeds} deeds
+   */
+  constructor(place, comparison, deeds) {
+    this.deeds = deeds;
+    this.play = this.#key('replay-play', '', 'Play or pause', 'Space');
+    this.play.className = 'primary';
+    this.loop = this.#key('replay-loop', 'Loop', 'Repeat two seconds around this moment', 'L');
+    this.recording = choice({ id: 'recording', 'aria-label': 'Recording' }, [], deeds.choose);
+    this.speed = choice(
+      { id: 'replay-speed', 'aria-label': 'Speed of the replay' },
+      SPEEDS.map((each) => [String(each), `${each}×`]),
+      (speed) => deeds.setSpeed(Number(speed)),
+    );
+    this.reading = element('span', { class: 'seconds' });
+    this.start = button('Start here', '', deeds.startHere, { id: 'start-here' });
+    this.saves = saveButtons(deeds.save);
+    const line = element('div', { class: 'replay-line', id: 'replay-line', title: 'Drag to any moment' });
+    this.line = new ReplayLine(line, deeds.goTo);
+    place.append(comparison.svg, line, this.#bar(comparison));
+    this.listed = '';
+  }
+
+  /** @param {Shown} shown */
+  draw({ state, list, file, hasClock }) {
+    this.#list(list, file?.name ?? '');
+    setText(this.play, state.playing ? '❚❚ Pause' : '▶ Play');
+    this.loop.setAttribute('aria-pressed', String(state.loop !== undefined));
+    this.speed.value = String(state.speed);
+    setText(this.reading, list.length === 0 ? 'Nothing is recorded yet.' : readingOf(state));
+    this.play.disabled = state.count === 0;
+    this.start.disabled = state.count === 0 || !hasClock;
+    this.start.title = hasClock ? START_HINT : NO_CLOCK;
+    for (const control of this.saves) {
+      control.disabled = state.count === 0 || !file?.isWhole;
+    }
+    this.line.draw(state, file?.events ?? []);
+  }
+
+  /** @param {readonly RecordingEntry[]} list @param {string} chosen */
+  #list(list, chosen) {
+    const listed = JSON.stringify(list);
+    if (listed !== this.listed) {
+      this.listed = listed;
+      setEntries(
+        this.recording,
+        list.map((entry) => [entry.name, entryText(entry)]),
+      );
+    }
+    this.recording.value = chosen;
+    this.recording.hidden = list.length === 0;
+  }
+
+  /** @param {import('./comparison-panel.js').ComparisonPanel} comparison */
+  #bar(comparison) {
+    return element(
+      'div',
+      { class: 'replay-bar' },
+      this.recording,
+      this.#key('event-before', '|◂', 'Event before', '['),
+      this.#key('replay-back', '◂', 'One cycle back', '←'),
+      this.play,
+      this.#key('replay-on', '▸', 'One cycle on', '→'),
+      this.#key('event-next', '▸|', 'Next event', ']'),
+      this.loop,
+      this.start,
+      this.speed,
+      this.reading,
+      comparison.choice,
+      comparison.reading,
+      element('span', { class: 'replay-export' }, ...this.saves),
+    );
+  }
+
+  /** A button that does what a key does. @param {string} id @param {string} name @param {string} hint @param {string} key */
+  #key(id, name, hint, key) {
+    return button(name, `${hint} (${key})`, () => this.deeds.press(key), { id });
+  }
+}
+
+/** @param {Deeds['save']} save */
+function saveButtons(save) {
+  return [
+    button('CSV', 'Save all cycles as a table', save.csv, { id: 'export-csv' }),
+    button('Log', 'Save the run as the log of a SimSpark server, for RoboViz', save.log, { id: 'export-log' }),
+    button('HTML', 'Save one file that plays this run in any browser, without network', save.html, {
+      id: 'export-html',
+    }),
+  ];
+}
+
+/** @param {RecordingEntry} entry */
+function entryText({ name, bytes, running }) {
+  return `${name} · ${running ? 'now' : `${(bytes / 1e6).toFixed(1)} MB`}`;
+}
+
+/** @param {ReplayState} state */
+function readingOf({ index, count }) {
+  const seconds = (/** @type {number} */ at) => (Math.max(0, at) / MOMENTS_PER_SECOND).toFixed(2);
+  return `${seconds(index)} of ${seconds(count - 1)} s`;
+}

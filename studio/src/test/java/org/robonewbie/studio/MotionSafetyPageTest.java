@@ -1,0 +1,239 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What one has shaped or typed in the motion editor is never lost, and undo takes back what one sees. */
+@InBrowser
+class MotionSafetyPageTest {
+
+    private static final String EDITOR = "studio.motion.editor";
+    private static final String FRAMES =
+            EDITOR + ".state.history.present.value.lines.filter(line => line.keyframe).map(line => line.keyframe)";
+    private static final String YAW = "document.querySelector('[data-joint=NECK_YAW]')";
+    private static final String STANDING = "0 0 -90 10 0 -25 0 0 25 -50 25 0 0 0 25 -50 25 0 -90 -10 0 25";
+
+    private final Chromium browser;
+
+    @TempDir
+    private Path folder;
+
+    private final SmallSimulation simulation = new SmallSimulation().withRobot();
+    private StudioServer studio;
+
+    MotionSafetyPageTest(Chromium browser) {
+        this.browser = browser;
+    }
+
+    @BeforeEach
+    void start() throws IOException {
+        Files.writeString(folder.resolve("mine.txt"), "500 " + STANDING + "\n");
+        studio = StudioServer.start(
+                simulation.start(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
+        open();
+    }
+
+    @AfterEach
+    void close() {
+        studio.close();
+        simulation.close();
+    }
+
+    private void open() {
+        browser.visit(studio.address() + "&quality=lowest#motion/mine");
+        browser.await("studio.motion && " + EDITOR + ".state.name === 'mine' && !studio.motion.stale");
+    }
+
+    private Path draft(String name) {
+        return folder.resolve(".studio").resolve("drafts").resolve(name + ".txt");
+    }
+
+    /** Types into the field of the neck's yaw as a person does, and stays in it. */
+    private void typeYaw(String text) {
+        browser.evaluate("(() => { const field = " + YAW + "; field.focus(); field.value = " + Chromium.quoted(text)
+                + "; field.dispatchEvent(new Event('input', {bubbles: true})); })()");
+    }
+
+    private void press(String key, boolean ctrl) {
+        browser.evaluate("document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: "
+                + Chromium.quoted(key) + ", ctrlKey: " + ctrl + ", bubbles: true, cancelable: true}))");
+    }
+
+    private int undoSteps() {
+        return browser.evaluate(EDITOR + ".state.history.past.length").getAsInt();
+    }
+
+    @Test
+    void newMotionLeavesTheUnnamedOneBeforeItInTheList() throws IOException {
+        browser.click("#new-motion");
+        browser.await(EDITOR + ".state.name === '' && " + FRAMES + ".length === 1");
+        browser.fill("[data-joint='NECK_YAW']", "44");
+        browser.click("#new-motion");
+        browser.await("document.querySelector(\"#own-motions [data-motion='new motion 1']\")");
+        browser.await(FRAMES + "[0].degrees[0] === 0");
+        browser.fill("[data-joint='NECK_YAW']", "-20");
+        simulation.awaitTrue(() -> Files.exists(draft("new motion 2")));
+
+        browser.click("#own-motions [data-motion='new motion 1']");
+
+        browser.await(FRAMES + "[0].degrees[0] === 44");
+        assertThat(draft("new motion 1")).content().startsWith("500 44");
+        assertThat(draft("new motion 2")).content().startsWith("500 -20");
+    }
+
+    @Test
+    void unnamedMotionIsSavedUnderANameAndItsDraftGoes() throws IOException {
+        browser.click("#new-motion");
+        browser.await(EDITOR + ".state.name === ''");
+        browser.fill("[data-joint='NECK_YAW']", "44");
+        simulation.awaitTrue(() -> Files.exists(draft("new motion 1")));
+
+        browser.click("#save");
+        browser.await("document.querySelector('#answer')");
+        browser.fill("#answer", "look");
+        browser.click("#accept");
+
+        browser.await(EDITOR + ".state.name === 'look'");
+        simulation.awaitTrue(() -> !Files.exists(draft("new motion 1")));
+        assertThat(folder.resolve("look.txt")).content().startsWith("500 44");
+    }
+
+    @Test
+    void typedAngleIsInTheFileThatIsSavedByKey() throws IOException {
+        typeYaw("17");
+
+        press("s", true);
+
+        browser.await("document.querySelector('#toast').textContent.startsWith('Saved')");
+        assertThat(folder.resolve("mine.txt")).content().startsWith("500 17");
+    }
+
+    @Test
+    void typedTimeIsPlayed() {
+        browser.evaluate("(() => { const field = document.querySelector('#millis'); field.focus(); field.value = '900';"
+                + " field.dispatchEvent(new Event('input', {bubbles: true})); })()");
+
+        browser.evaluate("document.querySelector('#play').click()");
+
+        browser.await(FRAMES + "[0].millis === 900");
+    }
+
+    @Test
+    void undoInTheFieldTakesBackTheAngleAndShowsTheOldOne() {
+        typeYaw("35");
+        press("Enter", false);
+        browser.await(FRAMES + "[0].degrees[0] === 35");
+        assertThat(undoSteps()).isEqualTo(1);
+
+        press("z", true);
+
+        browser.await(FRAMES + "[0].degrees[0] === 0 && " + YAW + ".value === '0'");
+        press("y", true);
+        browser.await(FRAMES + "[0].degrees[0] === 35 && " + YAW + ".value === '35'");
+    }
+
+    @Test
+    void angleThatIsEnteredAndLeftIsOneStepOfUndo() {
+        typeYaw("21");
+        press("Enter", false);
+        browser.evaluate(YAW + ".dispatchEvent(new Event('change')); " + YAW + ".blur()");
+
+        browser.await(FRAMES + "[0].degrees[0] === 21");
+        assertThat(undoSteps()).isEqualTo(1);
+    }
+
+    @Test
+    void capsLockChangesNoOrder() {
+        typeYaw("35");
+        press("Enter", false);
+        browser.await(FRAMES + "[0].degrees[0] === 35");
+
+        press("Z", true);
+
+        browser.await(FRAMES + "[0].degrees[0] === 0");
+    }
+
+    @Test
+    void wordInAFieldForNumbersIsRefusedInWords() {
+        typeYaw("abc");
+
+        press("Enter", false);
+
+        browser.await(
+                "document.querySelector('#toast').textContent === '“abc” is not a number; neck yaw stays as it is.'");
+        browser.await(YAW + ".value === '0'");
+    }
+
+    @Test
+    void lineThatNoRobotCanReadIsTold() throws IOException {
+        Files.writeString(folder.resolve("broken.txt"), "500 " + STANDING + "\nthis line is nonsense\n");
+
+        browser.click("#own-motions [data-motion='broken']");
+
+        browser.await("document.querySelector('.verdict').textContent.startsWith('Line 2 cannot be read')");
+    }
+
+    @Test
+    void fileThatHidesAMotionOfTheLibrarySaysSo() throws IOException {
+        Files.writeString(folder.resolve("wave.txt"), "500 " + STANDING + "\n");
+        browser.click("#own-motions [data-motion='wave']");
+        browser.await(EDITOR + ".state.version !== '' && " + EDITOR + ".state.name === 'wave'");
+        browser.fill("[data-joint='NECK_YAW']", "44");
+
+        browser.click("#save");
+
+        browser.await("document.querySelector('#toast').textContent.endsWith('instead of the library’s.')");
+    }
+
+    @Test
+    void robotInTheAirHasNoSupportAndNoMistake() {
+        String place = "(() => { const room = studio.motion; const { posture, torso } = room.posedNow();"
+                + " return room.stage.pageAt([...room.posesOf(posture, torso)].slice(0, 3)).join(' '); })()";
+        String[] torso = browser.evaluate(place).getAsString().split(" ", -1);
+        double x = Double.parseDouble(torso[0]);
+        double y = Double.parseDouble(torso[1]);
+
+        browser.mouse("mousePressed", x, y);
+        for (int i = 1; i <= 6; i++) {
+            browser.mouse("mouseMoved", x, y - 40 * i);
+        }
+        browser.await("!studio.motion.stage.marker.support.visible");
+        browser.mouse("mouseReleased", x, y - 240);
+
+        browser.await("!studio.motion.stale");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void roomSaysThatTheSimulatorIsGoneAndThePageIsNotClosedWithUnkeptWork() {
+        studio.close();
+        browser.await("!document.querySelector('#gone').hidden");
+        browser.fill("[data-joint='NECK_YAW']", "44");
+        browser.await("document.querySelector('#toast').textContent.includes('cannot be kept on the disk')");
+
+        assertThat(isAskedBeforeClosing()).isTrue();
+        browser.forgetComplaints();
+    }
+
+    @Test
+    void pageClosesWithoutAQuestionWhenNothingWouldBeLost() {
+        browser.fill("[data-joint='NECK_YAW']", "44");
+        simulation.awaitTrue(() -> Files.exists(draft("mine")));
+
+        browser.await("!" + EDITOR + ".isAtRisk");
+        assertThat(isAskedBeforeClosing()).isFalse();
+    }
+
+    private boolean isAskedBeforeClosing() {
+        return browser.evaluate("!window.dispatchEvent(new Event('beforeunload', {cancelable: true}))")
+                .getAsBoolean();
+    }
+}

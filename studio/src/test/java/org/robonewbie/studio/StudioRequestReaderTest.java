@@ -1,0 +1,91 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.simulator.SimulationControl;
+
+class StudioRequestReaderTest {
+
+    private static StudioRequest read(String text) {
+        return StudioRequestReader.read(text.replace('\'', '"'));
+    }
+
+    @Test
+    void allCommandsAreRead() {
+        assertThat(read("{'do':'seen'}")).isEqualTo(new StudioRequest.Seen());
+        assertThat(read("{'do':'pause'}")).isEqualTo(orders(new Order.Pause()));
+        assertThat(read("{'do':'resume'}")).isEqualTo(orders(new Order.Resume()));
+        assertThat(read("{'do':'step','cycles':5}")).isEqualTo(orders(new Order.Step(5)));
+        assertThat(read("{'do':'speed','factor':0.5}")).isEqualTo(orders(new Order.SetSpeed(0.5)));
+        assertThat(read("{'do':'speed','factor':'fastest'}"))
+                .isEqualTo(orders(new Order.SetSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)));
+        assertThat(read("{'do':'reset'}")).isEqualTo(orders(new Order.Reset()));
+        assertThat(read("{'do':'placeBall','x':1,'y':-2,'z':0.1}"))
+                .isEqualTo(orders(new Order.MoveBall(new Vector3(1, -2, 0.1), Vector3.ZERO)));
+        assertThat(read("{'do':'placeRobot','side':'right','number':3,'x':1,'y':2,'z':0.4,'headingDegrees':-90}"))
+                .isEqualTo(
+                        orders(new Order.PlaceRobot(new PlayerNumber(TeamSide.RIGHT, 3), new Vector3(1, 2, 0.4), -90)));
+        assertThat(read("{'do':'kickOff','side':'left'}"))
+                .isEqualTo(orders(
+                        new Order.KickOff(TeamSide.LEFT), new Order.MoveBall(new Vector3(0, 0, 0.042), Vector3.ZERO)));
+        assertThat(read("{'do':'dropBall'}")).isEqualTo(orders(new Order.DropBall()));
+        assertThat(read("{'do':'playMode','mode':'PlayOn'}"))
+                .isEqualTo(orders(new Order.ChangePlayMode(PlayMode.PLAY_ON)));
+    }
+
+    private static StudioRequest orders(Order... orders) {
+        return new StudioRequest.Orders(orders);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "[]", "7", "{", "{'do':", "null", "'text'"})
+    void whatIsNoObjectIsRefused(String text) {
+        assertThatThrownBy(() -> read(text))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("The studio cannot read \"" + text.replace('\'', '"') + "\". Load the page again.");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"{'do':'fly'}, fly", "{}, ''", "{'do':7}, 7", "{'do':{}}, ''"})
+    void unknownCommandsAreRefused(String text, String name) {
+        assertThatThrownBy(() -> read(text))
+                .hasMessage("The studio does not know the command \"" + name + "\". Load the page again.");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0", "-3", "'NaN'", "1e99", "'many'", "[]", "{}", "null", "true"})
+    void stepsOutOfRangeAreRefused(String cycles) {
+        assertThatThrownBy(() -> read("{'do':'step','cycles':" + cycles + "}"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("The value " + cycles.replace('\'', '"')
+                        + " for \"cycles\" of \"step\" is not possible. Choose one from 1.0 to 50000.0.");
+    }
+
+    @Test
+    void missingNumbersAreRefused() {
+        assertThatThrownBy(() -> read("{'do':'placeBall','x':1,'y':2}"))
+                .hasMessage("The value null for \"z\" of \"placeBall\" is not possible. Choose one from 0.0 to 50.0.");
+    }
+
+    @Test
+    void unknownSideIsRefused() {
+        assertThatThrownBy(() -> read("{'do':'kickOff','side':'up'}"))
+                .hasMessage("The side \"up\" does not exist. Choose \"left\" or \"right\".");
+    }
+
+    @Test
+    void unknownPlayModeIsRefused() {
+        assertThatThrownBy(() -> read("{'do':'playMode','mode':'Tea_Break'}"))
+                .hasMessage("The play mode \"Tea_Break\" does not exist. Choose one of the list.");
+    }
+}

@@ -1,0 +1,65 @@
+package org.robonewbie.trial;
+
+import java.util.Map;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.robonewbie.simulator.recording.RecordingTarget;
+
+/**
+ * What a program is challenged to do in one trial: the scene, what happens in it, and what it is measured by. Exercises are
+ * challenges, and any challenge can be a contest. Each trial needs a new one, since it keeps what it has seen.
+ *
+ * <pre>{@code
+ * Challenge challenge = new KickTask();
+ * challenge.play(12, seed, () -> Performer.ofAgent(new MyKick()), Audience.NOBODY, RecordingTarget.NONE);
+ * double points = challenge.value();
+ * }</pre>
+ */
+public interface Challenge extends Measure, Script {
+
+    /**
+     * Sets the scene. Robots of the team {@link RobotStart#TEAM} are moved by the program that is challenged, others hold still.
+     *
+     * @param chance what differs from seed to seed
+     * @return the scene
+     */
+    Scene scene(Chance chance);
+
+    /**
+     * Completes the scene when the robots have taken their first postures.
+     *
+     * @param trial the trial at its beginning
+     */
+    default void begin(Trial trial) {}
+
+    @Override
+    default void act(Trial trial) {}
+
+    /** {@return all results by name, for tables} */
+    default Map<String, Double> figures() {
+        return Map.of("value", value());
+    }
+
+    /**
+     * Plays the trial to its end in this thread.
+     *
+     * @param seconds simulated time of the trial
+     * @param seed what is left to chance
+     * @param contender makes the performer of each challenged robot when it enters
+     * @param audience sees each cycle
+     * @param recording where a recording of the trial goes
+     */
+    default void play(
+            double seconds,
+            long seed,
+            Supplier<? extends Performer> contender,
+            Audience audience,
+            RecordingTarget recording) {
+        Function<RobotStart, Performer> cast =
+                robot -> robot.team().equals(RobotStart.TEAM) ? contender.get() : Performer.ofSpeeds();
+        try (Trial trial = Trial.observed(scene(new Chance(seed)), seed, audience, recording, cast)) {
+            begin(trial);
+            trial.with(this).run(seconds, this);
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package org.robonewbie.trial;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.jspecify.annotations.Nullable;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.FootForces;
+import org.robonewbie.protocol.perceptor.GameState;
+import org.robonewbie.protocol.perceptor.JointAngles;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
+import org.robonewbie.protocol.perceptor.Vision;
+import org.robonewbie.simulator.world.Robot;
+
+/**
+ * Readings taken from the world itself. Single values are rounded as messages round them; the whole message is written and read
+ * as on its way to an agent, but only if a performer asks for it.
+ */
+final class DirectReadings implements SensorReadings {
+
+    private final JointAngles angles;
+    private final Vector3 gyro;
+    private final Vector3 acceleration;
+    private final FootForces feet;
+    private final GameState game;
+    private final Optional<Vision> picture;
+    private @Nullable TextReadings whole;
+
+    DirectReadings(Robot robot, DirectWorld world, boolean seeing) {
+        angles = angles(robot);
+        gyro = robot.gyroDegreesPerSecond();
+        acceleration = robot.acceleration();
+        feet = robot.footForces();
+        OptionalInt untold = OptionalInt.empty();
+        game = new GameState(untold, Optional.empty(), untold, untold, world.seconds(), world.playModeName());
+        picture = seeing ? world.picture(robot) : Optional.empty();
+    }
+
+    private static JointAngles angles(Robot robot) {
+        double[] degrees = new double[Joint.COUNT];
+        for (Joint joint : Joint.values()) {
+            degrees[joint.ordinal()] = robot.jointDegrees(joint);
+        }
+        return JointAngles.of(degrees, List.of());
+    }
+
+    @Override
+    public double degrees(Joint joint) {
+        return PerceptorMessageWriter.rounded(angles.degreesOr(joint, 0));
+    }
+
+    @Override
+    public Vector3 gyro() {
+        return rounded(gyro);
+    }
+
+    @Override
+    public Vector3 acceleration() {
+        return rounded(acceleration);
+    }
+
+    @Override
+    public PerceptorMessage message() {
+        return whole().message();
+    }
+
+    @Override
+    public MessageBuffer text() {
+        return whole().text();
+    }
+
+    private TextReadings whole() {
+        TextReadings written = whole == null ? new TextReadings(written()) : whole;
+        whole = written;
+        return written;
+    }
+
+    private MessageBuffer written() {
+        MessageBuffer text = new MessageBuffer();
+        new PerceptorMessageWriter(text)
+                .write(new PerceptorMessage(
+                        OptionalDouble.of(game.playSeconds()),
+                        Optional.of(game),
+                        List.of(),
+                        Optional.of(gyro),
+                        Optional.of(acceleration),
+                        angles,
+                        feet,
+                        picture));
+        return text;
+    }
+
+    private static Vector3 rounded(Vector3 reading) {
+        return new Vector3(
+                PerceptorMessageWriter.rounded(reading.x()),
+                PerceptorMessageWriter.rounded(reading.y()),
+                PerceptorMessageWriter.rounded(reading.z()));
+    }
+}

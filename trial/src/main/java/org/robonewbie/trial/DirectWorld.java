@@ -1,0 +1,109 @@
+package org.robonewbie.trial;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.model.Hinge;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
+import org.robonewbie.protocol.effector.EffectorMessageWriter;
+import org.robonewbie.protocol.perceptor.Vision;
+import org.robonewbie.simulator.cycle.SteppedSimulator;
+import org.robonewbie.simulator.sensing.Camera;
+import org.robonewbie.simulator.sensing.CameraSettings;
+import org.robonewbie.simulator.sensing.VisiblePlayer;
+import org.robonewbie.simulator.soccer.Player;
+import org.robonewbie.simulator.state.WorldState;
+import org.robonewbie.simulator.world.Robot;
+
+/**
+ * The simulated world alone, stepped without messages and referee. As in a game, what a robot senses is one cycle old when it
+ * arrives, and its commands, in the precision in which messages carry them, act in the next step.
+ */
+final class DirectWorld implements World {
+
+    private final SteppedSimulator simulator;
+    private final CameraSettings cameraSettings;
+    private SplittableRandom random;
+    private final Map<Robot, Camera> cameras = new HashMap<>();
+    private final Map<Robot, Map<String, Integer>> hinges = new HashMap<>();
+    private Optional<WorldState> beginning = Optional.empty();
+    private long cycles;
+
+    DirectWorld(SteppedSimulator simulator, boolean noise, long seed) {
+        this.simulator = simulator;
+        this.cameraSettings = CameraSettings.STANDARD.withLines(false).withNoise(noise);
+        this.random = new SplittableRandom(seed);
+    }
+
+    @Override
+    public void cycle(List<TrialBody> bodies) {
+        for (TrialBody body : bodies) {
+            body.commands().forEach(command -> execute(body.robot(), command));
+            body.setReadings(
+                    new DirectReadings(body.robot(), this, body.performer().readsMessages()));
+        }
+        simulator.world().step();
+        cycles++;
+    }
+
+    @Override
+    public void keep() {
+        beginning = Optional.of(simulator.world().save());
+        cycles = 0;
+    }
+
+    @Override
+    public void reset(long seed) {
+        simulator.world().restore(beginning.orElseThrow());
+        random = new SplittableRandom(seed);
+        cameras.clear();
+        cycles = 0;
+    }
+
+    private void execute(Robot robot, EffectorCommand command) {
+        if (command instanceof SetHingeSpeed speed) {
+            Integer hinge = hinges.computeIfAbsent(robot, DirectWorld::hinges).get(speed.effectorName());
+            if (hinge != null) {
+                robot.setMotorSpeed(hinge, EffectorMessageWriter.rounded(speed.radiansPerSecond()));
+            }
+        }
+    }
+
+    private static Map<String, Integer> hinges(Robot robot) {
+        Map<String, Integer> byEffector = new HashMap<>();
+        List<Hinge> all = robot.model().hinges();
+        for (int i = 0; i < all.size(); i++) {
+            byEffector.put(all.get(i).effectorName(), i);
+        }
+        return byEffector;
+    }
+
+    double seconds() {
+        return cycles * Cycle.SECONDS;
+    }
+
+    String playModeName() {
+        return simulator.match().state().playMode().simSparkName();
+    }
+
+    /** What a robot sees in this cycle; as in a game there is a picture in each third one. */
+    Optional<Vision> picture(Robot robot) {
+        if (cycles % CameraSettings.CYCLES_PER_PICTURE != 0) {
+            return Optional.empty();
+        }
+        List<VisiblePlayer> players = new ArrayList<>();
+        Optional<Player> own = Optional.empty();
+        for (Player player : simulator.match().teams().players()) {
+            players.add(new VisiblePlayer(player.robot(), player.team().name(), player.number()));
+            own = player.robot() == robot ? Optional.of(player) : own;
+        }
+        Camera camera = cameras.computeIfAbsent(
+                robot, key -> new Camera(simulator.world().field(), cameraSettings, random.split()));
+        return Optional.of(camera.look(robot, simulator.world(), players, own.map(Player::side)));
+    }
+}

@@ -1,0 +1,43 @@
+package org.robonewbie.trial;
+
+import java.util.List;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.Interpolation;
+import org.robonewbie.nao.motion.JointStates;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.MotionPlayer;
+import org.robonewbie.nao.motion.Motors;
+import org.robonewbie.protocol.effector.EffectorCommand;
+
+/** Plays a motion as an agent does, and then holds the joints. */
+final class MotionPerformer implements Performer {
+
+    private final JointStates joints = new JointStates();
+    private final Motors motors = new Motors(joints);
+    private final MotionPlayer player;
+    private final JointSpeeds speeds = new JointSpeeds();
+
+    MotionPerformer(Motion motion) {
+        player = new MotionPlayer(motion, Interpolation.LINEAR);
+    }
+
+    @Override
+    public List<EffectorCommand> respond(SensorReadings readings) {
+        for (Joint joint : Joint.values()) {
+            joints.sense(joint, readings.degrees(joint));
+        }
+        player.step(motors);
+        motors.endCycle();
+        return speeds.commands(motors);
+    }
+
+    @Override
+    public boolean readsMessages() {
+        return false;
+    }
+
+    @Override
+    public boolean isFinished() {
+        return player.isFinished();
+    }
+}

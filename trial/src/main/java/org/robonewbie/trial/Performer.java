@@ -1,0 +1,114 @@
+package org.robonewbie.trial;
+
+import java.util.List;
+import java.util.function.Function;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.protocol.effector.EffectorCommand;
+
+/**
+ * What moves a robot in a {@link Trial}: an agent of this process, a program of another process,
+ * a motion, a walk, a policy or bare joint speeds.
+ *
+ * <p>A performer answers each cycle's sensor readings with commands. It keeps its own state, so each robot of each trial needs
+ * a performer of its own.
+ */
+@FunctionalInterface
+public interface Performer extends AutoCloseable {
+
+    /**
+     * Returns a performer for an agent of this process.
+     *
+     * @param agent the agent; its {@code main} and {@code defaults} have no effect
+     * @return the performer
+     */
+    static Performer ofAgent(Agent agent) {
+        return new AgentPerformer(agent);
+    }
+
+    /**
+     * Plays a motion once and then holds the joints.
+     *
+     * @param motion the motion
+     * @return the performer
+     */
+    static Performer ofMotion(Motion motion) {
+        return new MotionPerformer(motion);
+    }
+
+    /**
+     * Walks with one velocity, see {@link org.robonewbie.agent.walk.Walk#towards}.
+     *
+     * @param forwardMetresPerSecond speed ahead
+     * @param leftMetresPerSecond speed to the left
+     * @param turnDegreesPerSecond turning speed to the left
+     * @return the performer
+     */
+    static Performer ofWalk(double forwardMetresPerSecond, double leftMetresPerSecond, double turnDegreesPerSecond) {
+        return ofAgent(new WalkPerformer(forwardMetresPerSecond, leftMetresPerSecond, turnDegreesPerSecond));
+    }
+
+    /**
+     * Turns joints with speeds that depend on what the robot feels: joint angles, gyroscope and accelerometer. A policy that
+     * needs more implements this interface.
+     *
+     * @param policy calculates the speed of each joint in degrees per second, in the order of {@link
+     *     org.robonewbie.nao.Joint}
+     * @return the performer
+     */
+    static Performer ofPolicy(Function<SensorReadings, double[]> policy) {
+        return new PolicyPerformer(policy);
+    }
+
+    /**
+     * Turns joints with constant speeds.
+     *
+     * @param degreesPerSecond the speed of each joint in the order of {@link org.robonewbie.nao.Joint}; none for a robot that
+     *     holds still
+     * @return the performer
+     */
+    static Performer ofSpeeds(double... degreesPerSecond) {
+        double[] copy = JointSpeeds.checked(degreesPerSecond);
+        return ofPolicy(readings -> copy);
+    }
+
+    /**
+     * Sets the performer's identity, before anything else.
+     *
+     * @param team its team
+     * @param number its number
+     * @param side the half of its team
+     */
+    default void introduce(String team, int number, TeamSide side) {}
+
+    /**
+     * Passes on what the robot senses before the trial begins, so that programs of other processes can join the game. Their
+     * answers are ignored.
+     *
+     * @param readings what the robot senses
+     */
+    default void awake(SensorReadings readings) {}
+
+    /**
+     * Answers the readings of one cycle.
+     *
+     * @param readings what the robot senses
+     * @return what the robot does
+     */
+    List<EffectorCommand> respond(SensorReadings readings);
+
+    /** {@return whether the performer reads whole messages with pictures; without them a direct trial is faster} */
+    default boolean readsMessages() {
+        return true;
+    }
+
+    /** {@return whether the performance is over; performers without an end never finish} */
+    default boolean isFinished() {
+        return false;
+    }
+
+    /** Sends the performer away. */
+    @Override
+    default void close() {}
+}

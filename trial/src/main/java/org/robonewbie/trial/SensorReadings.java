@@ -1,0 +1,30 @@
+package org.robonewbie.trial;
+
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+
+/** What a robot senses in one cycle, in the precision that messages carry. Valid until the next cycle. */
+public interface SensorReadings {
+
+    /**
+     * Reads a joint's angle.
+     *
+     * @param joint the joint
+     * @return degrees, in hundredths
+     */
+    double degrees(Joint joint);
+
+    /** {@return the angular velocity of the torso in degrees per second, about SimSpark's axes: right, forward, up} */
+    Vector3 gyro();
+
+    /** {@return the acceleration that the torso feels in metres per second squared, along SimSpark's axes: right, forward, up} */
+    Vector3 acceleration();
+
+    /** {@return the whole message, as an agent gets it} */
+    PerceptorMessage message();
+
+    /** {@return the text of the message, as it is sent} */
+    MessageBuffer text();
+}

@@ -1,0 +1,355 @@
+package org.robonewbie.trial;
+
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.cycle.SteppedSimulator;
+import org.robonewbie.simulator.cycle.WorldSettings;
+import org.robonewbie.simulator.recording.RecordingTarget;
+import org.robonewbie.simulator.soccer.MatchState;
+import org.robonewbie.simulator.world.Ball;
+import org.robonewbie.simulator.world.Robot;
+
+/**
+ * Robots that try something: a {@link Scene}, a {@link Performer} for each of its robots, and a seed. Equal trials run equally,
+ * to the bit; the world waits for every performer.
+ *
+ * <pre>{@code
+ * try (Trial trial = Trial.direct(Scene.of(RobotStart.at(-3, 0)), 1, Performer.ofMotion(kick))) {
+ *     Measure kick = new KickDistance();
+ *     trial.run(10, kick);
+ *     double metres = kick.value();
+ * }
+ * }</pre>
+ *
+ * <p>In a <em>served</em> trial robots exchange messages with a whole simulator, and the referee watches. In a <em>direct</em>
+ * trial they join in the same way, and then only the physics continues: faster, but without referee and without hearing.
+ * Without noise both give the same robot. Not thread-safe.
+ */
+public final class Trial implements AutoCloseable {
+
+    private static final double TORSO_METRES = 0.39;
+
+    /** A robot appears in the first cycle and gets a message after the third. */
+    private static final int CYCLES_TO_APPEAR = 3;
+
+    private static final int CYCLES_TO_SETTLE = 25;
+
+    /** A program needs 17 messages to begin: these in which it learns its number, and others in which it settles. */
+    private static final int CYCLES_TO_JOIN = 3;
+
+    private static final int CYCLES_TO_WAKE = 14;
+
+    private static final int CYCLES_TO_REST = 5;
+
+    private final Scene scene;
+    private final SteppedSimulator simulator;
+    private final Audience audience;
+    private final List<TrialBody> bodies = new ArrayList<>();
+    private World world;
+    private List<SensorReadings> firstReadings = List.of();
+    private Script script = trial -> {};
+    private long cycles;
+
+    private Trial(Scene scene, long seed, Audience audience, RecordingTarget recording) {
+        this.scene = scene;
+        this.audience = audience;
+        WorldSettings settings = WorldSettings.beginner()
+                .withParameters(scene.parameters())
+                .withNoise(scene.noise())
+                .withSeed(seed);
+        simulator = SteppedSimulator.start(settings, recording, Console.silent());
+        world = new ServedWorld(simulator);
+    }
+
+    /**
+     * Begins a trial with a whole simulator.
+     *
+     * @param scene where it begins
+     * @param seed chooses all noise
+     * @param performers who moves each robot of the scene
+     * @return the trial at its beginning
+     */
+    public static Trial served(Scene scene, long seed, Performer... performers) {
+        Iterator<Performer> all = each(scene, performers);
+        return observed(scene, seed, Audience.NOBODY, RecordingTarget.NONE, start -> all.next());
+    }
+
+    /**
+     * Begins a trial with a whole simulator, for those who watch or record it.
+     *
+     * @param scene where it begins
+     * @param seed chooses all noise
+     * @param audience sees each cycle
+     * @param recording where a recording of the trial goes
+     * @param cast chooses who moves a robot when it enters
+     * @return the trial at its beginning
+     */
+    public static Trial observed(
+            Scene scene,
+            long seed,
+            Audience audience,
+            RecordingTarget recording,
+            Function<RobotStart, ? extends Performer> cast) {
+        Trial trial = new Trial(scene, seed, audience, recording);
+        trial.begin(cast, trial.world);
+        return trial;
+    }
+
+    /**
+     * Begins a trial in the physical world alone.
+     *
+     * @param scene where it begins
+     * @param seed chooses all noise
+     * @param performers who moves each robot of the scene
+     * @return the trial at its beginning
+     */
+    public static Trial direct(Scene scene, long seed, Performer... performers) {
+        Iterator<Performer> all = each(scene, performers);
+        Trial trial = new Trial(scene, seed, Audience.NOBODY, RecordingTarget.NONE);
+        trial.begin(start -> all.next(), new DirectWorld(trial.simulator, scene.noise(), seed));
+        return trial;
+    }
+
+    private static Iterator<Performer> each(Scene scene, Performer... performers) {
+        if (performers.length != scene.robots().size()) {
+            throw new IllegalArgumentException(performers.length + " performers for "
+                    + scene.robots().size() + " robots. Give one performer for each robot of the scene.");
+        }
+        return List.of(performers).iterator();
+    }
+
+    private void begin(Function<RobotStart, ? extends Performer> cast, World played) {
+        try {
+            for (RobotStart start : scene.robots()) {
+                enter(start, cast.apply(start));
+            }
+            scene.ball().ifPresent(this::placeBall);
+            world = played;
+            bodies.forEach(this::playPrelude);
+            cycles = 0;
+            world.keep();
+            firstReadings = bodies.stream().map(TrialBody::readings).toList();
+        } catch (RuntimeException | Error failure) {
+            close();
+            throw failure;
+        }
+    }
+
+    /** Admits a robot and moves it to its place, where it settles with all joints at 0. */
+    private void enter(RobotStart start, Performer performer) {
+        AgentLink link = simulator.connect();
+        TrialBody.create(link, start.type());
+        for (int i = 0; i < CYCLES_TO_APPEAR; i++) {
+            exchange();
+        }
+        TrialBody body =
+                new TrialBody(link, start, simulator.world().robots().get(bodies.size()), introduced(start, performer));
+        bodies.add(body);
+        body.join();
+        exchange();
+        simulator.match().setPlayMode(PlayMode.PLAY_ON);
+        move(body, start.place());
+        for (int i = 0; i < CYCLES_TO_SETTLE; i++) {
+            if (i < CYCLES_TO_JOIN || i >= CYCLES_TO_SETTLE - CYCLES_TO_WAKE) {
+                performer.awake(body.readings());
+            }
+            exchange();
+        }
+    }
+
+    private Performer introduced(RobotStart start, Performer performer) {
+        boolean first = start.team().equals(scene.robots().get(0).team());
+        performer.introduce(start.team(), start.number(), first ? TeamSide.LEFT : TeamSide.RIGHT);
+        return performer;
+    }
+
+    /** Plays the first motions of one robot while the others hold still. */
+    private void playPrelude(TrialBody body) {
+        Performer own = body.performer();
+        for (Motion motion : body.start().prelude()) {
+            Performer player = Performer.ofMotion(motion);
+            body.setPerformer(player);
+            do {
+                perform(body);
+            } while (!player.isFinished());
+            for (int i = 0; i < CYCLES_TO_REST; i++) {
+                perform(body);
+            }
+        }
+        body.setPerformer(own);
+    }
+
+    private void perform(TrialBody only) {
+        bodies.forEach(TrialBody::idle);
+        only.perform();
+        cycle();
+    }
+
+    private void exchange() {
+        bodies.forEach(TrialBody::idle);
+        cycle();
+    }
+
+    private void cycle() {
+        world.cycle(bodies);
+        audience.cycleEnded(this);
+    }
+
+    /**
+     * Runs all performers and the world for one cycle.
+     *
+     * @return the true state afterwards
+     */
+    public Moment step() {
+        bodies.forEach(TrialBody::perform);
+        cycles++;
+        cycle();
+        script.act(this);
+        return now();
+    }
+
+    /**
+     * Returns to the beginning, with robots and ball where they were then: much faster than a new trial. Only direct trials can
+     * do this.
+     *
+     * @param seed chooses all noise from now on
+     * @param performers who moves each robot from now on
+     */
+    public void reset(long seed, Performer... performers) {
+        Iterator<Performer> all = each(scene, performers);
+        world.reset(seed);
+        script = trial -> {};
+        cycles = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            TrialBody body = bodies.get(i);
+            body.setPerformer(introduced(body.start(), all.next()));
+            body.setReadings(firstReadings.get(i));
+        }
+    }
+
+    /**
+     * Adds a script for what no performer does, such as pushes or a shot.
+     *
+     * @param newScript acts after each cycle from now on
+     * @return this trial
+     */
+    public Trial with(Script newScript) {
+        script = newScript;
+        return this;
+    }
+
+    /**
+     * Goes on until the time is over or a measure is decided. Each call shows the measures the present moment first.
+     *
+     * @param seconds the time of the trial, counted from its beginning
+     * @param measures what it is watched for
+     */
+    public void run(double seconds, Measure... measures) {
+        List<Measure> all = List.of(measures);
+        Moment beginning = now();
+        all.forEach(measure -> measure.see(beginning));
+        while (seconds() < seconds && all.stream().noneMatch(Measure::isDecided)) {
+            Moment moment = step();
+            all.forEach(measure -> measure.see(moment));
+        }
+    }
+
+    /** {@return what is true now} */
+    public Moment now() {
+        MatchState game = simulator.match().state();
+        return new Moment(
+                seconds(),
+                bodies.stream().map(body -> body.robot().body()).toList(),
+                ball().position(),
+                ball().velocity(),
+                game.playMode(),
+                game.score(TeamSide.LEFT),
+                game.score(TeamSide.RIGHT));
+    }
+
+    /** {@return simulated seconds since the trial began} */
+    public double seconds() {
+        return cycles * Cycle.SECONDS;
+    }
+
+    /** {@return the ball, to be moved or looked at} */
+    public Ball ball() {
+        return simulator.world().ball();
+    }
+
+    /**
+     * Returns a robot, to push it or to look closer.
+     *
+     * @param index its index in the scene
+     * @return the robot in the simulated world
+     */
+    public Robot robot(int index) {
+        return bodies.get(index).robot();
+    }
+
+    /**
+     * Places the ball on the ground at rest.
+     *
+     * @param place where to; its height does not matter
+     */
+    public void placeBall(Vector3 place) {
+        ball().place(new Vector3(place.x(), place.y(), ball().properties().radius()));
+    }
+
+    /**
+     * Moves a robot, upright, with its joints as they are.
+     *
+     * @param index its index in the scene
+     * @param place where to
+     */
+    public void moveRobot(int index, Place place) {
+        move(bodies.get(index), place);
+    }
+
+    private static void move(TrialBody body, Place place) {
+        body.robot().moveUpright(new Vector3(place.x(), place.y(), TORSO_METRES), place.degrees() - 90);
+        body.robot().wake();
+    }
+
+    /**
+     * Listens to a robot.
+     *
+     * @param index its index in the scene
+     * @return what it has said in this cycle; empty if it was silent
+     */
+    public Optional<String> said(int index) {
+        return bodies.get(index).commands().stream()
+                .filter(EffectorCommand.Say.class::isInstance)
+                .map(say -> ((EffectorCommand.Say) say).text())
+                .findFirst();
+    }
+
+    /**
+     * Takes a snapshot of the world for an audience.
+     *
+     * @param paused whether the world is paused
+     * @param speed simulated seconds per second
+     * @return the present state
+     */
+    public WorldSnapshot snapshot(boolean paused, double speed) {
+        return simulator.snapshot(paused, speed);
+    }
+
+    @Override
+    public void close() {
+        bodies.forEach(TrialBody::close);
+        simulator.close();
+    }
+}

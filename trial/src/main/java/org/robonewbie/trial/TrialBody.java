@@ -1,0 +1,131 @@
+package org.robonewbie.trial;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.List;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorMessageWriter;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.simulator.world.Robot;
+
+/** One robot of a trial: its connection to the simulator, its body in the world, and who moves it. */
+final class TrialBody {
+
+    private static final String SCENE = "rsg/agent/nao/nao.rsg";
+    private static final String SCENE_OF_TYPE = "rsg/agent/nao/nao_hetero.rsg";
+
+    private final AgentLink link;
+    private final RobotStart start;
+    private final MessageBuffer received = new MessageBuffer();
+    private final MessageBuffer answer = new MessageBuffer();
+    private final EffectorMessageWriter writer = new EffectorMessageWriter(answer);
+    private final Robot robot;
+    private Performer performer;
+    private SensorReadings readings = new TextReadings(received);
+    private List<EffectorCommand> commands = List.of();
+
+    /** Takes over a connection whose robot has just appeared. */
+    TrialBody(AgentLink link, RobotStart start, Robot robot, Performer performer) {
+        this.link = link;
+        this.start = start;
+        this.robot = robot;
+        this.performer = performer;
+        receive();
+    }
+
+    /** Asks for a robot. */
+    static void create(AgentLink link, RobotType type) {
+        MessageBuffer message = new MessageBuffer();
+        EffectorMessageWriter writer = new EffectorMessageWriter(message);
+        if (type == RobotType.TYPE_0) {
+            writer.createRobot(SCENE, List.of());
+        } else {
+            writer.createRobot(SCENE_OF_TYPE, List.of(Integer.toString(type.ordinal())));
+        }
+        writer.synchronise();
+        send(link, message);
+    }
+
+    RobotStart start() {
+        return start;
+    }
+
+    Robot robot() {
+        return robot;
+    }
+
+    Performer performer() {
+        return performer;
+    }
+
+    void setPerformer(Performer other) {
+        performer = other;
+    }
+
+    SensorReadings readings() {
+        return readings;
+    }
+
+    void setReadings(SensorReadings others) {
+        readings = others;
+    }
+
+    /** What the performer has commanded in this cycle. */
+    List<EffectorCommand> commands() {
+        return commands;
+    }
+
+    /** Sends the performer's answer to the last readings; beams are ignored in a trial. */
+    void perform() {
+        commands = performer.respond(readings).stream()
+                .filter(command -> !(command instanceof EffectorCommand.Synchronise))
+                .filter(command -> !(command instanceof EffectorCommand.Beam))
+                .toList();
+    }
+
+    void idle() {
+        commands = List.of();
+    }
+
+    void join() {
+        writer.joinTeam(start.number(), start.team());
+    }
+
+    /** Sends the commands of this cycle to the simulator. */
+    void send() {
+        commands.forEach(writer::write);
+        writer.synchronise();
+        send(link, answer);
+        answer.clear();
+    }
+
+    void receive() {
+        try {
+            if (!link.receive(received)) {
+                throw new IllegalStateException("The simulator has sent a robot of the trial away.");
+            }
+            readings = new TextReadings(received);
+        } catch (IOException broken) {
+            throw unanswered(broken);
+        }
+    }
+
+    void close() {
+        link.close();
+        performer.close();
+    }
+
+    private static void send(AgentLink link, MessageBuffer message) {
+        try {
+            link.send(message);
+        } catch (IOException broken) {
+            throw unanswered(broken);
+        }
+    }
+
+    static UncheckedIOException unanswered(IOException broken) {
+        return new UncheckedIOException("The simulator of the trial does not answer.", broken);
+    }
+}

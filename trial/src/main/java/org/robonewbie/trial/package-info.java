@@ -1,0 +1,15 @@
+/**
+ * Robots that try something, and the truth about what comes of it: the one machine behind exercises, contests, learning and
+ * measurements. Read {@link org.robonewbie.trial.Trial} first. A trial, a motion and two measures:
+ *
+ * <pre>{@code
+ * Scene scene = Scene.of(RobotStart.at(-3, 0).after(stand)).withBall(-2.8, 0.04);
+ * try (Trial trial = Trial.direct(scene, seed, Performer.ofMotion(motion))) {
+ *     Measure kick = new KickDistance();
+ *     trial.run(10, kick, new Upright());
+ *     return kick.value();
+ * }
+ * }</pre>
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.trial;

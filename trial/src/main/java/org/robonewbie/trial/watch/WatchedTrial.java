@@ -1,0 +1,157 @@
+package org.robonewbie.trial.watch;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.trial.Audience;
+import org.robonewbie.trial.Trial;
+
+/**
+ * A trial that is watched: it runs in real time, and the clock can be stopped. Ball and robots cannot be moved, since the trial
+ * counts.
+ */
+public final class WatchedTrial implements SimulationControl, Audience {
+
+    private static final long REPORT_MILLISECONDS = 100;
+    private static final double SLOWEST = 0.1;
+    private static final long MOST_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
+
+    private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Condition changed = lock.newCondition();
+    private double speed = 1;
+    private boolean paused;
+    private boolean over;
+    private int steps;
+    private long nextCycleNanos;
+    private Optional<WorldSnapshot> last = Optional.empty();
+
+    /** Creates the view of a trial that has not begun. */
+    public WatchedTrial() {}
+
+    /**
+     * Creates the view of the next trial, with the speed that people have chosen for the one before.
+     *
+     * @return the view of a trial that has not begun
+     */
+    public WatchedTrial next() {
+        WatchedTrial next = new WatchedTrial();
+        change(() -> next.speed = speed);
+        return next;
+    }
+
+    /** Ends the waiting, so that the trial comes to its end at once; the last picture stays. */
+    public void leave() {
+        change(() -> {
+            over = true;
+            last = last.map(WatchedTrial::stopped);
+        });
+        last.ifPresent(picture -> observers.forEach(observer -> observer.cycleEnded(picture)));
+    }
+
+    @Override
+    public void cycleEnded(Trial trial) {
+        lock.lock();
+        try {
+            steps = Math.max(0, steps - 1);
+            if (!over) {
+                tell(trial);
+                keepPace(trial);
+            }
+        } catch (InterruptedException stop) {
+            over = true;
+            Thread.currentThread().interrupt();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void tell(Trial trial) {
+        WorldSnapshot picture = trial.snapshot(isHeld(), speed);
+        last = Optional.of(picture);
+        observers.forEach(observer -> observer.cycleEnded(picture));
+    }
+
+    private boolean isHeld() {
+        return paused && steps == 0;
+    }
+
+    private void keepPace(Trial trial) throws InterruptedException {
+        while (isHeld() && !over) {
+            boolean asked = changed.await(REPORT_MILLISECONDS, TimeUnit.MILLISECONDS);
+            if (!asked) {
+                tell(trial);
+            }
+        }
+        if (speed == AS_FAST_AS_POSSIBLE) {
+            return;
+        }
+        long now = System.nanoTime();
+        nextCycleNanos = Math.max(nextCycleNanos + (long) (Cycle.SECONDS / speed * 1e9), now - MOST_DELAY_NANOS);
+        for (long rest = nextCycleNanos - now;
+                rest > 0 && !over && !paused;
+                rest = nextCycleNanos - System.nanoTime()) {
+            changed.awaitNanos(rest);
+        }
+    }
+
+    private static WorldSnapshot stopped(WorldSnapshot picture) {
+        return picture.withPace(true, picture.speed(), picture.realTimeFactor());
+    }
+
+    private void change(Runnable deed) {
+        lock.lock();
+        try {
+            deed.run();
+            nextCycleNanos = System.nanoTime();
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    @Override
+    public SoccerField field() {
+        return SoccerField.BEGINNER;
+    }
+
+    @Override
+    public void order(Order order) {
+        if (order instanceof Order.Pause) {
+            hold(0);
+        } else if (order instanceof Order.Resume) {
+            change(() -> paused = false);
+        } else if (order instanceof Order.Step step) {
+            hold(step.cycles());
+        } else if (order instanceof Order.SetSpeed set) {
+            change(() -> speed = Math.max(SLOWEST, set.factor()));
+        }
+    }
+
+    private void hold(int cycles) {
+        change(() -> {
+            paused = true;
+            steps = cycles;
+        });
+    }
+
+    @Override
+    public void addObserver(SimulationObserver observer) {
+        observers.add(observer);
+        last.ifPresent(observer::cycleEnded);
+    }
+
+    @Override
+    public void removeObserver(SimulationObserver observer) {
+        observers.remove(observer);
+    }
+}
