@@ -13,6 +13,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Results;
 import org.robonewbie.competition.contest.TrialResult;
+import org.robonewbie.competition.team.TeamFolder;
 import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.competition.trial.TrialFiles;
 import org.robonewbie.nao.file.AtomicFile;
@@ -46,8 +47,8 @@ public final class ResultFolder implements Results, AutoCloseable {
         for (String part : new String[] {"trials", "recordings", "logs", "work", "certificates"}) {
             Files.createDirectories(folder.resolve(part));
         }
-        FileChannel channel =
-                FileChannel.open(folder.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        FileChannel channel = FileChannel.open(
+                folder.resolve(TeamFolder.RESULTS_LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
         FileLock lock;
         try {
             lock = channel.tryLock();

@@ -14,8 +14,14 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** What counts of a team's folder: all files but those that tools have made and those that are hidden. */
-final class TeamFolder {
+/**
+ * What counts of a team's folder: all files but those that tools have made, those that are hidden, and the results of contests,
+ * which change while the team plays.
+ */
+public final class TeamFolder {
+
+    /** A file in each folder of results. */
+    public static final String RESULTS_LOCK = "competition.lock";
 
     private static final Set<String> MADE_BY_TOOLS =
             Set.of("target", "build", "out", "bin", "node_modules", "__pycache__");
@@ -32,7 +38,10 @@ final class TeamFolder {
             @Override
             public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
                 String name = String.valueOf(folder.getFileName());
-                boolean left = !folder.equals(place) && (name.startsWith(".") || MADE_BY_TOOLS.contains(name));
+                boolean left = !folder.equals(place)
+                        && (name.startsWith(".")
+                                || MADE_BY_TOOLS.contains(name)
+                                || Files.exists(folder.resolve(RESULTS_LOCK)));
                 return left ? FileVisitResult.SKIP_SUBTREE : FileVisitResult.CONTINUE;
             }
 

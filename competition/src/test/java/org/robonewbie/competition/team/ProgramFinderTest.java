@@ -36,6 +36,18 @@ class ProgramFinderTest {
         assertThat(((TeamProgram.OfJava) program).mainClasses()).containsEntry(Role.MAIN, "Striker");
     }
 
+    /** A team that plays from the folder in which it has its program would else copy results that are being written. */
+    @Test
+    void resultsOfContestsInTheFolderOfATeamAreNoPartOfIt() throws IOException {
+        write("red/Striker.java", AGENT.formatted("Striker"));
+        TeamProgram before = find("Red=red");
+        write("red/results/" + TeamFolder.RESULTS_LOCK, "");
+        write("red/results/work/walk-Red/Striker.java", "this does not compile");
+
+        assertThat(TeamFolder.filesOf(folder.resolve("red"))).containsExactly(folder.resolve("red/Striker.java"));
+        assertThat(find("Red=red").fingerprint()).isEqualTo(before.fingerprint());
+    }
+
     @Test
     void mavenProjectIsCompiledWithoutMaven() throws IOException {
         write("red/pom.xml", "<project/>");
