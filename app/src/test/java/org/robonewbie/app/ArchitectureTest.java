@@ -91,6 +91,7 @@ class ArchitectureTest {
                     "org.robonewbie.simulator.."
                 }),
                 Arguments.of("studio", new String[] {
+                    "org.robonewbie.trial..",
                     "org.robonewbie.nao..",
                     "org.robonewbie.protocol..",
                     "org.robonewbie.simulator..",

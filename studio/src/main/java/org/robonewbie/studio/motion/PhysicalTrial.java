@@ -4,10 +4,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 
 /**
  * What happens when a real body plays a motion: where torso and joints were in every second cycle, and whether it fell.
@@ -24,8 +32,11 @@ record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
 
     private static final int POSE_NUMBERS = 7;
     private static final int LONGEST_MILLIS = 60_000;
-    private static final double SETTLE_SECONDS = 0.4;
+    private static final int SETTLE_MILLIS = 400;
+    private static final int LIE_MILLIS = 2000;
     private static final double LOOK_ON_SECONDS = 1;
+    private static final Place ALONG_THE_Y_AXIS = new Place(0, 0, 90);
+    private static final Vector3 BALL_ASIDE = new Vector3(-5, -3.5, 0);
 
     /** How the robot is before the motion. */
     enum Start {
@@ -50,23 +61,37 @@ record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
             throw new RefusedException(
                     400, "The motion takes " + motion.durationMillis() / 1000 + " s. A trial takes at most 60 s.");
         }
-        TrialRobot robot = new TrialRobot();
-        prepare(robot, start);
-        Watch watch = new Watch(robot.body(), start == Start.STANDING);
-        watch.look();
-        robot.play(motion, watch::look);
-        robot.hold(LOOK_ON_SECONDS, watch::look);
-        return new PhysicalTrial(watch.frames, watch.fall);
+        try (Performer player = Performer.ofMotion(motion);
+                Trial trial = Trial.direct(scene(start), 0, player)) {
+            Watch watch = new Watch(trial.robot(0), start == Start.STANDING);
+            watch.look();
+            while (!player.isFinished()) {
+                trial.step();
+                watch.look();
+            }
+            double end = trial.seconds() + LOOK_ON_SECONDS;
+            while (trial.seconds() < end) {
+                trial.step();
+                watch.look();
+            }
+            return new PhysicalTrial(watch.frames, watch.fall);
+        }
     }
 
-    private static void prepare(TrialRobot robot, Start start) {
-        Runnable nothing = () -> {};
-        robot.play(ShippedMotions.motion("stand"), nothing);
-        robot.hold(SETTLE_SECONDS, nothing);
+    private static Scene scene(Start start) {
+        List<Motion> prelude = new ArrayList<>(thenStill(ShippedMotions.motion("stand"), SETTLE_MILLIS));
         if (start != Start.STANDING) {
-            robot.play(ShippedMotions.motion(start == Start.BACK ? "fall-back" : "fall-forward"), nothing);
-            robot.hold(2 * LOOK_ON_SECONDS, nothing);
+            String fall = start == Start.BACK ? "fall-back" : "fall-forward";
+            prelude.addAll(thenStill(ShippedMotions.motion(fall), LIE_MILLIS));
         }
+        return Scene.of(RobotStart.at(ALONG_THE_Y_AXIS).after(prelude.toArray(Motion[]::new)))
+                .withBall(BALL_ASIDE)
+                .withoutNoise();
+    }
+
+    private static List<Motion> thenStill(Motion motion, int millis) {
+        Posture last = motion.keyframes().get(motion.keyframes().size() - 1).posture();
+        return List.of(motion, new Motion("still", List.of(new Keyframe(millis, last))));
     }
 
     /** Notes what the body does. */
