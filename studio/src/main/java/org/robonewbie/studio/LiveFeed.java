@@ -54,7 +54,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private long lastWakeNanos = System.nanoTime() - SEND_INTERVAL_NANOS;
 
     private @Nullable WorldSnapshot written;
-    private @Nullable Scene scene;
+    private @Nullable LineUp scene;
     private int sceneRevision;
     private String sceneJson = "";
     private ByteBuffer frame = ByteBuffer.allocate(0);
@@ -158,7 +158,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
 
     private void handOnEvents() {
         for (MatchEvent event = events.poll(); event != null; event = events.poll()) {
-            String json = SceneWriter.event(event);
+            String json = LineUpWriter.event(event);
             spectators.forEach(spectator -> spectator.tell(json));
         }
     }
@@ -215,11 +215,11 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         if (snapshot.equals(written)) {
             return;
         }
-        Scene current = Scene.of(simulation, puppets, snapshot);
+        LineUp current = LineUp.of(simulation, puppets, snapshot);
         if (!current.equals(scene)) {
             scene = current;
             sceneRevision = (sceneRevision + 1) & 0xffff;
-            sceneJson = SceneWriter.write(current, sceneRevision);
+            sceneJson = LineUpWriter.write(current, sceneRevision);
         }
         frame = StateFrame.write(snapshot, sceneRevision);
         written = snapshot;

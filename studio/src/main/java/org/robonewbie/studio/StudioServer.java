@@ -18,11 +18,11 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.studio.course.Course;
-import org.robonewbie.studio.course.CourseRoom;
-import org.robonewbie.studio.motion.MotionRoom;
-import org.robonewbie.studio.replay.ReplayRoom;
+import org.robonewbie.studio.course.CourseApi;
+import org.robonewbie.studio.motion.MotionApi;
+import org.robonewbie.studio.replay.ReplayApi;
 import org.robonewbie.studio.replay.RunNotes;
-import org.robonewbie.studio.scene.SceneRoom;
+import org.robonewbie.studio.scene.SceneApi;
 import org.robonewbie.studio.search.SearchBoard;
 import org.robonewbie.studio.search.SearchSpectator;
 
@@ -152,11 +152,10 @@ public final class StudioServer implements Viewer.View {
     }
 
     private static Handler rooms(LiveFeed feed, StudioFolders folders, Optional<Course> course, WebFiles files) {
-        MotionRoom motionRoom = new MotionRoom(folders.motions(), SceneWriter.model(NaoModel.of(RobotType.TYPE_0)));
-        ReplayRoom replayRoom =
-                new ReplayRoom(folders.recordings(), folders.openedRecording(), SceneWriter.allModels());
-        SceneRoom sceneRoom = new SceneRoom(folders.scenes(), new Continuation(feed), replayRoom::recording);
-        return new Handler.Sequence(new CourseRoom(course), sceneRoom, replayRoom, motionRoom, files);
+        MotionApi motionRoom = new MotionApi(folders.motions(), LineUpWriter.model(NaoModel.of(RobotType.TYPE_0)));
+        ReplayApi replayRoom = new ReplayApi(folders.recordings(), folders.openedRecording(), LineUpWriter.allModels());
+        SceneApi sceneRoom = new SceneApi(folders.scenes(), new Continuation(feed), replayRoom::recording);
+        return new Handler.Sequence(new CourseApi(course), sceneRoom, replayRoom, motionRoom, files);
     }
 
     private static void openPort(ServerConnector connector, int port) throws IOException {

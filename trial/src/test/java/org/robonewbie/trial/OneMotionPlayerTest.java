@@ -64,7 +64,9 @@ class OneMotionPlayerTest {
             agents.step();
             assertThat(degrees(agents)).as(motion.name()).isEqualTo(degrees(alone));
         }
-        assertThat(agents.robot(0).torso()).as(motion.name()).isEqualTo(alone.robot(0).torso());
+        assertThat(agents.robot(0).torso())
+                .as(motion.name())
+                .isEqualTo(alone.robot(0).torso());
     }
 
     /** One to three keyframes of 10 ms to 2 s, short ones as often as long ones, some beyond the joints' ranges. */

@@ -26,7 +26,7 @@ public final class AgentConnection implements Restorable {
     private final ServerLink link;
     private final boolean synchronous;
     private final boolean strict;
-    private final ComplaintBook complaints;
+    private final WarningLog warnings;
     private final EffectorMessageReader reader = new EffectorMessageReader();
     private final MessageBuffer incoming = new MessageBuffer();
     private final MessageBuffer outgoing = new MessageBuffer();
@@ -54,7 +54,7 @@ public final class AgentConnection implements Restorable {
         this.link = link;
         this.synchronous = synchronous;
         this.strict = strict;
-        this.complaints = new ComplaintBook(console, "The agent " + link.address());
+        this.warnings = new WarningLog(console, "The agent " + link.address());
     }
 
     /** {@return the simulator's end of the connection} */
@@ -70,7 +70,7 @@ public final class AgentConnection implements Restorable {
             if (received.length() < MAXIMUM_KEPT_BYTES) {
                 received.append(incoming);
             }
-            reader.read(incoming, this::take, this::complain);
+            reader.read(incoming, this::take, this::warn);
         }
     }
 
@@ -153,7 +153,7 @@ public final class AgentConnection implements Restorable {
             synchronised = false;
             answered = false;
         } else {
-            complain("slow", "does not read its messages fast enough; some are thrown away.");
+            warn("slow", "does not read its messages fast enough; some are thrown away.");
         }
     }
 
@@ -162,12 +162,12 @@ public final class AgentConnection implements Restorable {
         return unansweredMessages;
     }
 
-    void complain(String kind, String sentence) {
-        complaints.complain(kind, sentence);
+    void warn(String kind, String sentence) {
+        warnings.warn(kind, sentence);
     }
 
-    private void complain(String problem) {
-        complain(problem, "sent something that cannot be used. " + problem + ".");
+    private void warn(String problem) {
+        warn(problem, "sent something that cannot be used. " + problem + ".");
     }
 
     private void take(EffectorCommand command) {
@@ -177,7 +177,7 @@ public final class AgentConnection implements Restorable {
         } else if (commands.size() < MAXIMUM_COMMANDS) {
             commands.add(command);
         } else {
-            complain("flood", "sends more than " + MAXIMUM_COMMANDS + " commands in one cycle; the rest is ignored.");
+            warn("flood", "sends more than " + MAXIMUM_COMMANDS + " commands in one cycle; the rest is ignored.");
         }
     }
 

@@ -63,7 +63,7 @@ final class Effectors implements Restorable {
                 wantRobot(agent, create);
             } else if (agent.robot().isEmpty()) {
                 agent.connection()
-                        .complain(
+                        .warn(
                                 "no robot",
                                 "sent a command although it has no robot. Send (scene " + STANDARD_ROBOT
                                         + ") first and wait for a message.");
@@ -121,7 +121,7 @@ final class Effectors implements Restorable {
         if (agent.robot().isEmpty()) {
             agent.want(create);
         } else {
-            agent.connection().complain("second robot", "asked for a second robot; it keeps the first one.");
+            agent.connection().warn("second robot", "asked for a second robot; it keeps the first one.");
         }
     }
 
@@ -131,7 +131,7 @@ final class Effectors implements Restorable {
             if (hinges.get(i).effectorName().equals(command.effectorName())) {
                 if (Double.isNaN(command.radiansPerSecond())) {
                     agent.connection()
-                            .complain(
+                            .warn(
                                     "NaN " + command.effectorName(),
                                     "sent speed NaN for hinge " + command.effectorName()
                                             + ", which is ignored. Was something divided by zero?");
@@ -141,7 +141,7 @@ final class Effectors implements Restorable {
             }
         }
         agent.connection()
-                .complain(
+                .warn(
                         command.effectorName(),
                         "moves hinge " + command.effectorName() + ", which a robot of type "
                                 + robot.model().type().ordinal() + " does not have.");
@@ -171,15 +171,14 @@ final class Effectors implements Restorable {
         int type = robotType(create);
         if (type < 0) {
             agent.connection()
-                    .complain(
+                    .warn(
                             "scene",
                             "asked for the unknown robot \"" + create.path() + " "
                                     + String.join(" ", create.parameters()) + "\". There are " + STANDARD_ROBOT
                                     + " and "
                                     + TYPED_ROBOT + " with a type from 0 to 4.");
         } else if (world.robots().size() >= MAXIMUM_ROBOTS) {
-            agent.connection()
-                    .complain("crowd", "gets no robot, since there are " + MAXIMUM_ROBOTS + " robots already.");
+            agent.connection().warn("crowd", "gets no robot, since there are " + MAXIMUM_ROBOTS + " robots already.");
         } else {
             Vector3 place = freePlace(Robot.START_POSITION);
             Robot robot = world.addRobot(RobotType.values()[type]);
@@ -221,7 +220,7 @@ final class Effectors implements Restorable {
     private void join(ConnectedAgent agent, JoinTeam join) {
         if (agent.player().isPresent()) {
             agent.connection()
-                    .complain(
+                    .warn(
                             "init",
                             "wants to join again; it stays " + agent.player().get() + ".");
             match.teams().putToStart(agent.player().get());
@@ -231,7 +230,7 @@ final class Effectors implements Restorable {
         try {
             agent.join(match.teams().join(join.team(), join.number(), robot));
         } catch (JoinRefusedException e) {
-            agent.connection().complain(String.valueOf(e.getMessage()), "cannot join: " + e.getMessage() + ".");
+            agent.connection().warn(String.valueOf(e.getMessage()), "cannot join: " + e.getMessage() + ".");
             robot.moveUpright(freePlace(PLACE_OF_REFUSED), 0);
         }
     }
@@ -246,7 +245,7 @@ final class Effectors implements Restorable {
         double y = beam.yMetres() + spread(noise);
         double yaw = beam.headingDegrees() + spread(parameters.get(SoccerParameter.BEAM_NOISE_ANGLE));
         if (!Double.isFinite(x) || !Double.isFinite(y) || !Double.isFinite(yaw)) {
-            agent.connection().complain("beam", "wants to be beamed to " + beam + ", which is not a place.");
+            agent.connection().warn("beam", "wants to be beamed to " + beam + ", which is not a place.");
             return;
         }
         agent.remember(new Beam(x, y, yaw));

@@ -8,7 +8,7 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.RotationMatrix;
 import org.robonewbie.simulator.soccer.Player;
-import org.robonewbie.simulator.soccer.TrainersHand;
+import org.robonewbie.simulator.soccer.TrainerActions;
 import org.robonewbie.simulator.world.LinkMotion;
 
 /** Restores a world to a state that was seen before; velocities are those between two states. */
@@ -34,13 +34,13 @@ final class Restoration {
     }
 
     private void restoreGame(WorldSnapshot moment) {
-        TrainersHand hand = new TrainersHand(cycle.match());
+        TrainerActions trainer = new TrainerActions(cycle.match());
         if (moment.playMode() != cycle.match().state().playMode()) {
             cycle.match().setPlayMode(moment.playMode());
         }
-        hand.setHalf(moment.half());
-        hand.setPlaySeconds(moment.gameTime());
-        hand.setScore(moment.scoreLeft(), moment.scoreRight());
+        trainer.setHalf(moment.half());
+        trainer.setPlaySeconds(moment.gameTime());
+        trainer.setScore(moment.scoreLeft(), moment.scoreRight());
     }
 
     private Optional<Player> player(RobotSnapshot robot) {

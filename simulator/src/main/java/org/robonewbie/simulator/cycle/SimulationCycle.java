@@ -51,7 +51,7 @@ public final class SimulationCycle implements Restorable {
     private final String settings;
     private RunRecorder recorder;
     private final boolean synchronous;
-    private final ComplaintBook refusals;
+    private final WarningLog refusals;
     private Consumer<MatchEvent> reporter = event -> {};
     private long cycle;
 
@@ -69,7 +69,7 @@ public final class SimulationCycle implements Restorable {
         this.effectors = new Effectors(world, match, settings.camera(), seeds.nextLong());
         this.percepts = new Percepts(world, match);
         this.console = console;
-        this.refusals = new ComplaintBook(console, "The simulator");
+        this.refusals = new WarningLog(console, "The simulator");
         this.synchronous = settings.synchronous();
         this.description = settings.description();
         this.settings =
@@ -126,7 +126,7 @@ public final class SimulationCycle implements Restorable {
      * @param limit how many agents there may be
      */
     public void refused(ServerLink link, int limit) {
-        refusals.complain(
+        refusals.warn(
                 "limit",
                 "had to close the connection " + link.address() + ", since " + limit
                         + " agents are connected already.");

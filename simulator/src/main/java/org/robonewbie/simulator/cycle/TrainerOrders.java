@@ -7,7 +7,7 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
-import org.robonewbie.simulator.soccer.TrainersHand;
+import org.robonewbie.simulator.soccer.TrainerActions;
 import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
@@ -19,7 +19,7 @@ public final class TrainerOrders {
 
     private final SimulationCycle cycle;
     private final Match match;
-    private final TrainersHand hand;
+    private final TrainerActions trainer;
     private final Runnable fullState;
     private final Runnable end;
     private Optional<PlayerNumber> selection = Optional.empty();
@@ -34,7 +34,7 @@ public final class TrainerOrders {
     public TrainerOrders(SimulationCycle cycle, Runnable fullState, Runnable end) {
         this.cycle = cycle;
         this.match = cycle.match();
-        this.hand = new TrainersHand(match);
+        this.trainer = new TrainerActions(match);
         this.fullState = fullState;
         this.end = end;
     }
@@ -78,9 +78,9 @@ public final class TrainerOrders {
         } else if (order instanceof Order.DropBall) {
             match.dropBall();
         } else if (order instanceof Order.SetTime time) {
-            hand.setPlaySeconds(time.seconds());
+            trainer.setPlaySeconds(time.seconds());
         } else if (order instanceof Order.SetScore score) {
-            hand.setScore(score.left(), score.right());
+            trainer.setScore(score.left(), score.right());
         }
     }
 
@@ -104,11 +104,11 @@ public final class TrainerOrders {
         } else if (order instanceof Order.PushRobot push) {
             player(push.player()).ifPresent(player -> player.robot().push(push.newtons()));
         } else if (order instanceof Order.RepelSelectedRobot) {
-            selected().ifPresent(hand::moveTowardsOwnGoal);
+            selected().ifPresent(trainer::moveTowardsOwnGoal);
         } else if (order instanceof Order.KillRobot kill) {
             forPlayer(kill.player(), cycle::removeRobot);
         } else if (order instanceof Order.RepositionRobot reposition) {
-            forPlayer(reposition.player(), hand::putBesidePitch);
+            forPlayer(reposition.player(), trainer::putBesidePitch);
         }
     }
 

@@ -76,7 +76,7 @@ public final class MonitorLog implements AutoCloseable {
         try {
             out.close();
         } catch (IOException e) {
-            complain(e);
+            warn(e);
         }
     }
 
@@ -94,11 +94,11 @@ public final class MonitorLog implements AutoCloseable {
             out.flush();
         } catch (IOException e) {
             open = false;
-            complain(e);
+            warn(e);
         }
     }
 
-    private void complain(IOException cause) {
+    private void warn(IOException cause) {
         console.accept("The log " + file + " ends here because it cannot be written (" + cause.getMessage()
                 + "). Is the disk full? The simulation goes on.");
     }

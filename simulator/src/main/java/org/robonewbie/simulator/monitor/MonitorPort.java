@@ -36,7 +36,7 @@ public final class MonitorPort implements AutoCloseable {
     private static final int WAITING_SNAPSHOTS = 64;
     private static final int MOST_MONITORS = 500;
     private static final int BACKLOG = 1024;
-    private static final int MOST_COMPLAINTS = 20;
+    private static final int MOST_WARNINGS = 20;
     private static final long PAUSE_AFTER_FAILURE_NANOSECONDS = 50_000_000;
 
     private final MonitorSettings settings;
@@ -47,7 +47,7 @@ public final class MonitorPort implements AutoCloseable {
     private final MonitorBroadcast broadcast;
     private final BlockingQueue<Shown> waiting = new ArrayBlockingQueue<>(WAITING_SNAPSHOTS);
     private final List<MonitorConnection> connections = new ArrayList<>();
-    private final Set<String> complaints = new HashSet<>();
+    private final Set<String> warnings = new HashSet<>();
     private final Thread thread = new Thread(this::run, "monitor-port");
     private volatile int monitors;
     private volatile boolean closed;
@@ -178,7 +178,7 @@ public final class MonitorPort implements AutoCloseable {
             try {
                 serve(key, connection);
             } catch (RuntimeException unexpected) {
-                complain("A monitor was disconnected since its message could not be handled (" + unexpected
+                warn("A monitor was disconnected since its message could not be handled (" + unexpected
                         + "); please report this.");
                 connection.close();
             }
@@ -202,14 +202,14 @@ public final class MonitorPort implements AutoCloseable {
                 welcome(client);
             }
         } catch (IOException e) {
-            complain("A monitor could not be accepted (" + e.getMessage() + ").");
+            warn("A monitor could not be accepted (" + e.getMessage() + ").");
             LockSupport.parkNanos(PAUSE_AFTER_FAILURE_NANOSECONDS);
         }
     }
 
     private void welcome(SocketChannel client) throws IOException {
         if (connections.size() >= MOST_MONITORS) {
-            complain("A monitor was refused because " + MOST_MONITORS + " are connected already.");
+            warn("A monitor was refused because " + MOST_MONITORS + " are connected already.");
             client.close();
             return;
         }
@@ -224,7 +224,7 @@ public final class MonitorPort implements AutoCloseable {
 
     private void add(SocketChannel client) throws IOException {
         SelectionKey key = client.register(selector, SelectionKey.OP_READ);
-        MonitorConnection connection = new MonitorConnection(client, key, this::complain);
+        MonitorConnection connection = new MonitorConnection(client, key, this::warn);
         key.attach(connection);
         connections.add(connection);
         count();
@@ -236,8 +236,8 @@ public final class MonitorPort implements AutoCloseable {
     }
 
     /** Reports each kind of problem once, however often it occurs. */
-    private void complain(String sentence) {
-        if (complaints.size() < MOST_COMPLAINTS && complaints.add(sentence)) {
+    private void warn(String sentence) {
+        if (warnings.size() < MOST_WARNINGS && warnings.add(sentence)) {
             console.accept(sentence);
         }
     }

@@ -9,7 +9,7 @@ public interface Assembly {
     /**
      * Adds a body at rest that is parallel to the world's axes.
      *
-     * @param mass how heavy it is and how hard to turn
+     * @param mass how heavy it is and how hard to moveNumber
      * @param position its centre of mass in metres
      * @return the new body
      */
@@ -40,7 +40,7 @@ public interface Assembly {
      * Adds something that never moves.
      *
      * @param pose where its centre is and how it is turned
-     * @param shape its form
+     * @param shape its shape
      * @param material what its surface is made of
      * @param owner what it belongs to, see {@link Collider#owner()}
      * @return the new collider
@@ -51,7 +51,7 @@ public interface Assembly {
      * Adds a volume that reports what is inside it and lets everything through.
      *
      * @param pose where its centre is and how it is turned
-     * @param shape its form
+     * @param shape its shape
      * @param owner what it belongs to, see {@link Collider#owner()}
      * @return the new collider
      */

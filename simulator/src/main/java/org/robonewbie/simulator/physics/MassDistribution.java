@@ -12,11 +12,11 @@ import org.robonewbie.nao.model.Shape;
 public record MassDistribution(double massKg, Vector3 inertia) {
 
     /**
-     * Spreads a mass evenly over a solid form.
+     * Spreads a mass evenly over a solid shape.
      *
-     * @param shape the form
+     * @param shape the shape
      * @param massKg mass in kilograms
-     * @return the mass with the form's moments of inertia (formulas: ODE manual, mass functions)
+     * @return the mass with the shape's moments of inertia (formulas: ODE manual, mass functions)
      */
     public static MassDistribution of(Shape shape, double massKg) {
         if (shape instanceof Shape.Box box) {

@@ -145,18 +145,18 @@ public record RotationMatrix(
 
     /** {@return the same rotation as the quaternion of {@link #toQuaternion}} */
     public org.robonewbie.nao.kinematics.Rotation toTurn() {
-        double[] turn = toQuaternion();
-        return new org.robonewbie.nao.kinematics.Rotation(turn[0], turn[1], turn[2], turn[3]);
+        double[] moveNumber = toQuaternion();
+        return new org.robonewbie.nao.kinematics.Rotation(moveNumber[0], moveNumber[1], moveNumber[2], moveNumber[3]);
     }
 
     /**
      * Makes a rotation of a quaternion.
      *
-     * @param turn the quaternion; its length need not be exactly 1
+     * @param moveNumber the quaternion; its length need not be exactly 1
      * @return the same rotation
      */
-    public static RotationMatrix of(org.robonewbie.nao.kinematics.Rotation turn) {
-        return ofQuaternion(turn.w(), turn.x(), turn.y(), turn.z());
+    public static RotationMatrix of(org.robonewbie.nao.kinematics.Rotation moveNumber) {
+        return ofQuaternion(moveNumber.w(), moveNumber.x(), moveNumber.y(), moveNumber.z());
     }
 
     private static double[] normalised(double w, double x, double y, double z) {

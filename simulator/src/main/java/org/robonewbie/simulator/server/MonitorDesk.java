@@ -12,10 +12,10 @@ import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.Console;
-import org.robonewbie.simulator.cycle.ComplaintBook;
 import org.robonewbie.simulator.cycle.ConnectedAgent;
 import org.robonewbie.simulator.cycle.SimulationCycle;
 import org.robonewbie.simulator.cycle.TrainerOrders;
+import org.robonewbie.simulator.cycle.WarningLog;
 import org.robonewbie.simulator.monitor.MatchEnvironment;
 import org.robonewbie.simulator.monitor.MonitorLog;
 import org.robonewbie.simulator.monitor.MonitorPort;
@@ -37,7 +37,7 @@ final class MonitorDesk {
     private final Consumer<Runnable> betweenCycles;
     private final TrainerOrders orders;
     private final AtomicInteger waitingOrders = new AtomicInteger();
-    private final ComplaintBook complaints;
+    private final WarningLog warnings;
     private Optional<MonitorPort> port = Optional.empty();
     private Optional<MonitorLog> log = Optional.empty();
 
@@ -50,7 +50,7 @@ final class MonitorDesk {
      * @param console reports problems
      */
     MonitorDesk(SimulationCycle cycle, Consumer<Runnable> betweenCycles, Runnable end, Console console) {
-        this.complaints = new ComplaintBook(console, "A trainer");
+        this.warnings = new WarningLog(console, "A trainer");
         this.cycle = cycle;
         this.betweenCycles = betweenCycles;
         this.orders = new TrainerOrders(cycle, () -> port.ifPresent(MonitorPort::requestFullState), end);
@@ -95,7 +95,7 @@ final class MonitorDesk {
     private void order(Order order) {
         if (waitingOrders.incrementAndGet() > WAITING_ORDERS) {
             waitingOrders.decrementAndGet();
-            complaints.complain(
+            warnings.warn(
                     "flood",
                     "sends more than " + WAITING_ORDERS + " orders in one cycle; what is too much is not carried out.");
             return;

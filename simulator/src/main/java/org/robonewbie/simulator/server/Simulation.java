@@ -42,9 +42,9 @@ final class Simulation implements SimulationControl, Runnable {
     private final SimulatorSettings settings;
     private final Console console;
     private final SimulationCycle cycle;
-    private final Reception reception;
+    private final AgentAcceptor acceptor;
     private final Pacemaker pacemaker;
-    private final SilenceWatch silenceWatch;
+    private final StalledAgentWatch silenceWatch;
     private final MonitorDesk monitors;
     private final double lastCycle;
     private final Queue<Runnable> commands = new ConcurrentLinkedQueue<>();
@@ -73,14 +73,14 @@ final class Simulation implements SimulationControl, Runnable {
         this.cycle = new SimulationCycle(
                 settings.world(), RecordingFile.openIfWanted(settings.recording(), console::say), console);
         this.cycle.reportEventsTo(this::happened);
-        this.reception = new Reception(port, cycle, settings);
+        this.acceptor = new AgentAcceptor(port, cycle, settings);
         this.pacemaker = new Pacemaker(settings.speed(), RealTime.CLOCK);
-        this.silenceWatch = new SilenceWatch(console, settings.silentAgentSeconds());
+        this.silenceWatch = new StalledAgentWatch(console, settings.silentAgentSeconds());
         this.monitors = new MonitorDesk(cycle, this::command, this::end, console);
     }
 
-    Reception reception() {
-        return reception;
+    AgentAcceptor acceptor() {
+        return acceptor;
     }
 
     SimulationCycle cycle() {
@@ -134,7 +134,7 @@ final class Simulation implements SimulationControl, Runnable {
     /** Ends the simulation after the present cycle; may be called from any thread. */
     void end() {
         closing = true;
-        reception.ring();
+        acceptor.ring();
     }
 
     @Override
@@ -154,7 +154,7 @@ final class Simulation implements SimulationControl, Runnable {
 
     /** Whether nothing is left to do: the last messages of agents that have ended still count, unless paused. */
     private boolean isFinished() {
-        reception.receive();
+        acceptor.receive();
         return (paused && stepsLeft == 0)
                 || !settings.world().synchronous()
                 || settings.awaitedAgents() == 0
@@ -164,7 +164,7 @@ final class Simulation implements SimulationControl, Runnable {
 
     private void finish() {
         cycle.closeConnections();
-        reception.close();
+        acceptor.close();
         monitors.close();
         double wallSeconds = begun ? (System.nanoTime() - beginning) / 1e9 : 0;
         RunReport result = cycle.recorder().report(settings.world().seed(), wallSeconds, pacemaker.missedCycles());
@@ -182,7 +182,7 @@ final class Simulation implements SimulationControl, Runnable {
 
     private void turn() {
         carryOutCommands();
-        reception.receive();
+        acceptor.receive();
         if (paused && stepsLeft == 0) {
             silenceWatch.everybodyAnswered();
             standStill();
@@ -242,7 +242,7 @@ final class Simulation implements SimulationControl, Runnable {
 
     private void standStill() {
         pacemaker.excuse();
-        if (!reception.await(IDLE_MILLISECONDS)) {
+        if (!acceptor.await(IDLE_MILLISECONDS)) {
             report();
             monitors.standsStill();
         }
@@ -272,7 +272,7 @@ final class Simulation implements SimulationControl, Runnable {
 
     private void command(Runnable command) {
         commands.add(command);
-        reception.ring();
+        acceptor.ring();
     }
 
     @Override
@@ -331,7 +331,7 @@ final class Simulation implements SimulationControl, Runnable {
 
     /** Tries again before the next cycle while answers are missing, since an agent that is thinking is out of reach. */
     private void actIfAnswered(Supplier<WorldState> action, Consumer<Optional<WorldState>> receiver, long end) {
-        reception.receive();
+        acceptor.receive();
         if (isAnswered()) {
             receiver.accept(result(action));
         } else if (System.nanoTime() - end > 0) {
@@ -351,7 +351,7 @@ final class Simulation implements SimulationControl, Runnable {
 
     @Override
     public Optional<AgentLink> connect() {
-        return Optional.of(reception.connect());
+        return Optional.of(acceptor.connect());
     }
 
     @Override

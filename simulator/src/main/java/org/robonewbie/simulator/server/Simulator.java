@@ -66,7 +66,7 @@ public final class Simulator implements AutoCloseable {
      * @return the agent's end of the connection
      */
     public AgentLink connect() {
-        return simulation.reception().connect();
+        return simulation.acceptor().connect();
     }
 
     /** {@return the control of the running simulation; thread-safe} */

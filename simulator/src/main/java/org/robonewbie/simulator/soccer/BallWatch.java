@@ -38,7 +38,7 @@ final class BallWatch implements Memory {
             for (Player player : players) {
                 if (player.robot() == part.robot()) {
                     lastTouch = Optional.of(new Touch(player, tick));
-                    player.conduct().touchedBall(tick);
+                    player.fouls().touchedBall(tick);
                 }
             }
         }

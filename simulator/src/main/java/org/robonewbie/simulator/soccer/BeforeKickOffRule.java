@@ -7,11 +7,11 @@ import org.robonewbie.nao.TeamSide;
 final class BeforeKickOffRule implements PlayModeRule {
 
     private final Match match;
-    private final HalfClearing clearing;
+    private final OpponentHalfRule opponentHalf;
 
     BeforeKickOffRule(Match match) {
         this.match = match;
-        this.clearing = new HalfClearing(match);
+        this.opponentHalf = new OpponentHalfRule(match);
     }
 
     @Override
@@ -22,8 +22,8 @@ final class BeforeKickOffRule implements PlayModeRule {
         match.ball().place(match.centreSpot());
         match.ball().forgetTouches();
         match.setSetPiece(Optional.empty());
-        clearing.keepInOwnHalf(TeamSide.LEFT);
-        clearing.keepInOwnHalf(TeamSide.RIGHT);
+        opponentHalf.keepInOwnHalf(TeamSide.LEFT);
+        opponentHalf.keepInOwnHalf(TeamSide.RIGHT);
         if (match.parameters().isOn(SoccerParameter.AUTOMATIC_KICK_OFF)
                 && match.state().modeSeconds() > match.parameters().get(SoccerParameter.WAIT_BEFORE_KICK_OFF)) {
             match.kickOff();

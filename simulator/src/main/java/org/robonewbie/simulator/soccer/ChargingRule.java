@@ -41,7 +41,7 @@ final class ChargingRule implements FoulRule {
         }
         lastCollisions
                 .keySet()
-                .removeIf(pair -> since(lastCollisions.getOrDefault(pair, Conduct.NEVER))
+                .removeIf(pair -> since(lastCollisions.getOrDefault(pair, FoulHistory.NEVER))
                         > parameters.get(SoccerParameter.CHARGING_COLLISION_MIN_TIME));
     }
 
@@ -69,9 +69,9 @@ final class ChargingRule implements FoulRule {
     }
 
     private boolean mayBeJudged(Player player) {
-        return player.conduct().notStandingTicks() == 0
-                && !player.conduct().isPunished()
-                && since(player.conduct().movedTick()) > MOVED_SECONDS;
+        return player.fouls().notStandingTicks() == 0
+                && !player.fouls().isPunished()
+                && since(player.fouls().movedTick()) > MOVED_SECONDS;
     }
 
     private void judge(Approach left, Approach right, Vector3 place) {
@@ -121,8 +121,8 @@ final class ChargingRule implements FoulRule {
 
     private void punish(Approach robot) {
         Player player = robot.player();
-        if (since(player.conduct().chargingImmunityTick()) <= parameters.get(SoccerParameter.CHARGING_IMMUNITY_TIME)) {
-            robot.opponent().conduct().protectFromCharging(match.currentTick());
+        if (since(player.fouls().chargingImmunityTick()) <= parameters.get(SoccerParameter.CHARGING_IMMUNITY_TIME)) {
+            robot.opponent().fouls().protectFromCharging(match.currentTick());
         } else if (!(player.isGoalkeeper() && isBehindOrInOwnArea(player)) && !isHuntingInKeepaway(player)) {
             match.referee().punish(player, FoulType.CHARGING);
         }
@@ -158,7 +158,7 @@ final class ChargingRule implements FoulRule {
         Approach(Player player, Player opponent) {
             this.player = player;
             this.opponent = opponent;
-            this.velocity = player.conduct().velocity();
+            this.velocity = player.fouls().velocity();
         }
 
         Player player() {

@@ -33,7 +33,7 @@ final class CrowdingRule implements FoulRule {
                 .isPresent();
         if (contested) {
             List<Player> free = match.players(side).stream()
-                    .filter(player -> !player.conduct().isPunished())
+                    .filter(player -> !player.fouls().isPunished())
                     .toList();
             judge(Referee.nearest(free, ball, 1), SoccerParameter.MIN_SECOND_PLAYER_DISTANCE);
             judge(Referee.nearest(free, ball, 2), SoccerParameter.MIN_THIRD_PLAYER_DISTANCE);

@@ -8,17 +8,17 @@ final class GoalRule implements PlayModeRule {
 
     private final Match match;
     private final TeamSide scorer;
-    private final HalfClearing clearing;
+    private final OpponentHalfRule opponentHalf;
 
     GoalRule(Match match, TeamSide scorer) {
         this.match = match;
         this.scorer = scorer;
-        this.clearing = new HalfClearing(match);
+        this.opponentHalf = new OpponentHalfRule(match);
     }
 
     @Override
     public void apply() {
-        clearing.clearForKickOff(scorer.opponent());
+        opponentHalf.clearForKickOff(scorer.opponent());
         if (match.state().modeSeconds() >= match.parameters().get(SoccerParameter.RULE_GOAL_PAUSE_TIME)) {
             match.setSetPiece(Optional.empty());
             match.ball().place(match.centreSpot());

@@ -24,11 +24,11 @@ final class IllegalDefenceRule implements FoulRule {
     private void judge(TeamSide side) {
         Area area = match.penaltyArea(side);
         for (Player player : match.players(side)) {
-            player.conduct().watchArea(area.contains(player.position()), match.currentTick());
+            player.fouls().watchArea(area.contains(player.position()), match.currentTick());
         }
         List<Player> inside = match.players(side).stream()
-                .filter(player -> player.conduct().areaEntryTick() != Conduct.NEVER)
-                .filter(player -> !player.conduct().isPunished())
+                .filter(player -> player.fouls().areaEntryTick() != FoulHistory.NEVER)
+                .filter(player -> !player.fouls().isPunished())
                 .toList();
         if (inside.size() > match.parameters().get(SoccerParameter.MAX_PLAYERS_INSIDE_OWN_AREA)) {
             offender(inside, side).ifPresent(player -> punish(player, area));
@@ -38,7 +38,7 @@ final class IllegalDefenceRule implements FoulRule {
     /** The field player that came last; if the goalkeeper did, the one farthest from the goal. */
     private Optional<Player> offender(List<Player> inside, TeamSide side) {
         Optional<Player> last = inside.stream()
-                .max(Comparator.comparingLong(player -> player.conduct().areaEntryTick()));
+                .max(Comparator.comparingLong(player -> player.fouls().areaEntryTick()));
         if (last.isPresent() && !last.get().isGoalkeeper()) {
             return last;
         }

@@ -20,25 +20,25 @@ final class IncapableRule implements FoulRule {
     @Override
     public void judge() {
         for (Player player : match.players()) {
-            if (!player.conduct().isPunished()) {
+            if (!player.fouls().isPunished()) {
                 judge(player);
             }
         }
     }
 
     private void judge(Player player) {
-        Conduct conduct = player.conduct();
+        FoulHistory fouls = player.fouls();
         if (Math.abs(player.position().y()) < match.field().width() / 2 + MARGIN) {
             double height = player.position().z();
-            conduct.countLying(height < GROUND_HEIGHT, height >= STANDING_HEIGHT, TICKS_UNTIL_STANDING);
+            fouls.countLying(height < GROUND_HEIGHT, height >= STANDING_HEIGHT, TICKS_UNTIL_STANDING);
         }
         boolean keeper = player.isGoalkeeper();
         double groundLimit = match.parameters()
                 .get(keeper ? SoccerParameter.GOALIE_GROUND_MAX_TIME : SoccerParameter.GROUND_MAX_TIME);
         double standingLimit = match.parameters()
                 .get(keeper ? SoccerParameter.GOALIE_NOT_STANDING_MAX_TIME : SoccerParameter.NOT_STANDING_MAX_TIME);
-        if (conduct.groundTicks() * Cycle.SECONDS > groundLimit
-                || conduct.notStandingTicks() * Cycle.SECONDS > standingLimit) {
+        if (fouls.groundTicks() * Cycle.SECONDS > groundLimit
+                || fouls.notStandingTicks() * Cycle.SECONDS > standingLimit) {
             match.referee().punish(player, FoulType.INCAPABLE);
         }
     }

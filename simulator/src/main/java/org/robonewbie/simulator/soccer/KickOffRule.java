@@ -11,13 +11,13 @@ final class KickOffRule implements PlayModeRule {
 
     private final Match match;
     private final TeamSide side;
-    private final HalfClearing clearing;
+    private final OpponentHalfRule opponentHalf;
     private long beginTick;
 
     KickOffRule(Match match, TeamSide side) {
         this.match = match;
         this.side = side;
-        this.clearing = new HalfClearing(match);
+        this.opponentHalf = new OpponentHalfRule(match);
     }
 
     @Override
@@ -27,7 +27,7 @@ final class KickOffRule implements PlayModeRule {
 
     @Override
     public void apply() {
-        clearing.clearForKickOff(side);
+        opponentHalf.clearForKickOff(side);
         Optional<Player> toucher = match.ball().touchedAfter(beginTick);
         if (toucher.isPresent()) {
             match.setSetPiece(Optional.of(new SetPiece(side, toucher, match.currentTick(), true, true)));

@@ -217,7 +217,7 @@ public final class Match implements Restorable {
      * @return whether it is frozen
      */
     public boolean isFrozen(Player player, int hinge) {
-        return player.conduct().isFrozen(hinge, tick);
+        return player.fouls().isFrozen(hinge, tick);
     }
 
     /** Whether there is any robot, with or without a team. */
@@ -391,7 +391,7 @@ public final class Match implements Restorable {
 
     private List<Memory> memories() {
         List<Memory> memories = new ArrayList<>(List.of(ball, rules, referee, leftPassMode, rightPassMode));
-        players().forEach(player -> memories.add(player.conduct()));
+        players().forEach(player -> memories.add(player.fouls()));
         return memories;
     }
 }

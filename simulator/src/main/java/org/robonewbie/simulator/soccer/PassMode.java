@@ -23,8 +23,8 @@ final class PassMode implements Memory {
     private final TeamSide side;
     private final Set<Player> touchers = new LinkedHashSet<>();
     private Vector3 place = Vector3.ZERO;
-    private long lastTick = Conduct.NEVER;
-    private long lockedUntil = Conduct.NEVER;
+    private long lastTick = FoulHistory.NEVER;
+    private long lockedUntil = FoulHistory.NEVER;
     private boolean ballWasAway;
 
     PassMode(Match match, TeamSide side) {
@@ -54,7 +54,7 @@ final class PassMode implements Memory {
 
     /** Allows the team to score again at once. */
     void unlock() {
-        lockedUntil = Conduct.NEVER;
+        lockedUntil = FoulHistory.NEVER;
     }
 
     /** Watches whether two players of the team have touched the ball and it has left its place. */
@@ -87,7 +87,7 @@ final class PassMode implements Memory {
                 && (match.currentTick() - lastTick) * Cycle.SECONDS >= wait
                 && match.ballVelocity().length() <= get(SoccerParameter.PASS_MODE_MAX_BALL_SPEED)
                 && match.players(side).stream()
-                        .noneMatch(player -> player.conduct().ballTick() == match.currentTick())
+                        .noneMatch(player -> player.fouls().ballTick() == match.currentTick())
                 && match.players(side.opponent()).stream()
                         .allMatch(player -> Referee.flatDistance(player, ball()) >= opponentDistance);
     }

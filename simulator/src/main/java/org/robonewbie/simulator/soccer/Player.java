@@ -12,20 +12,20 @@ public final class Player {
     private final Team team;
     private final int number;
     private final @Nullable Robot robot;
-    private final Conduct conduct;
+    private final FoulHistory fouls;
 
     Player(Team team, int number, Robot robot) {
         this.team = team;
         this.number = number;
         this.robot = robot;
-        this.conduct = new Conduct(robot.model().hinges().size());
+        this.fouls = new FoulHistory(robot.model().hinges().size());
     }
 
     private Player(Team team, int number) {
         this.team = team;
         this.number = number;
         this.robot = null;
-        this.conduct = new Conduct(0);
+        this.fouls = new FoulHistory(0);
     }
 
     /** Stands for a player that has left and is only remembered for what it did. */
@@ -61,8 +61,8 @@ public final class Player {
         return robot().torso().position();
     }
 
-    Conduct conduct() {
-        return conduct;
+    FoulHistory fouls() {
+        return fouls;
     }
 
     boolean isGoalkeeper() {

@@ -45,15 +45,15 @@ final class Referee implements Memory {
     /** Judges one tick. */
     void judge(boolean paused) {
         for (Player player : match.players()) {
-            player.conduct().remember(player.robot().torsoVelocity());
+            player.fouls().remember(player.robot().torsoVelocity());
         }
         if (paused) {
-            match.players().forEach(player -> player.conduct().forgiveFouls());
+            match.players().forEach(player -> player.fouls().forgiveFouls());
             return;
         }
         rules.forEach(FoulRule::judge);
         for (Player player : List.copyOf(match.players())) {
-            player.conduct().punishedFor().ifPresent(foul -> carryOut(player, foul));
+            player.fouls().punishedFor().ifPresent(foul -> carryOut(player, foul));
         }
     }
 
@@ -64,8 +64,8 @@ final class Referee implements Memory {
 
     /** Lifts a player off the pitch, beginning in this tick. */
     void punish(Player player, FoulType foul) {
-        if (!player.conduct().isPunished()) {
-            player.conduct().punish(foul);
+        if (!player.fouls().isPunished()) {
+            player.fouls().punish(foul);
             match.note(new MatchEvent.FoulCalled(foul, player.side(), player.number()));
         }
     }
@@ -93,8 +93,8 @@ final class Referee implements Memory {
 
     private void carryOut(Player player, FoulType foul) {
         double holdSeconds = match.parameters().get(SoccerParameter.FOUL_HOLD_TIME);
-        int ticks = player.conduct().countPenalty();
-        player.conduct().moved(match.currentTick());
+        int ticks = player.fouls().countPenalty();
+        player.fouls().moved(match.currentTick());
         if (ticks * Cycle.SECONDS <= holdSeconds) {
             add(player, foul);
             Vector3 position = player.position();
@@ -103,7 +103,7 @@ final class Referee implements Memory {
         }
         double height = holdSeconds == 0 ? LIFTED_HEIGHT : match.parameters().get(SoccerParameter.AGENT_RADIUS);
         player.robot().moveTo(Spots.besidePitch(match, player).plus(new Vector3(0, 0, height)));
-        player.conduct().forgiveFouls();
+        player.fouls().forgiveFouls();
     }
 
     static Optional<Player> nearest(List<Player> players, Vector3 point, int rank) {

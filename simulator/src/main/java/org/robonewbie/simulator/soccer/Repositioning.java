@@ -81,7 +81,7 @@ final class Repositioning {
 
     private void place(Player player, Vector3 position) {
         player.robot().moveTo(position);
-        player.conduct().moved(match.currentTick());
+        player.fouls().moved(match.currentTick());
     }
 
     private Vector3 besideCircle(Player player, Vector3 centre, double moveDistance) {

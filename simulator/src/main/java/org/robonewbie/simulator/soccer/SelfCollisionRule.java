@@ -35,7 +35,7 @@ final class SelfCollisionRule implements FoulRule {
     public void judge() {
         if (match.parameters().isOn(SoccerParameter.FOUL_ON_SELF_COLLISIONS)) {
             for (Player player : match.players()) {
-                if (!player.conduct().isPunished()) {
+                if (!player.fouls().isPunished()) {
                     judge(player);
                 }
             }
@@ -82,7 +82,7 @@ final class SelfCollisionRule implements FoulRule {
     private boolean punish(Player player, int firstLink, int secondLink) {
         if (match.parameters().isOn(SoccerParameter.SELF_COLLISION_BEAM_PENALTY)) {
             long cooldown = ticks(SoccerParameter.SELF_COLLISION_BEAM_COOLDOWN_TIME);
-            if (player.conduct().mayPunishSelfCollision(match.currentTick(), cooldown)) {
+            if (player.fouls().mayPunishSelfCollision(match.currentTick(), cooldown)) {
                 match.referee().punish(player, FoulType.SELF_COLLISION);
             }
             return false;
@@ -100,7 +100,7 @@ final class SelfCollisionRule implements FoulRule {
         boolean frozen = false;
         for (int i = 0; i < hinges.size(); i++) {
             if (!limb.isEmpty() && hinges.get(i).effectorName().startsWith(limb)) {
-                frozen |= player.conduct()
+                frozen |= player.fouls()
                         .freeze(
                                 i,
                                 match.currentTick(),

@@ -29,9 +29,9 @@ final class TouchingRule implements FoulRule {
             }
         }
         for (Player player : match.players()) {
-            player.conduct().setTouched(new HashSet<>());
+            player.fouls().setTouched(new HashSet<>());
         }
-        groups.forEach(group -> group.forEach(player -> player.conduct().setTouched(group)));
+        groups.forEach(group -> group.forEach(player -> player.fouls().setTouched(group)));
     }
 
     /** Collects players that are connected by contacts, in the order of the contacts. */
@@ -71,10 +71,10 @@ final class TouchingRule implements FoulRule {
 
     private static Optional<Player> newcomer(Set<Player> group) {
         return group.stream()
-                .filter(player -> !player.conduct().isPunished())
+                .filter(player -> !player.fouls().isPunished())
                 .filter(player -> group.stream()
                         .noneMatch(other ->
-                                other != player && player.conduct().touched().contains(other)))
+                                other != player && player.fouls().touched().contains(other)))
                 .findFirst();
     }
 
@@ -88,7 +88,7 @@ final class TouchingRule implements FoulRule {
         }
         return group.stream()
                 .filter(player -> player.side() == guilty && !player.isGoalkeeper())
-                .filter(player -> !player.conduct().isPunished())
+                .filter(player -> !player.fouls().isPunished())
                 .findFirst();
     }
 

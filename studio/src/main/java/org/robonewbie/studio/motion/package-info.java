@@ -1,6 +1,6 @@
 /**
  * The server side of the motion editor: files below one folder, and a robot in a world of its own that tries a motion. Read
- * {@link org.robonewbie.studio.motion.MotionRoom} first.
+ * {@link org.robonewbie.studio.motion.MotionApi} first.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.motion;

@@ -86,7 +86,7 @@ public final class RunNotes {
         } catch (NoSuchFileException nothingRecordedYet) {
             return Optional.empty();
         }
-        return recordings.stream().filter(ReplayRoom::isRunning).findFirst().map(RunNotes::of);
+        return recordings.stream().filter(ReplayApi::isRunning).findFirst().map(RunNotes::of);
     }
 
     private static boolean isNotes(Path file) {
@@ -95,7 +95,7 @@ public final class RunNotes {
 
     /** The notes that belong to a recording. */
     static Path of(Path recording) {
-        return recording.resolveSibling(ReplayRoom.name(recording) + ENDING);
+        return recording.resolveSibling(ReplayApi.name(recording) + ENDING);
     }
 
     /** Reads the notes of a recording; empty if there are none. */

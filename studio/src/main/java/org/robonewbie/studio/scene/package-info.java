@@ -1,6 +1,6 @@
 /**
  * Continues the simulation from a moment that was kept: a saved scene or any cycle of a recording. Read {@link
- * org.robonewbie.studio.scene.SceneRoom} first.
+ * org.robonewbie.studio.scene.SceneApi} first.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.scene;

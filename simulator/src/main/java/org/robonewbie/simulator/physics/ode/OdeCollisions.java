@@ -19,11 +19,11 @@ import org.robonewbie.simulator.physics.Collider;
 /**
  * The collision half of the engine, for a world that computes its motion itself.
  *
- * <p>Forms are kept in the same nested spaces as in {@link OdePhysicsWorld}, so that pairs are found in the same order.
+ * <p>Shapes are kept in the same nested spaces as in {@link OdePhysicsWorld}, so that pairs are found in the same order.
  */
 public final class OdeCollisions implements Restorable {
 
-    /** How many numbers describe a point: its place, the normal that looks towards the first form, and the depth. */
+    /** How many numbers describe a point: its place, the normal that looks towards the first shape, and the depth. */
     public static final int NUMBERS_PER_POINT = 7;
 
     private static final long MOVABLE = 1;
@@ -55,13 +55,13 @@ public final class OdeCollisions implements Restorable {
         void touch(Collider first, Collider second, double[] points, int count);
     }
 
-    /** A form that can be put somewhere. */
-    public static final class Form {
+    /** A shape that can be put somewhere. */
+    public static final class Geometry {
 
         private final DGeom geometry;
         private int firstSearch;
 
-        private Form(DGeom geometry, int firstSearch) {
+        private Geometry(DGeom geometry, int firstSearch) {
             this.geometry = geometry;
             this.firstSearch = firstSearch;
         }
@@ -78,53 +78,53 @@ public final class OdeCollisions implements Restorable {
         }
     }
 
-    /** Forms that never touch each other, but for those of the scenery. */
+    /** Shapes that never touch each other, but for those of the scenery. */
     public final class Group {
 
         private final DHashSpace space;
-        private final List<Form> forms = new ArrayList<>();
+        private final List<Geometry> shapes = new ArrayList<>();
 
         private Group(DHashSpace space) {
             this.space = space;
         }
 
         /**
-         * Adds a form.
+         * Adds a shape.
          *
          * @param shape what it looks like
          * @param collider what is reported when it touches something
-         * @param movable whether it can move; two forms that cannot are not looked at
-         * @return the form, at the world's origin
+         * @param movable whether it can move; two shapes that cannot are not looked at
+         * @return the shape, at the world's origin
          */
-        public Form add(Shape shape, Collider collider, boolean movable) {
+        public Geometry add(Shape shape, Collider collider, boolean movable) {
             DGeom geometry = OdeAssembly.geometry(space, shape);
             geometry.setCategoryBits(movable ? MOVABLE : FIXED);
             geometry.setCollideBits(movable ? MOVABLE | FIXED : MOVABLE);
             geometry.setData(collider);
-            Form form = new Form(geometry, searches);
-            forms.add(form);
-            return form;
+            Geometry added = new Geometry(geometry, searches);
+            shapes.add(added);
+            return added;
         }
 
-        /** Takes all its forms out. */
+        /** Takes all its shapes out. */
         public void remove() {
             groups.remove(this);
             space.destroy();
         }
 
         private List<DGeom> geometries() {
-            return forms.stream().map(form -> form.geometry).toList();
+            return shapes.stream().map(shape -> shape.geometry).toList();
         }
 
         private void save(StateWriter out) {
-            forms.forEach(form -> out.putBoolean(form.firstSearch == searches));
+            shapes.forEach(shape -> out.putBoolean(shape.firstSearch == searches));
             if (this != scenery) {
                 saveOrder(space, geometries(), out);
             }
         }
 
         private void restore(StateReader in) {
-            forms.forEach(form -> form.firstSearch = in.getBoolean() ? searches : searches - 1);
+            shapes.forEach(shape -> shape.firstSearch = in.getBoolean() ? searches : searches - 1);
             if (this != scenery) {
                 arrange(geometries(), in);
             }
@@ -135,8 +135,8 @@ public final class OdeCollisions implements Restorable {
         }
 
         private void markUnseen(DGeom geometry) {
-            for (Form form : forms) {
-                if (form.geometry == geometry && form.firstSearch == searches) {
+            for (Geometry shape : shapes) {
+                if (shape.geometry == geometry && shape.firstSearch == searches) {
                     move(geometry);
                 }
             }
@@ -144,7 +144,7 @@ public final class OdeCollisions implements Restorable {
     }
 
     /**
-     * Starts a group whose forms never touch each other.
+     * Starts a group whose shapes never touch each other.
      *
      * @return the empty group
      */
@@ -194,7 +194,7 @@ public final class OdeCollisions implements Restorable {
     }
 
     /**
-     * Writes the order of ODE's lists, on which the order of pairs hangs, and which forms no search has seen yet, for those
+     * Writes the order of ODE's lists, on which the order of pairs hangs, and which shapes no search has seen yet, for those
      * keep their places in the lists when they are moved.
      */
     @Override
@@ -204,7 +204,7 @@ public final class OdeCollisions implements Restorable {
         saveOrder(space, members(), out);
     }
 
-    /** Takes on a state after all forms have been put in their places; their number must be as it was then. */
+    /** Takes on a state after all shapes have been put in their places; their number must be as it was then. */
     @Override
     public void restore(StateReader in) {
         space.cleanGeoms();
@@ -229,7 +229,7 @@ public final class OdeCollisions implements Restorable {
         }
     }
 
-    /** Brings forms and groups into the order that was saved: whatever moves comes to the front. */
+    /** Brings shapes and groups into the order that was saved: whatever moves comes to the front. */
     @SuppressWarnings("deprecation") // there is no other way to look into a group
     private void arrange(List<DGeom> members, StateReader in) {
         DGeom[] order = new DGeom[members.size()];

@@ -12,7 +12,7 @@ import java.util.Arrays;
 final class BlockCholesky {
 
     private EliminationPlan plan = EliminationPlan.EMPTY;
-    private final Room room = new Room(1 << 14);
+    private final ScratchCapacity capacity = new ScratchCapacity(1 << 14);
     private double[] matrix = {};
     private double[] factor = {};
     private double[] inverseDiagonal = {};
@@ -21,7 +21,7 @@ final class BlockCholesky {
     /** Builds the matrix: J M⁻¹ Jᵀ and the softness on the diagonal. */
     void assemble(EliminationPlan newPlan, ConstraintRows rows) {
         plan = newPlan;
-        int length = room.fit(factor.length, plan.size);
+        int length = capacity.fit(factor.length, plan.size);
         if (length != factor.length) {
             matrix = new double[length];
             factor = new double[length];

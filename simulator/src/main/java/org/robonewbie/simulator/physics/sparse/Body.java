@@ -19,7 +19,7 @@ import org.robonewbie.simulator.physics.RotationMatrix;
 final class Body implements RigidBody, Restorable {
 
     /** Stands where no body is known yet. */
-    static final Body NONE = new Body(new MassDistribution(1, new Vector3(1, 1, 1)), Vector3.ZERO, new MoveClock());
+    static final Body NONE = new Body(new MassDistribution(1, new Vector3(1, 1, 1)), Vector3.ZERO, new MoveOrder());
 
     private static final double GRAVITY = -9.81;
     private static final double RESTING_SPEED_SQUARED = 0.01 * 0.01;
@@ -50,14 +50,14 @@ final class Body implements RigidBody, Restorable {
     private final boolean evenlyHeavy;
     private final double[] position = new double[3];
     private final double[] quaternion = {1, 0, 0, 0};
-    private final MoveClock clock;
-    private final List<Form> forms = new ArrayList<>();
+    private final MoveOrder order;
+    private final List<CollisionShape> shapes = new ArrayList<>();
     private boolean asleep;
     private int turns;
     private int restingStepsLeft = STEPS_TO_FALL_ASLEEP;
 
-    Body(MassDistribution distribution, Vector3 position, MoveClock clock) {
-        this.clock = clock;
+    Body(MassDistribution distribution, Vector3 position, MoveOrder order) {
+        this.order = order;
         mass = distribution.massKg();
         inverseMass = 1 / mass;
         Vector3 moments = distribution.inertia();
@@ -70,7 +70,7 @@ final class Body implements RigidBody, Restorable {
         return position;
     }
 
-    double[] turn() {
+    double[] orientation() {
         return quaternion;
     }
 
@@ -79,9 +79,9 @@ final class Body implements RigidBody, Restorable {
         return turns;
     }
 
-    void attach(Form form) {
-        forms.add(form);
-        form.moved(clock);
+    void attach(CollisionShape shape) {
+        shapes.add(shape);
+        shape.moved(order);
     }
 
     void removeContacts() {
@@ -142,7 +142,7 @@ final class Body implements RigidBody, Restorable {
         Arrays.fill(acceleration, 0);
     }
 
-    /** Moves the body: first the velocities, then with them place and turn (semi-implicit Euler, as ODE). */
+    /** Moves the body: first the velocities, then with them place and orientation (semi-implicit Euler, as ODE). */
     void move(double seconds) {
         for (int axis = 0; axis < 3; axis++) {
             velocity[axis] += seconds * (acceleration[axis] + force[axis] * inverseMass);
@@ -152,7 +152,7 @@ final class Body implements RigidBody, Restorable {
         for (int axis = 0; axis < 3; axis++) {
             position[axis] += seconds * velocity[axis];
         }
-        Rotations.turn(quaternion, velocity, seconds);
+        Rotations.rotate(quaternion, velocity, seconds);
         Rotations.toMatrix(quaternion, rotation);
         turns++;
         Arrays.fill(force, 0);
@@ -160,8 +160,8 @@ final class Body implements RigidBody, Restorable {
     }
 
     private void tellForms() {
-        for (int i = 0; i < forms.size(); i++) {
-            forms.get(i).moved(clock);
+        for (int i = 0; i < shapes.size(); i++) {
+            shapes.get(i).moved(order);
         }
     }
 
@@ -255,7 +255,7 @@ final class Body implements RigidBody, Restorable {
         out.putInt(restingStepsLeft);
     }
 
-    /** Takes on a state; the forms of the body take on theirs afterwards. */
+    /** Takes on a state; the shapes of the body take on theirs afterwards. */
     @Override
     public void restore(StateReader in) {
         in.getDoubles(position);

@@ -17,7 +17,7 @@ final class ConstraintRows {
     /** The row's force is at its upper limit. */
     static final byte HIGH = 2;
 
-    private final Room room = new Room(1 << 9);
+    private final ScratchCapacity capacity = new ScratchCapacity(1 << 9);
 
     int count;
     /** Jacobian against the first body. */
@@ -42,13 +42,13 @@ final class ConstraintRows {
     byte[] state = {};
     /** The state that the last solution suggests. */
     byte[] next = {};
-    /** Room for the solution of the linear system. */
+    /** ScratchCapacity for the solution of the linear system. */
     double[] solution = {};
 
     /** Makes room for rows and clears them: unlimited, at speed 0, with the world's softness. */
     void reset(int rows, double worldSoftness) {
         count = rows;
-        int length = room.fit(state.length, rows);
+        int length = capacity.fit(state.length, rows);
         if (length != state.length) {
             resize(length);
         }

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
 /**
- * Looks where forms touch: the ground by itself, all else with ODE's collision, and that only if the boxes around two
+ * Looks where shapes touch: the ground by itself, all else with ODE's collision, and that only if the boxes around two
  * groups overlap.
  */
 final class ContactFinder {
@@ -15,10 +15,10 @@ final class ContactFinder {
     private static final int MOST_POINTS = 4;
 
     private final OdeCollisions collisions = new OdeCollisions();
-    private final List<FormGroup> movers = new ArrayList<>();
-    private final List<Form> fixtures = new ArrayList<>();
-    private final List<Form> misplaced = new ArrayList<>();
-    private final MoveClock clock = new MoveClock();
+    private final List<ShapeGroup> movers = new ArrayList<>();
+    private final List<CollisionShape> fixtures = new ArrayList<>();
+    private final List<CollisionShape> misplaced = new ArrayList<>();
+    private final MoveOrder order = new MoveOrder();
     private final double[] points = new double[MOST_POINTS * OdeCollisions.NUMBERS_PER_POINT];
     private @Nullable SparseCollider ground;
 
@@ -26,30 +26,30 @@ final class ContactFinder {
         return collisions;
     }
 
-    MoveClock clock() {
-        return clock;
+    MoveOrder order() {
+        return order;
     }
 
     void setGround(SparseCollider collider) {
         ground = collider;
     }
 
-    void add(FormGroup group) {
+    void add(ShapeGroup group) {
         movers.add(group);
     }
 
-    void remove(FormGroup group) {
+    void remove(ShapeGroup group) {
         movers.remove(group);
     }
 
-    void addFixture(Form form) {
-        form.measure();
-        form.placeTwin();
-        fixtures.add(form);
+    void addFixture(CollisionShape shape) {
+        shape.measure();
+        shape.placeTwin();
+        fixtures.add(shape);
     }
 
-    void removeFixture(Form form) {
-        fixtures.remove(form);
+    void removeFixture(CollisionShape shape) {
+        fixtures.remove(shape);
     }
 
     void find(ContactList contacts) {
@@ -63,12 +63,12 @@ final class ContactFinder {
         if (ground != null) {
             findOnGround(ground, contacts);
         }
-        clock.beginPeriod();
+        order.beginPeriod();
     }
 
     private boolean isAnythingNear() {
         for (int i = 0; i < movers.size(); i++) {
-            FormGroup mover = movers.get(i);
+            ShapeGroup mover = movers.get(i);
             for (int j = 0; j < i; j++) {
                 if (mover.isNear(movers.get(j))) {
                     return true;
@@ -85,26 +85,26 @@ final class ContactFinder {
 
     /** Reports all moves to ODE since the last time, in their order, since ODE's order of pairs comes from it. */
     private void placeTwins() {
-        for (FormGroup mover : movers) {
-            for (Form form : mover.forms()) {
-                if (form.isMisplaced()) {
-                    misplaced.add(form);
+        for (ShapeGroup mover : movers) {
+            for (CollisionShape shape : mover.shapes()) {
+                if (shape.isMisplaced()) {
+                    misplaced.add(shape);
                 }
             }
         }
-        misplaced.sort(Comparator.comparingInt(Form::turn));
-        misplaced.forEach(Form::placeTwin);
+        misplaced.sort(Comparator.comparingInt(CollisionShape::moveNumber));
+        misplaced.forEach(CollisionShape::placeTwin);
         misplaced.clear();
     }
 
     private void findOnGround(SparseCollider plane, ContactList contacts) {
         for (int i = 0; i < movers.size(); i++) {
-            List<Form> forms = movers.get(i).forms();
-            for (int j = 0; j < forms.size(); j++) {
-                Form form = forms.get(j);
-                int count = form.low[2] <= 0 ? form.touchGround(points) : 0;
+            List<CollisionShape> shapes = movers.get(i).shapes();
+            for (int j = 0; j < shapes.size(); j++) {
+                CollisionShape shape = shapes.get(j);
+                int count = shape.low[2] <= 0 ? shape.touchGround(points) : 0;
                 if (count > 0) {
-                    contacts.touch(form.collider, plane, points, count);
+                    contacts.touch(shape.collider, plane, points, count);
                 }
             }
         }

@@ -76,13 +76,13 @@ final class ContactList implements OdeCollisions.Listener {
         }
         if (one.material() != SparseCollider.NO_MATERIAL
                 && other.material() != SparseCollider.NO_MATERIAL
-                && mayPush(one.crowd(), other.crowd(), count)) {
+                && mayPush(one.budget(), other.budget(), count)) {
             join(one, other, from);
         }
     }
 
     /** Where there are many contacts, two robots need room in both their crowds. */
-    private boolean mayPush(@Nullable Crowd one, @Nullable Crowd other, int count) {
+    private boolean mayPush(@Nullable ContactBudget one, @Nullable ContactBudget other, int count) {
         if (one == null || other == null) {
             return true;
         }

@@ -89,10 +89,10 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
         return -(turned > Math.PI ? turned - 2 * Math.PI : turned);
     }
 
-    /** The parent's turn seen from the child: conjugate(child) · parent. */
+    /** The parent's orientation seen from the child: conjugate(child) · parent. */
     private void relativeTurn(double[] to) {
-        double[] a = child.turn();
-        double[] b = parent.turn();
+        double[] a = child.orientation();
+        double[] b = parent.orientation();
         to[0] = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
         to[1] = a[0] * b[1] - a[1] * b[0] - a[2] * b[3] + a[3] * b[2];
         to[2] = a[0] * b[2] - a[2] * b[0] - a[3] * b[1] + a[1] * b[3];

@@ -48,7 +48,7 @@ final class Rotations {
     }
 
     /** Turns a quaternion by an angular velocity (elements 3 to 5) for a short time, to first order, as ODE does. */
-    static void turn(double[] q, double[] velocity, double seconds) {
+    static void rotate(double[] q, double[] velocity, double seconds) {
         double half = 0.5 * seconds;
         double x = velocity[3];
         double y = velocity[4];

@@ -17,27 +17,27 @@ import org.robonewbie.simulator.physics.MotorHinge;
 import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
-/** Bodies, hinges and forms that belong together. */
+/** Bodies, hinges and shapes that belong together. */
 final class SparseAssembly implements Assembly, Restorable {
 
     private final SparsePhysicsWorld world;
-    private final OdeCollisions.Group twins;
+    private final OdeCollisions.Group odeGeometries;
     private final boolean removable;
-    private final Crowd crowd = new Crowd();
+    private final ContactBudget budget = new ContactBudget();
     private final List<Body> bodies = new ArrayList<>();
     private final List<HingeJoint> hinges = new ArrayList<>();
-    private final List<FormGroup> movers = new ArrayList<>();
-    private final List<Form> fixtures = new ArrayList<>();
+    private final List<ShapeGroup> movers = new ArrayList<>();
+    private final List<CollisionShape> fixtures = new ArrayList<>();
 
-    SparseAssembly(SparsePhysicsWorld world, OdeCollisions.Group twins, boolean removable) {
+    SparseAssembly(SparsePhysicsWorld world, OdeCollisions.Group odeGeometries, boolean removable) {
         this.world = world;
-        this.twins = twins;
+        this.odeGeometries = odeGeometries;
         this.removable = removable;
     }
 
     @Override
     public RigidBody addBody(MassDistribution mass, Vector3 position) {
-        Body body = new Body(mass, position, world.finder().clock());
+        Body body = new Body(mass, position, world.finder().order());
         bodies.add(body);
         world.add(body);
         return body;
@@ -55,11 +55,11 @@ final class SparseAssembly implements Assembly, Restorable {
     public Collider addCollider(RigidBody body, Shape shape, Material material, Object owner) {
         Body carrier = (Body) body;
         SparseCollider collider =
-                new SparseCollider(carrier, world.surfaces().numberOf(material), owner, removable ? crowd : null);
-        OdeCollisions.Form twin = twins.add(shape, collider, true);
-        Form form = Form.of(shape, collider, carrier.place(), carrier.rotation, twin);
-        carrier.attach(form);
-        groupOfNext().add(form);
+                new SparseCollider(carrier, world.surfaces().numberOf(material), owner, removable ? budget : null);
+        OdeCollisions.Geometry odeGeometry = odeGeometries.add(shape, collider, true);
+        CollisionShape placed = CollisionShape.of(shape, collider, carrier.place(), carrier.rotation, odeGeometry);
+        carrier.attach(placed);
+        groupOfNext().add(placed);
         return collider;
     }
 
@@ -73,10 +73,10 @@ final class SparseAssembly implements Assembly, Restorable {
         return place(pose, shape, new SparseCollider(null, SparseCollider.NO_MATERIAL, owner, null));
     }
 
-    /** A robot's parts never touch each other and form one group; each part of the scenery is a group by itself. */
-    private FormGroup groupOfNext() {
+    /** A robot's parts never touch each other and shape one group; each part of the scenery is a group by itself. */
+    private ShapeGroup groupOfNext() {
         if (movers.isEmpty() || !removable) {
-            FormGroup group = new FormGroup();
+            ShapeGroup group = new ShapeGroup();
             movers.add(group);
             world.finder().add(group);
         }
@@ -88,9 +88,10 @@ final class SparseAssembly implements Assembly, Restorable {
         Rotations.copy(pose.rotation(), rotation);
         Vector3 position = pose.position();
         double[] place = {position.x(), position.y(), position.z()};
-        Form form = Form.of(shape, collider, place, rotation, twins.add(shape, collider, false));
-        fixtures.add(form);
-        world.finder().addFixture(form);
+        CollisionShape placed =
+                CollisionShape.of(shape, collider, place, rotation, odeGeometries.add(shape, collider, false));
+        fixtures.add(placed);
+        world.finder().addFixture(placed);
         return collider;
     }
 
@@ -100,7 +101,7 @@ final class SparseAssembly implements Assembly, Restorable {
             throw new UnsupportedOperationException("The scenery cannot be removed. Drop the whole world instead.");
         }
         world.remove(this, bodies);
-        twins.remove();
+        odeGeometries.remove();
         movers.forEach(world.finder()::remove);
         fixtures.forEach(world.finder()::removeFixture);
         bodies.clear();
@@ -110,13 +111,13 @@ final class SparseAssembly implements Assembly, Restorable {
     public void save(StateWriter out) {
         bodies.forEach(body -> body.save(out));
         hinges.forEach(hinge -> hinge.save(out));
-        movers.forEach(group -> group.forms().forEach(form -> form.save(out)));
+        movers.forEach(group -> group.shapes().forEach(shape -> shape.save(out)));
     }
 
     @Override
     public void restore(StateReader in) {
         bodies.forEach(body -> body.restore(in));
         hinges.forEach(hinge -> hinge.restore(in));
-        movers.forEach(group -> group.forms().forEach(form -> form.restore(in)));
+        movers.forEach(group -> group.shapes().forEach(shape -> shape.restore(in)));
     }
 }

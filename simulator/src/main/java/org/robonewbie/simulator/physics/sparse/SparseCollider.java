@@ -3,7 +3,7 @@ package org.robonewbie.simulator.physics.sparse;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.simulator.physics.Collider;
 
-/** What is known of a surface but its form. */
+/** What is known of a surface but its shape. */
 final class SparseCollider implements Collider {
 
     /** Stands for the material of a trigger, which lets everything through. */
@@ -12,7 +12,7 @@ final class SparseCollider implements Collider {
     private final @Nullable Body body;
     private final int material;
     private final Object owner;
-    private final @Nullable Crowd crowd;
+    private final @Nullable ContactBudget budget;
 
     /**
      * Creates a collider.
@@ -20,18 +20,18 @@ final class SparseCollider implements Collider {
      * @param body the body that carries it; none for ground, walls and triggers
      * @param material number of its material in {@link Surfaces}, or {@link #NO_MATERIAL}
      * @param owner what it belongs to
-     * @param crowd counts the contacts of its robot; none for everything else
+     * @param budget counts the contacts of its robot; none for everything else
      */
-    SparseCollider(@Nullable Body body, int material, Object owner, @Nullable Crowd crowd) {
+    SparseCollider(@Nullable Body body, int material, Object owner, @Nullable ContactBudget budget) {
         this.body = body;
         this.material = material;
         this.owner = owner;
-        this.crowd = crowd;
+        this.budget = budget;
     }
 
     @Nullable
-    Crowd crowd() {
-        return crowd;
+    ContactBudget budget() {
+        return budget;
     }
 
     @Nullable

@@ -103,7 +103,7 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
 
     @Override
     public void save(StateWriter out) {
-        finder.clock().save(out);
+        finder.order().save(out);
         assemblies.forEach(assembly -> assembly.save(out));
         finder.collisions().save(out);
     }
@@ -112,7 +112,7 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
     @Override
     public void restore(StateReader in) {
         contacts.begin();
-        finder.clock().restore(in);
+        finder.order().restore(in);
         assemblies.forEach(assembly -> assembly.restore(in));
         finder.collisions().restore(in);
     }

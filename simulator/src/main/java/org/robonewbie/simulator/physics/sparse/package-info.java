@@ -12,7 +12,7 @@
  * hold. That makes it a linear complementarity problem.
  *
  * <p><b>What differs from ODE.</b> ODE fills the whole matrix A and pivots in it row by row, which takes time with the cube of
- * its size. But two joints have a common entry in A only where they share a body, and a robot's bodies form a tree: a Cholesky
+ * its size. But two joints have a common entry in A only where they share a body, and a robot's bodies shape a tree: a Cholesky
  * factorisation that goes from fingertips and toes to the torso causes no fill-in. The same factorisation is simply repeated,
  * with some rows left out, until every row is either satisfied or at its limit. That takes one or two rounds.
  *

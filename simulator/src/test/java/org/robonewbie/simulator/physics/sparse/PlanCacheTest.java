@@ -96,7 +96,7 @@ class PlanCacheTest {
     private static List<Body> bodies(int count) {
         List<Body> bodies = new ArrayList<>();
         for (int i = 0; i < count; i++) {
-            Body body = new Body(new MassDistribution(1, new Vector3(1, 1, 1)), Vector3.ZERO, new MoveClock());
+            Body body = new Body(new MassDistribution(1, new Vector3(1, 1, 1)), Vector3.ZERO, new MoveOrder());
             body.islandIndex = i;
             bodies.add(body);
         }

@@ -6,7 +6,7 @@ package org.robonewbie.simulator.physics.sparse;
  * <p>Many robots that were put into each other touch at thousands of points, which would take minutes and all memory; so only some
  * of them push, and the robots come apart all the same. Nothing is left out where all robots together touch at few points.
  */
-final class Crowd {
+final class ContactBudget {
 
     private static final int MOST_POINTS = 64;
 

@@ -10,7 +10,7 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.monitor.FoulType;
 
 /** What the referee remembers of one player. Times are numbers of ticks of 20 ms. */
-final class Conduct implements Memory {
+final class FoulHistory implements Memory {
 
     /** A time so long ago that it does not matter. */
     static final long NEVER = Long.MIN_VALUE / 2;
@@ -33,7 +33,7 @@ final class Conduct implements Memory {
     private long selfCollisionPenaltyTick = NEVER;
     private int velocityIndex;
 
-    Conduct(int hinges) {
+    FoulHistory(int hinges) {
         frozenUntil = new long[hinges];
         immuneUntil = new long[hinges];
         forgiveFouls();

@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  * DELETE /api/course/attempt        ends the attempt
  * </pre>
  */
-public final class CourseRoom extends Handler.Abstract {
+public final class CourseApi extends Handler.Abstract {
 
     private static final String COURSE = "/api/course";
     private static final String ATTEMPT = "/api/course/attempt";
@@ -40,7 +40,7 @@ public final class CourseRoom extends Handler.Abstract {
      *
      * @param course the exercises; empty for a studio without them
      */
-    public CourseRoom(Optional<Course> course) {
+    public CourseApi(Optional<Course> course) {
         this.course = course;
     }
 

@@ -5,7 +5,7 @@ import java.util.Set;
 import org.robonewbie.simulator.Console;
 
 /** Reports the problems of one connection, each kind once, so that a noisy client cannot flood the console. */
-public final class ComplaintBook {
+public final class WarningLog {
 
     private static final int LIMIT = 20;
 
@@ -14,12 +14,12 @@ public final class ComplaintBook {
     private final Set<String> known = new HashSet<>();
 
     /**
-     * Creates an empty book.
+     * Creates an empty log.
      *
      * @param console where to tell the problems
      * @param subject of the sentences, such as {@code The agent at 127.0.0.1:4711}
      */
-    public ComplaintBook(Console console, String subject) {
+    public WarningLog(Console console, String subject) {
         this.console = console;
         this.subject = subject;
     }
@@ -30,7 +30,7 @@ public final class ComplaintBook {
      * @param kind distinguishes this problem from others
      * @param sentence what happened, with value and advice; begins with a verb, since the connection is its subject
      */
-    public void complain(String kind, String sentence) {
+    public void warn(String kind, String sentence) {
         if (known.size() < LIMIT && known.add(kind)) {
             console.say(subject + " " + sentence);
             if (known.size() == LIMIT) {

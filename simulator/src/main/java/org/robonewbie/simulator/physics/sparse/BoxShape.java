@@ -4,14 +4,19 @@ import org.robonewbie.nao.model.Shape;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
 /** A box. */
-final class BoxForm extends Form {
+final class BoxShape extends CollisionShape {
 
     private final double[] half;
     private final double[] drop = new double[3];
     private final double[] corner = new double[3];
 
-    BoxForm(Shape.Box box, SparseCollider collider, double[] position, double[] rotation, OdeCollisions.Form twin) {
-        super(collider, position, rotation, twin);
+    BoxShape(
+            Shape.Box box,
+            SparseCollider collider,
+            double[] position,
+            double[] rotation,
+            OdeCollisions.Geometry odeGeometry) {
+        super(collider, position, rotation, odeGeometry);
         half = new double[] {box.size().x() / 2, box.size().y() / 2, box.size().z() / 2};
     }
 

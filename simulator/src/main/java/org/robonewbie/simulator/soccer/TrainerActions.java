@@ -4,7 +4,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 
 /** What a trainer may change in a game besides what the referee decides: clock, score, and where players stand. */
-public final class TrainersHand {
+public final class TrainerActions {
 
     private static final double HEIGHT_METRES = 1;
 
@@ -15,7 +15,7 @@ public final class TrainersHand {
      *
      * @param match the game
      */
-    public TrainersHand(Match match) {
+    public TrainerActions(Match match) {
         this.match = match;
     }
 

@@ -6,7 +6,7 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.simulator.cycle.SimulationCycle;
 
 /** Takes in new agents and their messages, and lets the simulation sleep until there is something new. */
-final class Reception {
+final class AgentAcceptor {
 
     private static final int MAXIMUM_AGENTS = 256;
 
@@ -18,7 +18,7 @@ final class Reception {
     private volatile boolean sleeping;
     private volatile boolean closed;
 
-    Reception(AgentPort port, SimulationCycle cycle, SimulatorSettings settings) {
+    AgentAcceptor(AgentPort port, SimulationCycle cycle, SimulatorSettings settings) {
         this.port = port;
         this.cycle = cycle;
         this.settings = settings;

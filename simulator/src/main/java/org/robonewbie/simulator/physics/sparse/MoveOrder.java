@@ -4,11 +4,11 @@ import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** Counts the moves of forms, so that ODE can be told of them later in the order in which they happened. */
-final class MoveClock implements Restorable {
+/** Counts the moves of shapes, so that ODE can be told of them later in the order in which they happened. */
+final class MoveOrder implements Restorable {
 
     private int period;
-    private int turn;
+    private int moveNumber;
 
     /** A period lasts from one search for contacts to the next. */
     int period() {
@@ -19,19 +19,19 @@ final class MoveClock implements Restorable {
         period++;
     }
 
-    int nextTurn() {
-        return turn++;
+    int nextMoveNumber() {
+        return moveNumber++;
     }
 
     @Override
     public void save(StateWriter out) {
         out.putInt(period);
-        out.putInt(turn);
+        out.putInt(moveNumber);
     }
 
     @Override
     public void restore(StateReader in) {
         period = in.getInt();
-        turn = in.getInt();
+        moveNumber = in.getInt();
     }
 }

@@ -14,10 +14,10 @@ import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
-/** Writes a {@link Scene} as JSON for the pages, with the bodies of all robot types that play. */
-final class SceneWriter {
+/** Writes a {@link LineUp} as JSON for the pages, with the bodies of all robot types that play. */
+final class LineUpWriter {
 
-    private SceneWriter() {}
+    private LineUpWriter() {}
 
     /**
      * Writes a scene.
@@ -26,7 +26,7 @@ final class SceneWriter {
      * @param revision its number, which the state frames that fit to it carry
      * @return one JSON object
      */
-    static String write(Scene scene, int revision) {
+    static String write(LineUp scene, int revision) {
         JsonObject json = new JsonObject();
         json.addProperty("kind", "scene");
         json.addProperty("revision", revision);
@@ -39,7 +39,7 @@ final class SceneWriter {
         json.add("teams", teams);
         JsonArray robots = new JsonArray();
         JsonObject models = new JsonObject();
-        for (Scene.Player player : scene.robots()) {
+        for (LineUp.Player player : scene.robots()) {
             robots.add(player(player));
             if (!models.has(player.type().name())) {
                 models.add(player.type().name(), model(NaoModel.of(player.type())));
@@ -66,7 +66,7 @@ final class SceneWriter {
         return json;
     }
 
-    private static JsonObject player(Scene.Player player) {
+    private static JsonObject player(LineUp.Player player) {
         JsonObject json = new JsonObject();
         json.addProperty("id", player.id());
         json.addProperty("team", player.team());

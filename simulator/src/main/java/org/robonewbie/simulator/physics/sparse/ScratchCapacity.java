@@ -4,7 +4,7 @@ package org.robonewbie.simulator.physics.sparse;
  * How long an array has to be that is used again and again for islands of all sizes: it grows at once, and shrinks when it
  * has been far too long for so many islands that the pile of robots for which it grew is gone.
  */
-final class Room {
+final class ScratchCapacity {
 
     private static final int PATIENCE = 2_000;
     private static final int FAR_TOO_LONG = 4;
@@ -17,7 +17,7 @@ final class Room {
      *
      * @param least length below which nothing is worth shrinking
      */
-    Room(int least) {
+    ScratchCapacity(int least) {
         this.least = least;
     }
 

@@ -10,12 +10,12 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
  * A surface with a shape, somewhere in the world.
  *
  * <p>It finds its contacts with the ground itself, since a robot has some in nearly every step; for all other pairs it has
- * a double in ODE's collision, which is put in place only when something is near.
+ * an {@code odeGeometry} in ODE's collision, which is put in place only when something is near.
  */
-abstract class Form implements Restorable {
+abstract class CollisionShape implements Restorable {
 
     final SparseCollider collider;
-    /** Corner of the box around the form with the smallest coordinates. */
+    /** Corner of the box around the shape with the smallest coordinates. */
     final double[] low = new double[3];
     /** Corner with the largest coordinates. */
     final double[] high = new double[3];
@@ -24,53 +24,57 @@ abstract class Form implements Restorable {
     /** The rotation matrix, row by row; the very array of the body, if there is one. */
     final double[] rotation;
 
-    private final OdeCollisions.Form twin;
+    private final OdeCollisions.Geometry odeGeometry;
     private boolean unmeasured = true;
     private boolean misplaced = true;
     private int movedInPeriod = -1;
-    private int turn;
+    private int moveNumber;
 
-    Form(SparseCollider collider, double[] position, double[] rotation, OdeCollisions.Form twin) {
+    CollisionShape(SparseCollider collider, double[] position, double[] rotation, OdeCollisions.Geometry odeGeometry) {
         this.collider = collider;
         this.position = position;
         this.rotation = rotation;
-        this.twin = twin;
+        this.odeGeometry = odeGeometry;
     }
 
-    static Form of(
-            Shape shape, SparseCollider collider, double[] position, double[] rotation, OdeCollisions.Form twin) {
+    static CollisionShape of(
+            Shape shape,
+            SparseCollider collider,
+            double[] position,
+            double[] rotation,
+            OdeCollisions.Geometry odeGeometry) {
         if (shape instanceof Shape.Box box) {
-            return new BoxForm(box, collider, position, rotation, twin);
+            return new BoxShape(box, collider, position, rotation, odeGeometry);
         }
         if (shape instanceof Shape.Sphere sphere) {
-            return new RoundForm(sphere.radius(), 0, collider, position, rotation, twin);
+            return new RoundShape(sphere.radius(), 0, collider, position, rotation, odeGeometry);
         }
         Shape.Capsule capsule = (Shape.Capsule) shape;
-        return new RoundForm(capsule.radius(), capsule.length() / 2, collider, position, rotation, twin);
+        return new RoundShape(capsule.radius(), capsule.length() / 2, collider, position, rotation, odeGeometry);
     }
 
     /** Notes that the body has moved. */
-    void moved(MoveClock clock) {
+    void moved(MoveOrder order) {
         unmeasured = true;
         misplaced = true;
-        if (movedInPeriod != clock.period()) {
-            movedInPeriod = clock.period();
-            turn = clock.nextTurn();
+        if (movedInPeriod != order.period()) {
+            movedInPeriod = order.period();
+            moveNumber = order.nextMoveNumber();
         }
     }
 
-    /** When the form was first moved in the period of its last move; ODE lists the last mover first. */
-    int turn() {
-        return turn;
+    /** When the shape was first moved in the period of its last move; ODE lists the last mover first. */
+    int moveNumber() {
+        return moveNumber;
     }
 
     boolean isMisplaced() {
         return misplaced;
     }
 
-    /** Puts the double in ODE's collision where the form is. */
+    /** Moves the geometry in ODE's collision to the place of the shape. */
     void placeTwin() {
-        twin.place(position, rotation);
+        odeGeometry.place(position, rotation);
         misplaced = false;
     }
 
@@ -90,7 +94,7 @@ abstract class Form implements Restorable {
     abstract double reach(int axis);
 
     /**
-     * Finds the points at which the form touches the ground, the plane z = 0.
+     * Finds the points at which the shape touches the ground, the plane z = 0.
      *
      * @param points receives {@link OdeCollisions#NUMBERS_PER_POINT} numbers for each point
      * @return how many there are, at most four
@@ -112,7 +116,7 @@ abstract class Form implements Restorable {
     public void save(StateWriter out) {
         out.putBoolean(misplaced);
         out.putInt(movedInPeriod);
-        out.putInt(turn);
+        out.putInt(moveNumber);
     }
 
     /** Takes on a state after its body did so. A double that was up to date is put in place at once. */
@@ -121,7 +125,7 @@ abstract class Form implements Restorable {
         unmeasured = true;
         misplaced = in.getBoolean();
         movedInPeriod = in.getInt();
-        turn = in.getInt();
+        moveNumber = in.getInt();
         if (!misplaced) {
             placeTwin();
         }

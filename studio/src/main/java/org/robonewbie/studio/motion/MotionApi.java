@@ -38,7 +38,7 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
  * POST             /api/trial             header Start: standing, back or front
  * </pre>
  */
-public final class MotionRoom extends Handler.Abstract {
+public final class MotionApi extends Handler.Abstract {
 
     /** The beginning of all paths that are answered here. */
     public static final String PATH = "/api/";
@@ -58,7 +58,7 @@ public final class MotionRoom extends Handler.Abstract {
      * @param folder where the motions are; it need not exist
      * @param model the robot's limbs and hinges as JSON
      */
-    public MotionRoom(Path folder, JsonObject model) {
+    public MotionApi(Path folder, JsonObject model) {
         this.motions = new MotionFolder(folder);
         this.own = new MotionFolder(folder.resolve(".studio"));
         this.drafts = new MotionFolder(folder.resolve(".studio").resolve("drafts"));

@@ -35,7 +35,7 @@ import org.robonewbie.simulator.monitor.RecordedLog;
  * GET /api/models                     the bodies of all robot types
  * </pre>
  */
-public final class ReplayRoom extends Handler.Abstract {
+public final class ReplayApi extends Handler.Abstract {
 
     private static final String LIST = "/api/recordings";
     private static final String LOG = "/api/log/";
@@ -56,7 +56,7 @@ public final class ReplayRoom extends Handler.Abstract {
      * @param opened a recording that lies elsewhere
      * @param models the bodies of all robot types as JSON, by type
      */
-    public ReplayRoom(Optional<RecordingShelf> shelf, Optional<Path> opened, JsonObject models) {
+    public ReplayApi(Optional<RecordingShelf> shelf, Optional<Path> opened, JsonObject models) {
         this.shelf = shelf;
         this.opened = opened;
         this.models = models.toString();

@@ -31,7 +31,7 @@ import org.eclipse.jetty.util.Fields;
  *
  * <p>The answer to the last two says whether the world is now as it was to the bit.
  */
-public final class SceneRoom extends Handler.Abstract {
+public final class SceneApi extends Handler.Abstract {
 
     private static final String SCENES = "/api/scenes";
     private static final String START = "/api/start/";
@@ -47,7 +47,7 @@ public final class SceneRoom extends Handler.Abstract {
      * @param world the running simulation
      * @param recordings finds recordings by their names
      */
-    public SceneRoom(Path folder, LivingWorld world, Function<String, Optional<Path>> recordings) {
+    public SceneApi(Path folder, LivingWorld world, Function<String, Optional<Path>> recordings) {
         this.folder = new SceneFolder(folder);
         this.world = world;
         this.recordings = recordings;

@@ -9,7 +9,7 @@ import org.robonewbie.simulator.cycle.AgentConnection;
 import org.robonewbie.simulator.cycle.ConnectedAgent;
 
 /** Reports agents that keep the world waiting in sync mode, and drops those of other processes after some time. */
-final class SilenceWatch {
+final class StalledAgentWatch {
 
     private static final double SECONDS_UNTIL_NAMED = 5;
 
@@ -19,7 +19,7 @@ final class SilenceWatch {
     private long waitingSince;
     private boolean waiting;
 
-    SilenceWatch(Console console, double secondsUntilDropped) {
+    StalledAgentWatch(Console console, double secondsUntilDropped) {
         this.console = console;
         this.secondsUntilDropped = secondsUntilDropped;
     }

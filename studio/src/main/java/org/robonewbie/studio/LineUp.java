@@ -19,7 +19,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  * @param teamRight name of the right team, empty before it joined
  * @param robots the robots in the order of the state frames
  */
-record Scene(
+record LineUp(
         SoccerField field, boolean clock, boolean puppets, String teamLeft, String teamRight, List<Player> robots) {
 
     /**
@@ -39,8 +39,8 @@ record Scene(
         }
     }
 
-    static Scene of(SimulationControl simulation, PuppetDesk desk, WorldSnapshot snapshot) {
-        return new Scene(
+    static LineUp of(SimulationControl simulation, PuppetDesk desk, WorldSnapshot snapshot) {
+        return new LineUp(
                 simulation.field(),
                 simulation.hasClock(),
                 desk.isOpen(),

@@ -3,19 +3,19 @@ package org.robonewbie.simulator.physics.sparse;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
 /** A capsule along its z axis, or a sphere, which is a capsule without length. */
-final class RoundForm extends Form {
+final class RoundShape extends CollisionShape {
 
     private final double radius;
     private final double halfLength;
 
-    RoundForm(
+    RoundShape(
             double radius,
             double halfLength,
             SparseCollider collider,
             double[] position,
             double[] rotation,
-            OdeCollisions.Form twin) {
-        super(collider, position, rotation, twin);
+            OdeCollisions.Geometry odeGeometry) {
+        super(collider, position, rotation, odeGeometry);
         this.radius = radius;
         this.halfLength = halfLength;
     }

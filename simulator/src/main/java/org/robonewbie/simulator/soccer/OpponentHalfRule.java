@@ -6,7 +6,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.simulator.physics.BoundingBox;
 
 /** Keeps robots out of the half of the opponents around a kick-off, unless they may start anywhere. */
-final class HalfClearing {
+final class OpponentHalfRule {
 
     private static final double RUN_OFF = 10;
 
@@ -15,7 +15,7 @@ final class HalfClearing {
     private final double circleRadius;
     private final boolean switchedOff;
 
-    HalfClearing(Match match) {
+    OpponentHalfRule(Match match) {
         this.match = match;
         SoccerParameters parameters = match.parameters();
         moveDistance = parameters.get(SoccerParameter.FREE_KICK_MOVE_DISTANCE);
