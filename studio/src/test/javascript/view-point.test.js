@@ -2,14 +2,19 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import {
   eye,
+  fitted,
   moved,
+  openingShot,
   overview,
   turned,
   zoomed,
+  zoomedTo,
 } from '../../main/resources/org/robonewbie/studio/web/state/view-point.js';
 import { isNear } from './sample-world.js';
 
 const view = { target: [1, 2, 0], azimuthDegrees: -90, elevationDegrees: 30, distance: 10 };
+
+const FREE = { across: 0.5, up: 0.3 };
 
 test('the eye is at its distance from the target', () => {
   const [x, y, z] = eye(view);
@@ -33,7 +38,42 @@ test('moving right and up follows the screen', () => {
 });
 
 test('the overview from the top looks straight down at the middle', () => {
-  const top = overview({ length: 12, width: 8 }, 16 / 9, true);
+  const top = overview({ length: 12, width: 8 }, FREE, true);
 
   assert.ok(isNear(eye(top).slice(0, 2), [0, 0], 0.05));
+});
+
+test('a fitted view holds all points and is no farther than it must be', () => {
+  const fit = fitted(
+    { ...view, target: [0, 0, 0], elevationDegrees: 0 },
+    [
+      [3, 0, 0],
+      [0, 0, 1],
+    ],
+    FREE,
+  );
+
+  assert.equal(fit.distance.toFixed(3), '6.000');
+});
+
+test('zooming to a point keeps it in the same direction from the eye', () => {
+  const point = [4, 5, 0];
+  const direction = (
+    /** @type {import('../../main/resources/org/robonewbie/studio/web/state/view-point.js').ViewPoint} */ from,
+  ) => {
+    const way = eye(from).map((value, i) => point[i] - value);
+    return way.map((value) => value / Math.hypot(...way));
+  };
+
+  const near = zoomedTo(view, 0.5, point);
+
+  assert.equal(near.distance, 5);
+  assert.ok(isNear(direction(near), direction(view)));
+});
+
+test('the first picture looks past the robot at ball and goal', () => {
+  const shot = openingShot([-0.8, 0.3, 0.29], [0, 0, 0.04], [6, 0, 0], FREE);
+
+  assert.ok(eye(shot)[0] < -0.8, 'from behind the robot');
+  assert.ok(shot.distance >= 2.1 && shot.distance < 4);
 });

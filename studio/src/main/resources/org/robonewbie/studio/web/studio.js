@@ -6,6 +6,7 @@ import { Connection } from './live/connection.js';
 import { Session } from './live/session.js';
 import { CoursePanel } from './panels/course-panel.js';
 import { byId } from './panels/elements.js';
+import { watchFreeSpace } from './panels/free-space.js';
 import { FIELD_MOUSE, fieldDeeds, listenToKeys } from './panels/keys.js';
 import { Happenings } from './panels/happenings.js';
 import { banner, notes, reportMistakes, tell } from './panels/messages.js';
@@ -53,7 +54,7 @@ export class Studio {
     const asked = qualityIndex(options.get('quality'));
     this.view = openView(QUALITIES[asked < 0 ? 1 : asked]);
     this.chooser = chooserFor(this.view, asked);
-    this.desk = new CameraDesk(this.view.camera);
+    this.desk = new CameraDesk(this.view.camera, () => this.view.free);
     const address = `ws://${location.host}/live?token=${encodeURIComponent(this.token)}`;
     this.connection = new Connection(address, this.session);
     this.time = timeActions(() => this.state, this.send);
@@ -171,7 +172,11 @@ export class Studio {
     });
     themeSwitch(this.options.get('theme'), setTheme);
     window.addEventListener('beforeunload', (event) => this.motion?.editor.isAtRisk && event.preventDefault());
-    new ResizeObserver(this.#touching(() => this.view.resize())).observe(this.view.stage);
+    const setCovered = (/** @type {import('./field/field-view.js').FieldView['covered']} */ covered) => {
+      this.view.setCovered(covered);
+      this.desk.refit();
+    };
+    watchFreeSpace(this.view.stage, this.#touching(setCovered));
   }
 
   #fieldDeeds() {
@@ -238,6 +243,8 @@ export class Studio {
       this.motion?.turn(seconds);
     } else if (here === 'robot') {
       this.robot?.turn(this.session.shown, this.cursor, now);
+    } else if (!this.chooser.fixed) {
+      this.view.refine(now);
     }
   }
 
@@ -266,7 +273,7 @@ export class Studio {
     if (picture && picture.robots.length === scene?.robots.length) {
       view.update(picture);
     }
-    session.stale = desk.update(view.crowd.poses, seconds);
+    session.stale = desk.update(view.crowd.poses, seconds, view.ball.position.toArray());
     view.light.shine(desk.shown.target, view.camera.position);
     view.draw();
     this.#panels.ask();

@@ -1,9 +1,10 @@
 /** The camera: which of four ways of looking is chosen, and how mouse and keys turn it. */
 import { POSE, rotated } from '../state/kinematics.js';
-import { eye, moved, overview, turned, zoomed } from '../state/view-point.js';
+import { eye, moved, openingShot, overview, turned, zoomed, zoomedTo } from '../state/view-point.js';
 
 /**
  * @typedef {import('../state/view-point.js').ViewPoint} ViewPoint
+ * @typedef {import('../state/view-point.js').FreeView} FreeView
  * @typedef {'orbit' | 'follow' | 'top' | 'eye'} CameraMode
  * @typedef {import('../live/state-frame.js').Scene} Scene
  */
@@ -22,9 +23,13 @@ const FOLLOW_HEIGHT = 0.29;
 const CATCH_UP_PER_SECOND = 6;
 
 export class CameraDesk {
-  /** @param {import('three').PerspectiveCamera} camera */
-  constructor(camera) {
+  /**
+   * @param {import('three').PerspectiveCamera} camera
+   * @param {() => FreeView} free the part of the picture that no panel covers; if left out, all of it
+   */
+  constructor(camera, free = () => wholeView(camera)) {
     this.camera = camera;
+    this.free = free;
     /** @type {CameraMode} */
     this.mode = 'orbit';
     this.chosen = 0;
@@ -35,6 +40,10 @@ export class CameraDesk {
     this.shown = this.view;
     /** Whether the camera has arrived where it glides to. */
     this.isStill = false;
+    /** The view of the whole pitch, as long as nobody has turned it. @type {ViewPoint | undefined} */
+    this.whole = undefined;
+    /** Whether the first picture of a single robot is still to be composed. */
+    this.opens = false;
     /** @type {Scene | undefined} */
     this.scene = undefined;
   }
@@ -48,10 +57,12 @@ export class CameraDesk {
     const first = this.scene === undefined;
     this.scene = scene;
     this.chosen = Math.min(this.chosen, Math.max(0, scene.robots.length - 1));
-    if (this.userHasChosen) {
+    const isLost = this.#needsRobot(this.mode) && scene.robots.length === 0;
+    if (this.userHasChosen && !isLost) {
       return;
     }
     this.setMode(scene.robots.length === 1 ? 'follow' : 'orbit');
+    this.opens = this.mode === 'follow';
     this.userHasChosen = false;
     if (first) {
       this.shown = this.view;
@@ -59,15 +70,36 @@ export class CameraDesk {
   }
 
   /** @param {CameraMode} mode */
+  #needsRobot(mode) {
+    return mode === 'follow' || mode === 'eye';
+  }
+
+  /** Looks in another way; nothing happens where a robot is needed and none is there. @param {CameraMode} mode */
   setMode(mode) {
+    if (this.#needsRobot(mode) && !this.scene?.robots.length) {
+      return;
+    }
     this.userHasChosen = true;
     this.isStill = false;
+    this.opens = false;
     this.mode = mode;
-    const field = this.scene?.field ?? { length: 12, width: 8 };
     if (mode === 'follow') {
       this.view = { ...this.view, azimuthDegrees: -38, elevationDegrees: 13, distance: 2.1 };
     } else if (mode !== 'eye') {
-      this.view = overview(field, this.camera.aspect, mode === 'top');
+      this.#seeAll();
+    }
+  }
+
+  #seeAll() {
+    const field = this.scene?.field ?? { length: 12, width: 8 };
+    this.whole = overview(field, this.free(), this.mode === 'top');
+    this.view = this.whole;
+  }
+
+  /** The free part of the picture has changed. */
+  refit() {
+    if (this.view === this.whole) {
+      this.#seeAll();
     }
   }
 
@@ -88,26 +120,28 @@ export class CameraDesk {
 
   /** @param {number} right degrees @param {number} up degrees */
   turn(right, up) {
-    this.#free();
+    this.#take();
     this.view = turned(this.view, right, up);
   }
 
-  /** @param {number} factor */
-  zoom(factor) {
-    this.view = zoomed(this.view, factor);
+  /** @param {number} factor below 1 goes nearer @param {number[]} [point] stays where it is on the screen */
+  zoom(factor, point) {
+    this.opens = false;
+    this.view = point && !this.#needsRobot(this.mode) ? zoomedTo(this.view, factor, point) : zoomed(this.view, factor);
   }
 
   /** @param {number} right part of the distance @param {number} up part of the distance */
   move(right, up) {
-    this.#free();
+    this.#take();
     if (this.mode === 'follow') {
       this.mode = 'orbit';
     }
     this.view = moved(this.view, right, up);
   }
 
-  #free() {
+  #take() {
     this.userHasChosen = true;
+    this.opens = false;
     if (this.mode === 'top') {
       this.mode = 'orbit';
     }
@@ -118,18 +152,32 @@ export class CameraDesk {
    *
    * @param {Float32Array[]} poses of all links of each robot
    * @param {number} seconds since the last call
+   * @param {number[]} [ball] where it is, if there is one
    * @returns {boolean} whether it has moved
    */
-  update(poses, seconds) {
+  update(poses, seconds, ball) {
     const robot = poses[this.chosen];
     this.#setFieldOfView(this.mode === 'eye' && robot ? EYE_FIELD_OF_VIEW : FIELD_OF_VIEW);
     if (this.mode === 'eye' && robot) {
       return this.#lookThroughEyes(robot);
     }
+    if (this.opens && robot && robot[2] > 0 && ball) {
+      this.#open(robot, ball);
+    }
     if (this.mode === 'follow' && robot) {
       this.view = { ...this.view, target: [robot[0], robot[1], FOLLOW_HEIGHT] };
     }
     return this.#glide(Math.min(1, CATCH_UP_PER_SECOND * seconds));
+  }
+
+  /** @param {Float32Array} robot @param {number[]} ball */
+  #open(robot, ball) {
+    this.opens = false;
+    const scene = /** @type {Scene} */ (this.scene);
+    const end = scene.robots[this.chosen].side === 'right' ? -1 : 1;
+    const goal = [(end * scene.field.length) / 2, 0, 0];
+    this.view = openingShot([robot[0], robot[1], FOLLOW_HEIGHT], ball, goal, this.free());
+    this.shown = this.view;
   }
 
   /** @param {number} degrees */
@@ -175,6 +223,12 @@ export class CameraDesk {
     this.isStill = step <= 0.0005;
     return !this.isStill;
   }
+}
+
+/** @param {import('three').PerspectiveCamera} camera @returns {FreeView} */
+function wholeView(camera) {
+  const up = Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180));
+  return { across: up * camera.aspect, up };
 }
 
 /**

@@ -1,6 +1,6 @@
 /** The picture of the field: owns the three.js scene and draws it; what is drawn comes from outside. */
 import * as THREE from 'three';
-import { ball, ballShape } from './ball.js';
+import { ball, BALL_RADIUS, ballShape } from './ball.js';
 import { Light, PALETTES, roomReflections } from './light.js';
 import { pitch } from './pitch.js';
 import { RobotCrowd } from './robot-crowd.js';
@@ -11,6 +11,16 @@ import { SoftShadows } from './soft-shadows.js';
  * @typedef {import('../state/smoothing.js').Picture} Picture
  * @typedef {import('../state/quality.js').Quality} Quality
  */
+
+/** A ball that is far away is drawn larger than it is, so that it can be found. */
+const LEAST_BALL_PIXELS = 4;
+
+/** A picture that stands still has four pixels for each pixel of the page, which smooths all edges. */
+const STILL_PIXEL_RATIO = 2;
+const STILL_MILLISECONDS = 300;
+
+/** Panels that leave less than this part of the picture are not respected: then they are laid over it on purpose. */
+const LEAST_FREE_PART = 0.45;
 
 export class FieldView {
   /**
@@ -35,6 +45,11 @@ export class FieldView {
     /** @type {THREE.Group | undefined} */
     this.pitch = undefined;
     this.quality = quality;
+    /** Whether the last picture was drawn with all pixels. */
+    this.isFine = false;
+    this.lastDrawn = Infinity;
+    /** How much of each side is covered, pixels of the page. */
+    this.covered = { left: 0, top: 0, right: 0, bottom: 0 };
     this.renderer = this.#newRenderer();
     this.setQuality(quality);
   }
@@ -126,12 +141,42 @@ export class FieldView {
 
   /** Fits the picture to the page. */
   resize() {
-    const width = Math.max(1, this.stage.clientWidth);
-    const height = Math.max(1, this.stage.clientHeight);
+    const { width, height } = this.#size();
+    const { left, top, right, bottom } = this.#margins(width, height);
+    this.isFine = false;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, this.quality.pixelRatio));
     this.renderer.setSize(width, height);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    this.camera.setViewOffset(width, height, (right - left) / 2, (bottom - top) / 2, width, height);
+  }
+
+  #size() {
+    return { width: Math.max(1, this.stage.clientWidth), height: Math.max(1, this.stage.clientHeight) };
+  }
+
+  /** @param {number} width @param {number} height */
+  #margins(width, height) {
+    const { left, top, right, bottom } = this.covered;
+    const [across, up] = [left + right < (1 - LEAST_FREE_PART) * width, top + bottom < (1 - LEAST_FREE_PART) * height];
+    return { left: across ? left : 0, right: across ? right : 0, top: up ? top : 0, bottom: up ? bottom : 0 };
+  }
+
+  /** @param {{left: number, top: number, right: number, bottom: number}} covered pixels of the page that panels cover */
+  setCovered(covered) {
+    this.covered = covered;
+    this.resize();
+  }
+
+  /** @returns {import('../state/view-point.js').FreeView} */
+  get free() {
+    const { width, height } = this.#size();
+    const { left, top, right, bottom } = this.#margins(width, height);
+    const perPixel = this.#slope / height;
+    return { across: perPixel * (width - left - right), up: perPixel * (height - top - bottom) };
+  }
+
+  /** Tangent of half the angle that the picture is high. */
+  get #slope() {
+    return Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
   }
 
   /**
@@ -149,8 +194,29 @@ export class FieldView {
   }
 
   draw() {
+    if (this.isFine) {
+      this.resize();
+    }
+    this.lastDrawn = performance.now();
+    this.#render();
+  }
+
+  /** Draws a picture that has stood still for a moment with all pixels, which takes its time. @param {number} now milliseconds */
+  refine(now) {
+    if (!this.isFine && now - this.lastDrawn > STILL_MILLISECONDS && !document.hidden) {
+      this.isFine = true;
+      this.renderer.setPixelRatio(Math.max(window.devicePixelRatio, STILL_PIXEL_RATIO));
+      this.#render();
+    }
+  }
+
+  #render() {
+    const metres = this.camera.position.distanceTo(this.ball.position);
+    const least = (LEAST_BALL_PIXELS * 2 * this.#slope * metres) / this.#size().height;
+    this.ball.scale.setScalar(Math.max(1, least / (2 * BALL_RADIUS)));
     this.renderer.info.reset();
     this.renderer.render(this.scene, this.camera);
+    this.stage.dataset.drawn = '';
   }
 
   /** Counts the draw calls of the last picture, shadows included. */

@@ -100,7 +100,7 @@ export class Hand {
   /** @param {WheelEvent} event */
   #wheel(event) {
     event.preventDefault();
-    this.desk.zoom(Math.exp(0.0012 * event.deltaY));
+    this.desk.zoom(Math.exp(0.0012 * event.deltaY), this.#groundAt(event, 0)?.toArray());
     this.world.changed();
   }
 
@@ -163,7 +163,7 @@ export class Hand {
   }
 
   /**
-   * @param {PointerEvent} event
+   * @param {MouseEvent} event
    * @param {number} height of the plane in which the thing moves
    */
   #groundAt(event, height) {

@@ -6,7 +6,8 @@ import { flatMaterial, HAZE_METRES, screenColour } from './flat-material.js';
  * @typedef {object} Palette
  * @property {number} sky at the horizon
  * @property {number} zenith straight above
- * @property {number} surround
+ * @property {number} surround ground around the pitch
+ * @property {number} plain the same ground far away
  * @property {number} grass
  * @property {number} grassStripe
  * @property {number} line
@@ -19,7 +20,8 @@ export const PALETTES = {
   light: {
     sky: 0xe9eff3,
     zenith: 0xb4cfe6,
-    surround: 0xc3ced4,
+    surround: 0x9db09f,
+    plain: 0xb3c1b5,
     grass: 0x55a362,
     grassStripe: 0x5cab69,
     line: 0xffffff,
@@ -29,7 +31,8 @@ export const PALETTES = {
   dark: {
     sky: 0x232c36,
     zenith: 0x0d1217,
-    surround: 0x1b2229,
+    surround: 0x1a241f,
+    plain: 0x18201d,
     grass: 0x2d6a3c,
     grassStripe: 0x327243,
     line: 0xe6ece8,
@@ -39,7 +42,7 @@ export const PALETTES = {
 };
 
 const SHADOW_REACH = 2;
-const SKY_RADIUS = 100;
+const SKY_RADIUS = 150;
 const AFTER_ALL_GROUND = 2;
 
 export class Light {
@@ -106,11 +109,15 @@ function skyDome() {
 function paintDome(dome, palette) {
   const places = dome.geometry.getAttribute('position');
   const colours = dome.geometry.getAttribute('color');
-  const [horizon, zenith] = [screenColour(palette.sky), screenColour(palette.zenith)];
+  const [plain, horizon, zenith] = [palette.plain, palette.sky, palette.zenith].map(screenColour);
   const colour = new THREE.Color();
   for (let i = 0; i < places.count; i++) {
-    const height = Math.max(0, Math.min(1, (places.getZ(i) / SKY_RADIUS) * 1.5));
-    colour.lerpColors(horizon, zenith, Math.sqrt(height));
+    const height = Math.min(1, (places.getZ(i) / SKY_RADIUS) * 1.5);
+    if (height < -0.01) {
+      colour.copy(plain);
+    } else {
+      colour.lerpColors(horizon, zenith, Math.sqrt(Math.max(0, height)));
+    }
     colours.setXYZ(i, colour.r, colour.g, colour.b);
   }
   colours.needsUpdate = true;

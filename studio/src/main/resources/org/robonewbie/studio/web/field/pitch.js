@@ -9,6 +9,7 @@ import { flatMaterial, screenColour, tinted } from './flat-material.js';
 
 const LINE_WIDTH = 0.05;
 const BORDER = 1;
+const GROUND_METRES = 300;
 const POST_RADIUS = 0.03;
 const STRIPES = 12;
 const NET_STEP = 0.1;
@@ -40,7 +41,8 @@ export function pitch(field, colours, blades) {
 
 /** @param {import('./light.js').Palette} colours */
 function surround(colours) {
-  const floor = new THREE.Mesh(tinted(new THREE.PlaneGeometry(200, 200), colours.surround), flatMaterial(colours.sky));
+  const plane = new THREE.PlaneGeometry(GROUND_METRES, GROUND_METRES);
+  const floor = new THREE.Mesh(tinted(plane, colours.surround), flatMaterial(colours.plain));
   floor.position.z = -0.012;
   floor.renderOrder = AFTER_GRASS;
   return floor;
@@ -71,7 +73,7 @@ function grass(field, colours, blades) {
   geometry.setAttribute('uv', new THREE.Float32BufferAttribute(corners, 2));
   const material = blades
     ? new THREE.MeshBasicMaterial({ vertexColors: true, map: grain() })
-    : flatMaterial(colours.sky);
+    : flatMaterial(colours.plain);
   const mesh = new THREE.Mesh(geometry, material);
   mesh.name = 'grass';
   return mesh;

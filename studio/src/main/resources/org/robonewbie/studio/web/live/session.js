@@ -20,6 +20,8 @@ import { readFrame } from './state-frame.js';
  */
 
 export class Session {
+  #lastBytes = new Uint8Array();
+
   /**
    * @param {boolean} hasToken
    * @param {Audience} audience
@@ -84,15 +86,21 @@ export class Session {
   /** @param {ArrayBuffer} bytes */
   frameArrived(bytes) {
     this.owesAnswer = true;
-    this.touch();
     const { scene } = this.state;
     const frame = scene && readFrame(bytes, scene);
-    if (frame) {
+    if (frame && !this.#repeats(bytes)) {
       const now = this.clock();
       this.cursor.history.push(frame.cycle, scene, bytes);
       this.#set(withFrame(this.state, frame, now));
       this.smoothing.push(frame, now);
     }
+  }
+
+  /** Whether a frame says what the last one said: a world that is paused sends it each second. @param {ArrayBuffer} bytes */
+  #repeats(bytes) {
+    const [last, next] = [this.#lastBytes, new Uint8Array(bytes)];
+    this.#lastBytes = next;
+    return this.state.frame !== undefined && last.length === next.length && last.every((value, i) => value === next[i]);
   }
 
   /** Goes to another moment. @param {(cursor: TimeCursor) => void} move */

@@ -21,7 +21,7 @@ const view = new FieldView(byId('stage'), QUALITIES[1]);
 const chooser = new QualityChooser(qualityRange(view.graphics), false);
 view.setQuality(chooser.quality);
 view.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
-const desk = new CameraDesk(view.camera);
+const desk = new CameraDesk(view.camera, () => view.free);
 let replay = { ...BEGINNING, count: reader.moments.length, playing: true };
 let state = withConnection(initialState(true));
 let revision = 0;
@@ -59,6 +59,8 @@ function turn(now) {
   replay = advanced(replay, seconds);
   if (stale || before !== replay || replay.playing) {
     draw(now, seconds);
+  } else {
+    view.refine(now);
   }
   last = now;
   requestAnimationFrame(turn);
@@ -79,7 +81,7 @@ function draw(now, seconds) {
   }
   state = withFrame(withScene(state, scene), frameOf(moment, scene), now);
   view.update(/** @type {any} */ (state.frame));
-  stale = desk.update(view.crowd.poses, seconds);
+  stale = desk.update(view.crowd.poses, seconds, view.ball.position.toArray());
   view.light.shine(desk.shown.target, view.camera.position);
   view.draw();
   board(state, now);

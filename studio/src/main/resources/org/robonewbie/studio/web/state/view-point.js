@@ -71,21 +71,112 @@ export function eye(view) {
 }
 
 /**
- * A view of the whole pitch.
+ * Goes nearer to a point, or away from it, so that the point stays where it is on the screen.
+ *
+ * @param {ViewPoint} view
+ * @param {number} factor below 1 goes nearer
+ * @param {number[]} point
+ * @returns {ViewPoint}
+ */
+export function zoomedTo(view, factor, point) {
+  const near = zoomed(view, factor);
+  const part = near.distance / view.distance;
+  return { ...near, target: view.target.map((value, i) => point[i] + part * (value - point[i])) };
+}
+
+/**
+ * The part of the picture that no panel covers.
+ *
+ * @typedef {object} FreeView
+ * @property {number} across tangent of the angle from its middle to its sides
+ * @property {number} up tangent of the angle from its middle to its upper end
+ */
+
+/**
+ * Goes as near as possible while all points can still be seen.
+ *
+ * @param {ViewPoint} view
+ * @param {readonly number[][]} points
+ * @param {FreeView} free
+ * @returns {ViewPoint}
+ */
+export function fitted(view, points, free) {
+  const distances = points.map((point) => {
+    const { right, up, near } = seenFrom(view, point);
+    return Math.max(Math.abs(right) / free.across, Math.abs(up) / free.up) + near;
+  });
+  return { ...view, distance: clamp(Math.max(...distances), NEAREST, FARTHEST) };
+}
+
+/**
+ * How far a point is from the target as the eye sees it: to the right, up, and towards the eye.
+ *
+ * @param {ViewPoint} view
+ * @param {readonly number[]} point
+ */
+function seenFrom({ target, azimuthDegrees, elevationDegrees }, point) {
+  const [sine, cosine] = [Math.sin(azimuthDegrees * RADIANS), Math.cos(azimuthDegrees * RADIANS)];
+  const [high, flat] = [Math.sin(elevationDegrees * RADIANS), Math.cos(elevationDegrees * RADIANS)];
+  const [x, y, z] = point.map((value, i) => value - target[i]);
+  const outward = cosine * x + sine * y;
+  return { right: cosine * y - sine * x, up: flat * z - high * outward, near: flat * outward + high * z };
+}
+
+/**
+ * A view of the whole pitch with both goals.
  *
  * @param {{length: number, width: number}} field
- * @param {number} aspect width of the picture divided by its height
+ * @param {FreeView} free
  * @param {boolean} fromTop straight down or from the side line
  * @returns {ViewPoint}
  */
-export function overview(field, aspect, fromTop) {
-  const extent = Math.max((field.length + 1.5) / aspect, field.width + (fromTop ? 1.5 : -1));
-  return {
-    target: [0, fromTop ? 0 : -0.05 * field.width, 0],
+export function overview(field, free, fromTop) {
+  const [x, y] = [field.length / 2 + 0.8, field.width / 2 + 0.3];
+  const view = {
+    target: [0, fromTop ? 0 : -0.1 * field.width, 0],
     azimuthDegrees: -90,
     elevationDegrees: fromTop ? HIGHEST_DEGREES : 36,
-    distance: extent * 1.5,
+    distance: FARTHEST,
   };
+  return fitted(
+    view,
+    [-x, x].flatMap((end) => [-y, y].map((side) => [end, side, 0])),
+    free,
+  );
+}
+
+const OPENING_SLANTS = [-36, -28, -18, 18, 28, 36];
+const OPENING_ELEVATIONS = [12, 18, 26];
+const OPENING_DISTANCES = [2.1, 9];
+const ROBOT_REACH = 0.3;
+
+/**
+ * A view over the shoulder of a robot, with the ball and the goal that it attacks.
+ *
+ * @param {number[]} target middle of the robot
+ * @param {number[]} ball
+ * @param {number[]} goal middle of its line
+ * @param {FreeView} free
+ * @returns {ViewPoint} the nearest such view
+ */
+export function openingShot(target, ball, goal, free) {
+  const [x, y] = target;
+  const [side, top] = [1.1, 0.8];
+  const points = [[x, y, 0], [x, y, 0.6], ball, [goal[0], goal[1] - side, top], [goal[0], goal[1] + side, top]];
+  const behind = Math.atan2(y - goal[1], x - goal[0]) / RADIANS;
+  const views = OPENING_SLANTS.flatMap((slant) =>
+    OPENING_ELEVATIONS.map((elevationDegrees) =>
+      fitted({ target, azimuthDegrees: behind + slant, elevationDegrees, distance: FARTHEST }, points, free),
+    ),
+  );
+  const clear = views.filter((view) => {
+    const { right, near } = seenFrom(view, ball);
+    return Math.abs(right) > (ROBOT_REACH * (view.distance - near)) / view.distance;
+  });
+  const best = (clear.length > 0 ? clear : views).reduce((nearest, view) =>
+    view.distance < nearest.distance ? view : nearest,
+  );
+  return { ...best, distance: clamp(best.distance, OPENING_DISTANCES[0], OPENING_DISTANCES[1]) };
 }
 
 /**

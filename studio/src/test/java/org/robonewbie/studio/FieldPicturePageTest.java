@@ -1,0 +1,177 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What the picture of the field shows: all that matters, beside the panels, in all its pixels. */
+@InBrowser(width = 1440, height = 900)
+class FieldPicturePageTest {
+
+    private static final String CHEAP = "&quality=lowest";
+    private static final String SEEN = "(x, y, z) => { const { view } = studio; const box ="
+            + " view.stage.getBoundingClientRect(); const at = new view.camera.position.constructor(x, y, z)"
+            + ".project(view.camera); return [box.left + (at.x + 1) / 2 * box.width,"
+            + " box.top + (1 - at.y) / 2 * box.height]; }";
+    private static final String IS_FREE = "(([x, y]) => x >= 0 && y >= 0 && x <= innerWidth && y <= innerHeight"
+            + " && !document.elementFromPoint(x, y)?.closest('.panel, .bar'))";
+
+    private final Chromium browser;
+    private final SmallSimulation simulation = new SmallSimulation();
+    private StudioServer studio;
+
+    FieldPicturePageTest(Chromium browser) {
+        this.browser = browser;
+    }
+
+    @BeforeEach
+    void start() throws IOException {
+        studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
+    }
+
+    @AfterEach
+    void close() {
+        studio.close();
+        simulation.close();
+    }
+
+    private void open(String options) {
+        browser.visit(studio.address() + "&theme=light" + options);
+        browser.await("studio.state.frame && studio.desk.scene && studio.view.drawCalls > 0");
+    }
+
+    private void openWithRobot(String options) {
+        simulation.withRobot();
+        open(options);
+        browser.await("studio.state.scene?.robots.length === 1 && studio.view.crowd.poses[0]?.[2] > 0");
+    }
+
+    private boolean seesFreely(String points) {
+        return browser.evaluate(points + ".every(point => " + IS_FREE + "((" + SEEN + ")(...point)))")
+                .getAsBoolean();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1", "3"})
+    void wholePitchWithBothGoalsLiesBesideThePanels(String key) {
+        openWithRobot(CHEAP);
+
+        browser.press(key);
+        browser.await("studio.desk.isStill && studio.desk.mode !== 'follow'");
+
+        assertThat(seesFreely("[[-6, -4, 0], [6, -4, 0], [-6, 4, 0], [6, 4, 0], [6.6, 1, 0], [-6.6, -1, 0]]"))
+                .isTrue();
+    }
+
+    @Test
+    void firstPictureHoldsRobotBallAndGoal() {
+        openWithRobot(CHEAP);
+
+        browser.await("studio.desk.isStill && !studio.desk.opens");
+
+        assertThat(seesFreely("[[...studio.view.crowd.poses[0]].slice(0, 3), [0, 0, 0.04], [6, 0, 0.4]]"))
+                .isTrue();
+    }
+
+    @Test
+    void pictureThatStandsStillHasAllPixels() {
+        openWithRobot("");
+        browser.await("!studio.view.isFine");
+
+        browser.click("#toggle");
+
+        browser.await("studio.view.isFine");
+        String canvas = "studio.view.renderer.domElement";
+        assertThat(browser.evaluate(canvas + ".width / " + canvas + ".clientWidth")
+                        .getAsDouble())
+                .isEqualTo(2);
+        browser.click("#toggle");
+        browser.await("!studio.view.isFine && " + canvas + ".width < 1.5 * " + canvas + ".clientWidth");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void pageBeforeTheFirstPictureIsNotBlack() {
+        String script = browser.runBeforePages("window.requestAnimationFrame = () => 0");
+        try {
+            browser.visit(studio.address() + "&theme=light" + CHEAP);
+
+            browser.await("window.studio && document.querySelector('#stage-opening').checkVisibility()");
+            browser.await("document.querySelector('#stage canvas')"
+                    + " && getComputedStyle(document.querySelector('#stage canvas')).visibility === 'hidden'");
+            assertThat(browser.evaluate("getComputedStyle(document.querySelector('#stage')).backgroundColor")
+                            .getAsString())
+                    .isEqualTo("rgb(223, 232, 239)");
+        } finally {
+            browser.forgetScript(script);
+        }
+    }
+
+    @Test
+    void groundReachesTheHorizonBelowRobotsThatHaveLeftThePitch() throws IOException {
+        open(CHEAP);
+        browser.evaluate("studio.desk.jumpTo({target: [30, 0, 1.4], azimuthDegrees: 180, elevationDegrees: 2,"
+                + " distance: 8}); studio.touch()");
+        browser.await("studio.desk.isStill && !studio.session.stale");
+        double horizon = browser.evaluate("((" + SEEN + ")(10000, 0, 0))[1]").getAsDouble();
+
+        BufferedImage picture = ImageIO.read(new ByteArrayInputStream(browser.screenshot()));
+        Color sky = new Color(picture.getRGB(300, (int) horizon - 30));
+        Color ground = new Color(picture.getRGB(300, (int) horizon + 30));
+
+        assertThat(sky.getBlue() - ground.getBlue()).isGreaterThan(35);
+        assertThat(ground.getGreen()).isGreaterThan(ground.getBlue());
+    }
+
+    @Test
+    void robotCamerasAreNotChosenWithoutARobot() {
+        open(CHEAP);
+        browser.await("studio.desk.mode === 'orbit' && studio.desk.isStill");
+        double distance = browser.evaluate("studio.desk.view.distance").getAsDouble();
+
+        browser.press("2");
+
+        browser.await("document.querySelector('[data-camera=orbit]').ariaPressed === 'true'");
+        assertThat(browser.evaluate("studio.desk.view.distance").getAsDouble()).isEqualTo(distance);
+    }
+
+    @Test
+    void ballIsNeverSmallerThanFourPixels() {
+        open(CHEAP);
+
+        browser.evaluate("studio.desk.jumpTo({...studio.desk.view, distance: 60}); studio.touch()");
+        browser.await("studio.desk.isStill && !studio.session.stale");
+
+        double pixels = browser.evaluate("(() => { const see = " + SEEN + "; const { x, y, z } ="
+                        + " studio.view.ball.position; const r = 0.042 * studio.view.ball.scale.x;"
+                        + " return see(x + r, y, z)[0] - see(x - r, y, z)[0]; })()")
+                .getAsDouble();
+        assertThat(pixels).isCloseTo(4, within(0.2));
+    }
+
+    @Test
+    void wheelGoesNearerToWhatIsUnderThePointer() {
+        openWithRobot(CHEAP);
+        browser.press("1");
+        browser.await("studio.desk.mode === 'orbit' && studio.desk.isStill");
+        browser.evaluate("window.spot = (" + SEEN + ")(3, 1, 0)");
+
+        browser.evaluate("studio.view.stage.dispatchEvent(new WheelEvent('wheel', {deltaY: -500, clientX: spot[0],"
+                + " clientY: spot[1], cancelable: true}))");
+        browser.await("studio.desk.isStill && studio.desk.shown.distance < 10");
+
+        assertThat(browser.evaluate("Math.hypot(...(" + SEEN + ")(3, 1, 0).map((value, i) => value - spot[i]))")
+                        .getAsDouble())
+                .isLessThan(3);
+    }
+}
