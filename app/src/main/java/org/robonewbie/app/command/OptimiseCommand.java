@@ -12,9 +12,9 @@ import org.robonewbie.app.studio.SearchConsole;
 import org.robonewbie.app.studio.SearchStudio;
 import org.robonewbie.app.studio.SearchStudioOptions;
 import org.robonewbie.learning.design.MotionWorkshop;
-import org.robonewbie.learning.objective.StandardObjective;
 import org.robonewbie.learning.optimise.EngineSubject;
 import org.robonewbie.learning.optimise.MotionSubject;
+import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.learning.optimise.Optimisation;
 import org.robonewbie.learning.optimise.OptimisationListener;
 import org.robonewbie.learning.optimise.OptimisationPlan;
@@ -37,7 +37,8 @@ import picocli.CommandLine.Parameters;
             "Improve a motion, the walk engine or an agent: change its numbers, try it in the simulator, keep what is better"
                     + " (CMA-ES).",
             "",
-            "Objectives: distance-walked, walk-speed, energy, stability, kick-distance, time-to-score.",
+            "Objectives: distance-walked, walk-speed, energy, stability, standing-time, get-up-time, kick-distance,",
+            "time-to-score, or a class of yours that implements Measure.",
             "The same seed and the same options give the same result, on any number of threads. An interrupted run goes on",
             "with --resume. A page of the studio shows the progress; after the end the program waits until the page is closed,",
             "with --headless it opens none. Exit code 1: nothing better was found."
@@ -162,9 +163,9 @@ final class OptimiseCommand implements Callable<Integer> {
         }
         if (objective.isEmpty()) {
             throw new CalledWronglyException("Name the measure by which to improve " + plainName()
-                    + ": --objective NAME. There are: " + StandardObjective.labels() + ".");
+                    + ": --objective NAME. There are: " + Objective.labels() + ".");
         }
-        StandardObjective wanted = StandardObjective.labelled(objective);
+        Objective wanted = agent.objective(objective);
         Subject subject = subject(wanted);
         Path file = output.orElse(agent.isWanted() ? agent.file() : Path.of(plainName() + "-optimised.txt"));
         if (bothSides) {
@@ -184,7 +185,7 @@ final class OptimiseCommand implements Callable<Integer> {
         return result.isBetter() ? ExitCode.OK : ExitCode.SOFTWARE;
     }
 
-    private OptimisationResult run(Subject subject, StandardObjective wanted, OptimisationPlan plan, Path file)
+    private OptimisationResult run(Subject subject, Objective wanted, OptimisationPlan plan, Path file)
             throws IOException, InterruptedException {
         var optimisation = new Optimisation(subject, wanted, plan, file);
         OptimisationListener console = new SearchConsole(System.out, wanted.unit(), file);
@@ -230,7 +231,7 @@ final class OptimiseCommand implements Callable<Integer> {
         return String.valueOf(Path.of(name).getFileName()).replaceFirst("\\.txt$", "");
     }
 
-    private Subject subject(StandardObjective wanted) throws IOException {
+    private Subject subject(Objective wanted) throws IOException {
         if (agent.isWanted()) {
             return agent.subject(wanted);
         }

@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.TunableNumbers;
-import org.robonewbie.learning.objective.Objective;
 import org.robonewbie.learning.optimise.AgentScene;
 import org.robonewbie.learning.optimise.AgentSubject;
+import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.nao.Vector3;
 import picocli.CommandLine.Option;
 
@@ -69,6 +69,16 @@ public final class OptimisedAgent {
     /** {@return the file that the program itself reads} */
     public Path file() {
         return Path.of(TunableNumbers.fileName(simpleName()));
+    }
+
+    /**
+     * Looks up what is to be improved, a measure of the framework or a class from the class path.
+     *
+     * @param label name of the measure
+     * @return the objective
+     */
+    public Objective objective(String label) {
+        return Objective.named(label, AgentFinder.loaderOf(AgentFinder.folders(classPath)));
     }
 
     /**

@@ -21,11 +21,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.studio.SearchStudio;
 import org.robonewbie.app.studio.SearchStudioOptions;
-import org.robonewbie.learning.objective.StandardObjective;
 import org.robonewbie.learning.optimise.Attempt;
 import org.robonewbie.learning.optimise.Cloud;
 import org.robonewbie.learning.optimise.Generation;
 import org.robonewbie.learning.optimise.MotionSubject;
+import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.learning.optimise.Optimisation;
 import org.robonewbie.learning.optimise.OptimisationPlan;
 import org.robonewbie.learning.optimise.Subject;
@@ -90,7 +90,7 @@ class OptimiseCommandTest {
 
         assertThatThrownBy(command::call)
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageStartingWith("There is no objective \"beauty\". There are: distance-walked");
+                .hasMessageStartingWith("There is no measure \"beauty\". There are: distance-walked");
     }
 
     @Test
@@ -124,7 +124,7 @@ class OptimiseCommandTest {
     @Test
     void showsTheSearchOnAPageOfTheStudio() throws Exception {
         Path output = folder.resolve("kick.txt");
-        StandardObjective objective = StandardObjective.KICK_DISTANCE;
+        Objective objective = Objective.named("kick-distance", getClass().getClassLoader());
         MotionFile motion = ShippedMotions.file("kick-right");
         Subject subject = new MotionSubject("kick-right", motion, objective);
         OptimisationPlan plan = new OptimisationPlan(1, 2, 4, 1, 0.1, 1);

@@ -3,7 +3,6 @@ package org.robonewbie.learning.experiment;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.robonewbie.learning.objective.TrueStateEye;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
@@ -127,16 +126,6 @@ public final class SoccerTrial implements Trial {
     @Override
     public double[] observation(int robot) {
         return bodies.get(robot).observation();
-    }
-
-    /**
-     * Creates a sensor for the true state of a robot, for the {@link org.robonewbie.learning.objective.Objective objectives}.
-     *
-     * @param robot number of the robot, from 0
-     * @return sees what is true until the next reset; to be asked once after each step
-     */
-    public TrueStateEye eye(int robot) {
-        return new TrueStateEye(world, world.robots().get(robot));
     }
 
     /** {@return the world of this trial until the next reset, to push robots or to move the ball in the middle of a trial} */

@@ -3,12 +3,14 @@ package org.robonewbie.learning.optimise;
 import java.util.Locale;
 import java.util.Random;
 import org.robonewbie.agent.Agent;
-import org.robonewbie.learning.objective.Gauge;
-import org.robonewbie.learning.objective.Objective;
-import org.robonewbie.learning.objective.StandardObjective;
-import org.robonewbie.learning.objective.TrueState;
-import org.robonewbie.learning.trial.AgentTrial;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Measure;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.measure.Standing;
 
 /**
  * Where and how long a program is tried. Each seed is a scene of its own: the places of robot and ball vary a little, and so
@@ -49,7 +51,7 @@ public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spr
     }
 
     /**
-     * Tries a program. It succeeds if it scores, where that is the objective, and else if it never falls.
+     * Tries a program. It succeeds if it reaches what the objective waits for, such as a goal, and else if it never falls.
      *
      * @param agent the program, which has not done anything yet
      * @param objective what is measured
@@ -57,25 +59,24 @@ public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spr
      * @return what came out
      */
     Attempt attempt(Agent agent, Objective objective, long seed) {
+        Measure measure = objective.measure().get();
+        Standing standing = new Standing();
+        try (Trial trial = Trial.served(scene(seed), seed, Performer.ofAgent(agent))) {
+            if (objective.isTimeToReachSomething()) {
+                trial.run(seconds, measure);
+                return new Attempt(measure.value(), measure.isDecided() ? 1 : 0, 0);
+            }
+            trial.run(seconds, measure, standing);
+            return new Attempt(measure.value(), standing.hasFallen() ? 0 : 1, 0);
+        }
+    }
+
+    private Scene scene(long seed) {
         Random random = new Random(11 * seed + 5);
         random.nextLong();
-        Gauge gauge = objective.gauge();
-        boolean toScore = objective == StandardObjective.TIME_TO_SCORE;
-        boolean fallen = false;
-        try (AgentTrial trial = new AgentTrial(agent, seed)) {
-            Vector3 start = near(place, random);
-            double heading = degrees + spreadMetres * DEGREES_FOR_EACH_METRE * between(random);
-            trial.begin(start, heading, near(ball, random));
-            TrueState now = trial.look();
-            gauge.look(now);
-            while (now.seconds() < seconds && !(toScore && now.isScored()) && (toScore || !fallen)) {
-                now = trial.step();
-                gauge.look(now);
-                fallen |= now.isFallen();
-            }
-            boolean success = toScore ? now.isScored() : !fallen;
-            return new Attempt(gauge.value(), success ? 1 : 0, 0);
-        }
+        Vector3 start = near(place, random);
+        double heading = degrees + spreadMetres * DEGREES_FOR_EACH_METRE * between(random);
+        return Scene.of(RobotStart.at(new Place(start.x(), start.y(), heading))).withBall(near(ball, random));
     }
 
     private Vector3 near(Vector3 point, Random random) {

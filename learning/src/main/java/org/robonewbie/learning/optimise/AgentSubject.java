@@ -14,7 +14,6 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.TunableNumber;
 import org.robonewbie.agent.TunableNumbers;
-import org.robonewbie.learning.objective.Objective;
 import org.robonewbie.nao.file.AtomicFile;
 
 /** The numbers that a robot's program declares by {@code number(...)}. */

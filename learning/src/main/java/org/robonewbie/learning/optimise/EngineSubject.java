@@ -12,7 +12,6 @@ import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.agent.walk.WalkParameter;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.learning.objective.Objective;
 import org.robonewbie.learning.trial.Course;
 import org.robonewbie.learning.trial.WalkTrial;
 import org.robonewbie.nao.file.AtomicFile;
@@ -67,7 +66,7 @@ public final class EngineSubject implements Subject {
     @Override
     public Attempt attempt(double[] coordinates, long seed) {
         WalkStyle style = style(coordinates);
-        MeasuringEye eye = new MeasuringEye(objective.gauge());
+        MeasuringEye eye = new MeasuringEye(objective.measure().get());
         Course course = new Course(seed, PUSH_NEWTONS, eye);
         boolean stood = walk(course, style, eye);
         boolean alwaysStood = stood

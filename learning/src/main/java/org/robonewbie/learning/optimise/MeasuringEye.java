@@ -1,26 +1,27 @@
 package org.robonewbie.learning.optimise;
 
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.learning.objective.Gauge;
-import org.robonewbie.learning.objective.TrueState;
-import org.robonewbie.learning.objective.TrueStateEye;
 import org.robonewbie.learning.trial.TrialObserver;
 import org.robonewbie.learning.trial.TrialRobot;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Measure;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.measure.KickDistance;
+import org.robonewbie.trial.measure.Turn;
 
-/** Looks at a robot in each cycle, measures it with a gauge and remembers what it does, until it is closed. */
+/** Looks at a robot in each cycle, measures it and remembers what it does, until it is closed. */
 final class MeasuringEye implements TrialObserver {
 
-    private static final double ROLLS_ON_SECONDS = 0.94;
-
-    private final Gauge gauge;
-    private @Nullable TrueStateEye eye;
-    private @Nullable TrueState first;
-    private @Nullable TrueState last;
-    private double turnedDegrees;
+    private final Measure measure;
+    private final Turn turn = new Turn();
+    private final KickDistance kick = new KickDistance();
+    private @Nullable Place first;
+    private Vector3 last = Vector3.ZERO;
     private boolean closed;
 
-    MeasuringEye(Gauge gauge) {
-        this.gauge = gauge;
+    MeasuringEye(Measure measure) {
+        this.measure = measure;
     }
 
     @Override
@@ -28,18 +29,14 @@ final class MeasuringEye implements TrialObserver {
         if (closed) {
             return true;
         }
-        if (eye == null) {
-            eye = robot.eye();
-        }
-        TrueState now = eye.look();
+        Moment now = robot.now();
         if (first == null) {
-            first = now;
+            first = now.place();
         }
-        if (last != null) {
-            turnedDegrees += Math.IEEEremainder(now.headingDegrees() - last.headingDegrees(), 360);
-        }
-        last = now;
-        gauge.look(now);
+        last = now.robot().position();
+        turn.see(now);
+        kick.see(now);
+        measure.see(now);
         return true;
     }
 
@@ -49,15 +46,12 @@ final class MeasuringEye implements TrialObserver {
     }
 
     double value() {
-        return gauge.value();
+        return measure.value();
     }
 
     Deed deed() {
-        if (first == null || last == null) {
-            return new Deed(0, 0, 0, 0);
-        }
-        double ball = first.ahead(last.ball().plus(last.ballVelocity().times(ROLLS_ON_SECONDS)));
-        return new Deed(
-                first.ahead(last.torso()), first.left(last.torso()), turnedDegrees, ball - first.ahead(first.ball()));
+        return first == null
+                ? new Deed(0, 0, 0, 0)
+                : new Deed(first.ahead(last), first.left(last), turn.value(), kick.value());
     }
 }

@@ -5,8 +5,6 @@ import java.util.Optional;
 import java.util.Random;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.design.Costs;
-import org.robonewbie.learning.objective.Objective;
-import org.robonewbie.learning.objective.StandardObjective;
 import org.robonewbie.learning.trial.Course;
 import org.robonewbie.learning.trial.Lying;
 import org.robonewbie.learning.trial.TrialObserver;
@@ -54,10 +52,8 @@ final class MotionScene {
         this.lyingEnd = lying(end);
         this.loop = start.contains("walking") && end.contains("walking");
         this.endsInStance = end.equals("stance") || loop || (end.isEmpty() && lastPosture(motion));
-        this.keepsDeed = objective == StandardObjective.ENERGY || objective == StandardObjective.STABILITY;
-        boolean needsBall =
-                objective == StandardObjective.KICK_DISTANCE || objective == StandardObjective.TIME_TO_SCORE;
-        if (needsBall && ball.isEmpty()) {
+        this.keepsDeed = objective.temptsToDoLess();
+        if (objective.needsBall() && ball.isEmpty()) {
             throw new IllegalArgumentException(
                     file.name() + " does not say where the ball lies, so " + objective.label()
                             + " cannot be measured. Add a line such as: // ball: 0.190 m ahead, -0.055 m to the left");
@@ -79,7 +75,7 @@ final class MotionScene {
     }
 
     private Seen onFoot(Motion candidate, long seed) {
-        MeasuringEye eye = new MeasuringEye(objective.gauge());
+        MeasuringEye eye = new MeasuringEye(objective.measure().get());
         Course course = new Course(start(), seed, PUSH_NEWTONS, eye);
         place(course, seed);
         if (loop) {
@@ -93,7 +89,7 @@ final class MotionScene {
             course.play(candidate);
         }
         boolean stands = course.endsInStance();
-        if (objective == StandardObjective.TIME_TO_SCORE) {
+        if (objective.isTimeToScore()) {
             course.robot().hold(SECONDS_TO_ROLL, eye);
         }
         boolean success = lyingEnd.isPresent()
@@ -103,7 +99,7 @@ final class MotionScene {
     }
 
     private Seen fromTheGround(Motion candidate, Lying lying, long seed) {
-        MeasuringEye eye = new MeasuringEye(objective.gauge());
+        MeasuringEye eye = new MeasuringEye(objective.measure().get());
         Watch watch = new Watch();
         TrialObserver both = eye.and(robot -> {
             watch.goOn(robot);
@@ -126,7 +122,7 @@ final class MotionScene {
     }
 
     private Vector3 start() {
-        return objective == StandardObjective.TIME_TO_SCORE
+        return objective.isTimeToScore()
                 ? new Vector3(GOAL_LINE - METRES_BEFORE_GOAL, 0, TrialRobot.START.z())
                 : TrialRobot.START;
     }

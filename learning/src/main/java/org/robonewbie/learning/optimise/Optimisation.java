@@ -10,7 +10,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.IntStream;
-import org.robonewbie.learning.objective.Objective;
 import org.robonewbie.learning.optimise.Generation.Pace;
 import org.robonewbie.learning.optimise.Generation.Score;
 import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
@@ -21,8 +20,8 @@ import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
  * trials that the search has never seen.
  *
  * <pre>{@code
- * Subject kick = new MotionSubject(file, StandardObjective.KICK_DISTANCE);
- * var optimisation = new Optimisation(kick, StandardObjective.KICK_DISTANCE, plan, output);
+ * Objective far = Objective.named("kick-distance", classes);
+ * var optimisation = new Optimisation(new MotionSubject("kick-right", file, far), far, plan, output);
  * OptimisationResult result = optimisation.run(false, System.out::println);
  * }</pre>
  */

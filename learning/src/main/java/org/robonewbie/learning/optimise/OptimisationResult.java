@@ -1,7 +1,6 @@
 package org.robonewbie.learning.optimise;
 
 import java.util.Locale;
-import org.robonewbie.learning.objective.Objective;
 
 /**
  * Start and result of an optimisation, compared in the same trials, which the search has not seen.

@@ -1,12 +1,10 @@
 package org.robonewbie.learning.trial;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.function.Consumer;
 import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.agent.walk.WalkEngine;
-import org.robonewbie.learning.experiment.RobotStart;
-import org.robonewbie.learning.experiment.SoccerTrial;
-import org.robonewbie.learning.experiment.TrialSetting;
-import org.robonewbie.learning.objective.TrueStateEye;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
@@ -23,6 +21,12 @@ import org.robonewbie.nao.motion.PostureFollower;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.SensorReadings;
+import org.robonewbie.trial.Trial;
 
 /**
  * A robot alone in a world of its own, without server and sockets, that lives through the same cycle as with an agent: it
@@ -44,17 +48,11 @@ public final class TrialRobot {
     private static final Vector3 BALL_ASIDE = new Vector3(0, -3.5, 0.042);
     private static final Joint[] JOINTS = Joint.values();
 
-    private static final TrialSetting SETTING = TrialSetting.standing()
-            .withBall(BALL_ASIDE)
-            .withSpread(0, 0, 0)
-            .withoutCamera()
-            .withSettling(0);
-
-    private final SoccerTrial trial;
+    private final Trial trial;
     private final Robot robot;
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
-    private long cycles;
+    private Consumer<SensorReadings> deed = readings -> {};
 
     /** Places a robot at {@link #START} with all joints at 0. */
     public TrialRobot() {
@@ -67,9 +65,11 @@ public final class TrialRobot {
      * @param start position of the torso's centre, in metres in the world frame; the height does not matter
      */
     public TrialRobot(Vector3 start) {
-        trial = new SoccerTrial(SETTING.withRobots(List.of(RobotStart.at(start.x(), start.y()))));
-        robot = trial.world().robots().get(0);
-        sense();
+        Scene scene = Scene.of(RobotStart.at(start.x(), start.y()))
+                .withBall(BALL_ASIDE)
+                .withoutNoise();
+        trial = Trial.direct(scene, 0, Performer.ofPolicy(this::speeds));
+        robot = trial.robot(0);
     }
 
     /**
@@ -82,8 +82,7 @@ public final class TrialRobot {
     public boolean play(Motion motion, TrialObserver observer) {
         MotionPlayer player = new MotionPlayer(motion, Interpolation.LINEAR);
         while (!player.isFinished()) {
-            player.step(motors);
-            if (!cycle(observer)) {
+            if (!cycle(readings -> player.step(motors), observer)) {
                 return false;
             }
         }
@@ -112,8 +111,7 @@ public final class TrialRobot {
     public boolean hold(double seconds, TrialObserver observer) {
         MotionPlayer nothing = new MotionPlayer(new Motion("hold", List.of()), Interpolation.LINEAR);
         for (long i = Math.round(seconds / Cycle.SECONDS); i > 0; i--) {
-            nothing.step(motors);
-            if (!cycle(observer)) {
+            if (!cycle(readings -> nothing.step(motors), observer)) {
                 return false;
             }
         }
@@ -129,11 +127,13 @@ public final class TrialRobot {
      * @return whether the observer lets it go on
      */
     public boolean walk(WalkEngine engine, PostureFollower follower, TrialObserver observer) {
-        Vector3 gyro = forwardLeftUp(robot.gyroDegreesPerSecond());
-        Vector3 acceleration = forwardLeftUp(robot.acceleration());
-        engine.feel(new TorsoMotion(gyro, acceleration));
-        follower.follow(engine.next());
-        return cycle(observer);
+        return cycle(
+                readings -> {
+                    Vector3 gyro = SimSparkFrame.toBody(readings.gyro());
+                    engine.feel(new TorsoMotion(gyro, SimSparkFrame.toBody(readings.acceleration())));
+                    follower.follow(engine.next());
+                },
+                observer);
     }
 
     /**
@@ -156,21 +156,17 @@ public final class TrialRobot {
 
     /** {@return the ball of this robot's world} */
     public Ball ball() {
-        return trial.world().ball();
+        return trial.ball();
     }
 
-    /**
-     * Opens an eye upon this robot.
-     *
-     * @return something that sees what is true; to be asked once after each cycle
-     */
-    public TrueStateEye eye() {
-        return new TrueStateEye(trial.world(), robot);
+    /** {@return what is true now} */
+    public Moment now() {
+        return trial.now();
     }
 
     /** {@return simulated seconds since the robot was placed} */
     public double seconds() {
-        return cycles * Cycle.SECONDS;
+        return trial.seconds();
     }
 
     /** {@return the position of the torso's centre in the world frame, metres} */
@@ -252,36 +248,23 @@ public final class TrialRobot {
         return motors.sentDegreesPerSecond(joint);
     }
 
-    /** {@return the sensed joint angles} */
+    /** {@return the true joint angles} */
     public Posture posture() {
-        return joints.posture();
+        return trial.now().robot().joints();
     }
 
-    private boolean cycle(TrialObserver observer) {
-        motors.endCycle();
-        double[] speeds = new double[Joint.COUNT];
-        for (Joint joint : JOINTS) {
-            speeds[joint.ordinal()] = motors.sentDegreesPerSecond(joint);
-        }
-        trial.step(speeds);
-        cycles++;
-        sense();
+    private boolean cycle(Consumer<SensorReadings> nextDeed, TrialObserver observer) {
+        deed = nextDeed;
+        trial.step();
         return observer.goOn(this);
     }
 
-    /** A reading in the frame of agents, in the hundredths that messages carry. */
-    private static Vector3 forwardLeftUp(Vector3 reading) {
-        Vector3 body = SimSparkFrame.toBody(reading);
-        return new Vector3(hundredths(body.x()), hundredths(body.y()), hundredths(body.z()));
-    }
-
-    private static double hundredths(double value) {
-        return Math.round(value * 100) / 100.0;
-    }
-
-    private void sense() {
+    private double[] speeds(SensorReadings readings) {
         for (Joint joint : JOINTS) {
-            joints.sense(joint, hundredths(robot.jointDegrees(joint)));
+            joints.sense(joint, readings.degrees(joint));
         }
+        deed.accept(readings);
+        motors.endCycle();
+        return Arrays.stream(JOINTS).mapToDouble(motors::sentDegreesPerSecond).toArray();
     }
 }

@@ -10,9 +10,6 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.learning.objective.Gauge;
-import org.robonewbie.learning.objective.StandardObjective;
-import org.robonewbie.learning.objective.TrueStateEye;
 import org.robonewbie.nao.BodyPart;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
@@ -132,25 +129,6 @@ class SoccerTrialTest {
         assertThat(trial.state().robot().isFallen()).isTrue();
         assertThat(trial.state().robot().position(BodyPart.HEAD).z()).isLessThan(0.3);
         assertThat(trial.state().robot().centreOfMass().z()).isLessThan(0.2);
-    }
-
-    @Test
-    void standardObjectivesMeasureATrial() {
-        SoccerTrial trial = new SoccerTrial(TrialSetting.standing());
-        trial.reset(1);
-        TrueStateEye eye = trial.eye(0);
-        Gauge gauge = StandardObjective.KICK_DISTANCE.gauge();
-        gauge.look(eye.look());
-
-        trial.world().ball().setVelocity(new Vector3(2, 0, 0));
-        for (int i = 0; i < 100; i++) {
-            trial.step(REST);
-            gauge.look(eye.look());
-        }
-
-        assertThat(gauge.value())
-                .as("a ball that begins without spin keeps 5/7 of its speed")
-                .isCloseTo(2 * 5 / 7.0 * 0.94, within(0.1));
     }
 
     @Test

@@ -12,7 +12,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.agent.Agent;
-import org.robonewbie.learning.objective.StandardObjective;
 import org.robonewbie.nao.Vector3;
 
 /** A program whose numbers become better. */
@@ -24,7 +23,7 @@ class AgentSubjectTest {
     private Path folder;
 
     private final AgentSubject walker =
-            new AgentSubject("Walker", Walker::new, StandardObjective.DISTANCE_WALKED, SCENE);
+            new AgentSubject("Walker", Walker::new, NamedObjective.named("distance-walked"), SCENE);
 
     @Test
     void sameSeedIsTheSameTrial() {
@@ -40,8 +39,8 @@ class AgentSubjectTest {
         Path file = folder.resolve("Walker.numbers");
         OptimisationPlan plan = new OptimisationPlan(1, 4, 4, 1, 0.5, 2);
 
-        OptimisationResult result =
-                new Optimisation(walker, StandardObjective.DISTANCE_WALKED, plan, file).run(false, generation -> {});
+        OptimisationResult result = new Optimisation(walker, NamedObjective.named("distance-walked"), plan, file)
+                .run(false, generation -> {});
 
         assertThat(result.after().value()).isGreaterThan(result.before().value() + 0.2);
         assertThat(Files.readString(file))
@@ -74,7 +73,7 @@ class AgentSubjectTest {
     @Test
     void programThatScoresSucceeds() {
         AgentScene near = new AgentScene(new Vector3(5.4, 0, 0), 0, new Vector3(5.65, 0, 0), 0, 12);
-        AgentSubject pusher = new AgentSubject("Walker", Walker::new, StandardObjective.TIME_TO_SCORE, near);
+        AgentSubject pusher = new AgentSubject("Walker", Walker::new, NamedObjective.named("time-to-score"), near);
 
         Attempt fast = pusher.attempt(new double[] {2, 0}, 1);
 
@@ -84,7 +83,7 @@ class AgentSubjectTest {
 
     @Test
     void programWithoutNumbersIsRefused() {
-        assertThatThrownBy(() -> new AgentSubject("Idle", Idle::new, StandardObjective.ENERGY, SCENE))
+        assertThatThrownBy(() -> new AgentSubject("Idle", Idle::new, NamedObjective.named("energy"), SCENE))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith("Idle declares no number that could be improved. Declare one as a field");
     }

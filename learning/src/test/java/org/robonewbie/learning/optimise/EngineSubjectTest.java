@@ -9,14 +9,13 @@ import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.learning.objective.StandardObjective;
 
 class EngineSubjectTest {
 
     @TempDir
     private Path folder;
 
-    private final EngineSubject engine = new EngineSubject(StandardObjective.WALK_SPEED);
+    private final EngineSubject engine = new EngineSubject(NamedObjective.named("walk-speed"));
 
     @Test
     void theShippedWalkIsAsFastAsWeSay() {

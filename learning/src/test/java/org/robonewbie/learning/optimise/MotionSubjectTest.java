@@ -12,7 +12,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.robonewbie.learning.objective.StandardObjective;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.motion.file.ShippedMotions;
@@ -33,7 +32,7 @@ class MotionSubjectTest {
         "wave, stability"
     })
     void motionsOfTheLibrarySucceedAsTheyAre(String name, String objective) {
-        MotionSubject subject = subject(name, StandardObjective.labelled(objective));
+        MotionSubject subject = subject(name, NamedObjective.named(objective));
 
         Attempt attempt = subject.attempt(new double[subject.dimension()], 3);
 
@@ -43,14 +42,14 @@ class MotionSubjectTest {
 
     @Test
     void measuresAWalkAsFastAsItIs() {
-        MotionSubject subject = subject("walk-forward-fast", StandardObjective.WALK_SPEED);
+        MotionSubject subject = subject("walk-forward-fast", NamedObjective.named("walk-speed"));
 
         assertThat(subject.attempt(new double[subject.dimension()], 1).value()).isCloseTo(0.38, within(0.03));
     }
 
     @Test
     void aMotionThatShallNeedLessEnergyMustGoOnDoingWhatItDid() {
-        MotionSubject kick = subject("kick-right", StandardObjective.ENERGY);
+        MotionSubject kick = subject("kick-right", NamedObjective.named("energy"));
         double[] other = new double[kick.dimension()];
         other[22 * 2] = 8;
 
@@ -62,7 +61,7 @@ class MotionSubjectTest {
 
     @Test
     void refusesToMeasureAKickWithoutBall() {
-        assertThatThrownBy(() -> subject("wave", StandardObjective.KICK_DISTANCE))
+        assertThatThrownBy(() -> subject("wave", NamedObjective.named("kick-distance")))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage(
                         "wave.txt does not say where the ball lies, so kick-distance cannot be measured. Add a line such as:"
@@ -73,7 +72,7 @@ class MotionSubjectTest {
     void refusesAMotionOfOneKeyframe() {
         MotionFile one = MotionFile.parse("one.txt", "200" + " 0".repeat(22) + "\n");
 
-        assertThatThrownBy(() -> new MotionSubject("one.txt", one, StandardObjective.ENERGY))
+        assertThatThrownBy(() -> new MotionSubject("one.txt", one, NamedObjective.named("energy")))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith("one.txt has less than two keyframes");
     }
@@ -84,7 +83,7 @@ class MotionSubjectTest {
                 "mine.txt",
                 "// measured: long ago\n// my kick\n"
                         + ShippedMotions.file("kick-right").text().replace("// measured", "// once measured"));
-        MotionSubject subject = new MotionSubject("mine.txt", file, StandardObjective.KICK_DISTANCE);
+        MotionSubject subject = new MotionSubject("mine.txt", file, NamedObjective.named("kick-distance"));
         Path target = folder.resolve("new.txt");
 
         subject.save(new double[subject.dimension()], Map.of("made by", "test"), target);
@@ -118,7 +117,7 @@ class MotionSubjectTest {
                 .hasMessage("--both-sides needs an output with left or right in its name, not bow.txt.");
     }
 
-    private static MotionSubject subject(String name, StandardObjective objective) {
+    private static MotionSubject subject(String name, Objective objective) {
         return new MotionSubject(name, ShippedMotions.file(name), objective);
     }
 }

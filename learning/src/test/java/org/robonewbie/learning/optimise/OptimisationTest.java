@@ -12,11 +12,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.learning.objective.StandardObjective;
 
 class OptimisationTest {
 
-    private static final StandardObjective OBJECTIVE = StandardObjective.KICK_DISTANCE;
+    private static final Objective OBJECTIVE = NamedObjective.named("kick-distance");
 
     @TempDir
     private Path folder;
@@ -102,7 +101,7 @@ class OptimisationTest {
     void refusesToGoOnWithSomethingElse() throws IOException {
         Path file = folder.resolve("hill.txt");
         new Optimisation(new Hill(), OBJECTIVE, plan(2, 1), file).run(false, new ArrayList<>()::add);
-        var other = new Optimisation(new Hill(), StandardObjective.ENERGY, plan(2, 1), file);
+        var other = new Optimisation(new Hill(), NamedObjective.named("energy"), plan(2, 1), file);
 
         assertThatThrownBy(() -> other.run(true, new ArrayList<>()::add))
                 .isInstanceOf(IllegalArgumentException.class)

@@ -1,0 +1,31 @@
+package org.robonewbie.trial.measure;
+
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.trial.Moment;
+
+/** How far the robot has turned to the left, in degrees, whole turns included. */
+public final class Turn extends MeasureFromStart {
+
+    private double degrees;
+    private double lastHeading = Double.NaN;
+
+    /** Creates a measure that has not seen anything. */
+    public Turn() {}
+
+    @Override
+    protected void see(Moment first, Moment now) {
+        double heading = now.robot().headingDegrees();
+        degrees += Double.isNaN(lastHeading) ? 0 : PortableMath.IEEEremainder(heading - lastHeading, 360);
+        lastHeading = heading;
+    }
+
+    @Override
+    public double value() {
+        return degrees;
+    }
+
+    @Override
+    public String unit() {
+        return "degrees";
+    }
+}
