@@ -100,6 +100,7 @@ final class AgentRunner {
         int code;
         agent.begin(options);
         agent.numbers().reportUnknown();
+        link.offerState(new AgentState(agent));
         try (LogPrinter printer = new LogPrinter(agent.clockwork().log(), System.out, simulator::close);
                 link;
                 Watchdog watchdog = Watchdog.start(agent.clockwork().mistakes(), giveUp(options));

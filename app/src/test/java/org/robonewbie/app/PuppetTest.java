@@ -165,8 +165,8 @@ class PuppetTest {
         Files.delete(state);
         String withoutState = ask("POST", "/api/scenes/Old").body();
 
-        assertThat(olderVersion).isEqualTo("{\"exact\":false}");
-        assertThat(withoutState).isEqualTo("{\"exact\":false}");
+        assertThat(olderVersion).isEqualTo("{\"exact\":false,\"agents\":0}");
+        assertThat(withoutState).isEqualTo("{\"exact\":false,\"agents\":0}");
     }
 
     private WorldSnapshot afterCycles(int cycles, WorldSnapshot start) throws InterruptedException {
@@ -212,7 +212,7 @@ class PuppetTest {
 
         HttpResponse<String> taken = ask("PUT", "/api/scenes/Corner%202");
         HttpResponse<String> outside = ask("PUT", "/api/scenes/..%2Fout");
-        assertThat(ask("POST", "/api/scenes/Corner%202").body()).isEqualTo("{\"exact\":true}");
+        assertThat(ask("POST", "/api/scenes/Corner%202").body()).isEqualTo("{\"exact\":true,\"agents\":0}");
 
         WorldSnapshot restored = await(now -> now.paused() && now.ballPosition().x() > 0.9);
         assertThat(x(restored)).isCloseTo(x(saved), within(0.1));
@@ -236,7 +236,7 @@ class PuppetTest {
 
         HttpResponse<String> answer = ask("POST", "/api/start/run?moment=" + (moment.cycle() - 1));
 
-        assertThat(answer.body()).isEqualTo("{\"exact\":false}");
+        assertThat(answer.body()).isEqualTo("{\"exact\":false,\"agents\":0}");
         WorldSnapshot restored =
                 await(now -> now.paused() && now.robots().size() == 1 && Math.abs(x(now) - x(moment)) < 0.02);
         assertThat(restored.teamLeft()).isEqualTo("Puppets");

@@ -1,6 +1,7 @@
 package org.robonewbie.simulator;
 
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -79,13 +80,13 @@ public interface SimulationControl {
 
     /**
      * Lets the world go on from a saved state between two cycles, when no agent's answer is missing. The count of cycles and the
-     * recording go on, and agents remember what they know.
+     * recording go on. Agents of this process that offer their state take it on; the others remember what they know.
      *
      * @param state the state
-     * @param receiver takes the state once the world has taken it on; empty if it does not fit this world, which then stays as
-     *     it is, or an agent does not answer in time
+     * @param receiver takes the number of agents that were restored once the world has taken the state on; empty if it does not
+     *     fit this world, which then stays as it is, or an agent does not answer in time
      */
-    default void restore(WorldState state, Consumer<Optional<WorldState>> receiver) {
-        receiver.accept(Optional.empty());
+    default void restore(WorldState state, Consumer<OptionalInt> receiver) {
+        receiver.accept(OptionalInt.empty());
     }
 }

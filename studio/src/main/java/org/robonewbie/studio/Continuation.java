@@ -2,6 +2,7 @@ package org.robonewbie.studio;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -40,24 +41,26 @@ final class Continuation implements LivingWorld {
 
     @Override
     public Optional<WorldState> save() {
-        return answer(stage.simulation()::save);
+        return answer(Optional.empty(), stage.simulation()::save);
     }
 
     @Override
-    public boolean goOnFrom(KeptMoment moment) {
+    public Restored goOnFrom(KeptMoment moment) {
         if (!stage.simulation().hasClock()) {
             throw new IllegalStateException("A server of another process cannot be put into a kept state.");
         }
         awaitRobots(moment.state());
         stage.simulation().order(new Order.Pause());
-        boolean exactly = moment.exact()
+        OptionalInt agents = moment.exact()
                 .filter(state -> players(moment.state()).equals(players(stage.now())))
-                .flatMap(state -> answer(receiver -> stage.simulation().restore(state, receiver)))
-                .isPresent();
-        if (!exactly) {
+                .map(state -> answer(
+                        OptionalInt.empty(),
+                        (Consumer<OptionalInt> receiver) -> stage.simulation().restore(state, receiver)))
+                .orElse(OptionalInt.empty());
+        if (agents.isEmpty()) {
             stage.simulation().restore(moment.before(), moment.state());
         }
-        return exactly;
+        return new Restored(agents.isPresent(), agents.orElse(0));
     }
 
     /** Lists who plays and in which body; a saved state gives each of them its own body again. */
@@ -68,11 +71,10 @@ final class Continuation implements LivingWorld {
                 .toList();
     }
 
-    private static Optional<WorldState> answer(Consumer<Consumer<Optional<WorldState>>> request) {
-        CompletableFuture<Optional<WorldState>> answer = new CompletableFuture<>();
+    private static <T> T answer(T none, Consumer<Consumer<T>> request) {
+        CompletableFuture<T> answer = new CompletableFuture<>();
         request.accept(answer::complete);
-        return answer.completeOnTimeout(Optional.empty(), ANSWER_SECONDS, TimeUnit.SECONDS)
-                .join();
+        return answer.completeOnTimeout(none, ANSWER_SECONDS, TimeUnit.SECONDS).join();
     }
 
     /** Newcomers need a running clock; whoever does not come is left out. */

@@ -2,6 +2,7 @@ package org.robonewbie.studio;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import org.robonewbie.nao.SoccerField;
@@ -67,7 +68,7 @@ public final class ShownSimulation implements SimulationControl {
     }
 
     @Override
-    public void restore(WorldState state, Consumer<Optional<WorldState>> receiver) {
+    public void restore(WorldState state, Consumer<OptionalInt> receiver) {
         shown.restore(state, receiver);
     }
 

@@ -86,13 +86,24 @@ public final class Clockwork {
      */
     public List<EffectorCommand> act() {
         if (commands.isBeaming() && senses.isBeamAllowed()) {
-            fieldView.forget();
-            walk.reset();
-            senses.falls().reset();
+            loseOrientation();
         }
         walk.update(senses.torso());
         telemetry.publishActions(walk);
         return commands.take();
+    }
+
+    /** Ends all motions and forgets the field, for a robot that goes on from another moment of the game. */
+    public void startOver() {
+        motions.reset();
+        loseOrientation();
+    }
+
+    /** What the robot knows of place and posture is no longer true. */
+    private void loseOrientation() {
+        fieldView.forget();
+        walk.reset();
+        senses.falls().reset();
     }
 
     /** {@return the log} */

@@ -4,7 +4,8 @@ package org.robonewbie.nao.state;
  * Something whose state can be saved and brought back to the bit.
  *
  * <p>What {@link #save} writes, {@link #restore} reads in the same order. Afterwards the object behaves exactly as it would
- * have behaved after {@code save}. An agent that implements it takes part in restored worlds; others start over.
+ * have behaved after {@code save}. An agent whose class implements it is restored together with the world that it
+ * lives in, if the simulator runs in the same process; other agents keep what they remember.
  *
  * <pre>{@code
  * public void save(StateWriter out) { out.putInt(steps); }

@@ -1,6 +1,7 @@
 package org.robonewbie.protocol.frame;
 
 import java.io.IOException;
+import org.robonewbie.nao.state.Restorable;
 
 /**
  * An agent's connection to a simulator: one message travels each way per cycle of 20 ms, with the same text over TCP and within
@@ -34,6 +35,14 @@ public interface AgentLink extends AutoCloseable {
     default boolean isMessageWaiting() throws IOException {
         return false;
     }
+
+    /**
+     * Offers the agent's own state to a simulator of the same process, which saves and restores it together with the world while
+     * the agent waits for its next message. Other simulators never ask for it.
+     *
+     * @param agent the state of the agent
+     */
+    default void offerState(Restorable agent) {}
 
     /** Ends the connection; the robot leaves the pitch. Closing twice does nothing. */
     @Override

@@ -40,6 +40,7 @@ public final class AgentConnection implements Restorable {
     private boolean heardOf;
     private int generatedMessages;
     private long unansweredMessages;
+    private boolean restored;
 
     /**
      * Begins the conversation.
@@ -194,6 +195,19 @@ public final class AgentConnection implements Restorable {
         out.putBoolean(heardOf);
         out.putInt(generatedMessages);
         out.putLong(unansweredMessages);
+        byte[] own = agentState();
+        out.putBytes(own, own.length);
+    }
+
+    private byte[] agentState() {
+        StateWriter own = new StateWriter();
+        try {
+            link.agentState().ifPresent(agent -> agent.save(own));
+            return own.toBytes();
+        } catch (RuntimeException mistake) {
+            warn("save", "cannot save its state: " + mistake + ". It will not be restored.");
+            return new byte[0];
+        }
     }
 
     /** Takes on a state; what the agent has sent and was not read yet belongs to the past and is dropped. */
@@ -215,5 +229,25 @@ public final class AgentConnection implements Restorable {
         heardOf = in.getBoolean();
         generatedMessages = in.getInt();
         unansweredMessages = in.getLong();
+        restored = isRestored(in.getBytes());
+    }
+
+    private boolean isRestored(byte[] own) {
+        try {
+            StateReader state = new StateReader(own);
+            link.agentState().ifPresent(agent -> {
+                agent.restore(state);
+                state.finish();
+            });
+            return own.length > 0 && link.agentState().isPresent();
+        } catch (RuntimeException mistake) {
+            warn("restore", "cannot take on its saved state: " + mistake + ". It goes on with what it remembers.");
+            return false;
+        }
+    }
+
+    /** Whether the agent itself has taken on its part of the state that was restored last. */
+    boolean isRestored() {
+        return restored;
     }
 }

@@ -1,6 +1,8 @@
 package org.robonewbie.simulator.cycle;
 
 import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /** The simulator's end of an agent's connection. No method waits. */
@@ -55,4 +57,9 @@ public interface ServerLink {
      * @param messages the messages, the oldest first
      */
     default void setMessagesForAgent(List<byte[]> messages) {}
+
+    /** {@return the agent's own state, to be saved with the world; empty where it is out of reach} */
+    default Optional<Restorable> agentState() {
+        return Optional.empty();
+    }
 }

@@ -360,9 +360,10 @@ public final class SimulationCycle implements Restorable {
      * go on. Messages that were under way are left out, since the time in them is over.
      *
      * @param state the state of a simulation with the same settings
+     * @return how many agents have taken on their own states as well
      * @throws IllegalArgumentException if the settings differ or the state is damaged
      */
-    public void goOnFrom(WorldState state) {
+    public int goOnFrom(WorldState state) {
         long now = cycle;
         int robots = effectors.createdRobots();
         Map<ConnectedAgent, Integer> ids = new HashMap<>();
@@ -375,6 +376,8 @@ public final class SimulationCycle implements Restorable {
             int id = ids.getOrDefault(agent, 0);
             agent.setId(id > 0 || agent.robot().isEmpty() ? id : effectors.nextId());
         }
+        return (int)
+                agents.stream().filter(agent -> agent.connection().isRestored()).count();
     }
 
     private ConnectedAgent absentAgent() {

@@ -3,7 +3,9 @@ package org.robonewbie.simulator.cycle;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.Queue;
+import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
@@ -20,6 +22,7 @@ final class SteppedLink implements AgentLink {
     private final Queue<MessageBuffer> spare = new ArrayDeque<>();
     private final Runnable world;
     private final ServerLink worldEnd = new WorldEnd();
+    private Optional<Restorable> agentState = Optional.empty();
     private boolean closed;
 
     /**
@@ -48,6 +51,11 @@ final class SteppedLink implements AgentLink {
             world.run();
         }
         return take(toAgent, message);
+    }
+
+    @Override
+    public void offerState(Restorable agent) {
+        agentState = Optional.of(agent);
     }
 
     @Override
@@ -119,6 +127,11 @@ final class SteppedLink implements AgentLink {
         @Override
         public void close() {
             closed = true;
+        }
+
+        @Override
+        public Optional<Restorable> agentState() {
+            return agentState;
         }
 
         @Override

@@ -2,6 +2,8 @@ package org.robonewbie.simulator.server;
 
 import java.io.IOException;
 import java.io.InterruptedIOException;
+import java.util.Optional;
+import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.cycle.ServerLink;
@@ -13,6 +15,7 @@ final class LocalLink implements AgentLink {
     private final MessageQueue toAgent = new MessageQueue();
     private final Runnable doorbell;
     private final ServerEnd serverEnd = new ServerEnd();
+    private volatile Optional<Restorable> agentState = Optional.empty();
 
     /**
      * Creates the connection.
@@ -45,6 +48,11 @@ final class LocalLink implements AgentLink {
         } catch (InterruptedException e) {
             throw interrupted();
         }
+    }
+
+    @Override
+    public void offerState(Restorable agent) {
+        agentState = Optional.of(agent);
     }
 
     @Override
@@ -84,6 +92,11 @@ final class LocalLink implements AgentLink {
         public void close() {
             toSimulator.close();
             toAgent.close();
+        }
+
+        @Override
+        public Optional<Restorable> agentState() {
+            return agentState;
         }
 
         @Override

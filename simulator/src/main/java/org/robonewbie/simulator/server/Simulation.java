@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -316,21 +317,19 @@ final class Simulation implements SimulationControl, Runnable {
     }
 
     @Override
-    public void restore(WorldState state, Consumer<Optional<WorldState>> receiver) {
-        Supplier<WorldState> action = () -> {
-            cycle.goOnFrom(state);
-            return state;
-        };
-        actWhenAnswered(action, receiver);
+    public void restore(WorldState state, Consumer<OptionalInt> receiver) {
+        actWhenAnswered(
+                () -> cycle.goOnFrom(state),
+                restored -> receiver.accept(restored.map(OptionalInt::of).orElse(OptionalInt.empty())));
     }
 
-    private void actWhenAnswered(Supplier<WorldState> action, Consumer<Optional<WorldState>> receiver) {
+    private <T> void actWhenAnswered(Supplier<T> action, Consumer<Optional<T>> receiver) {
         long end = System.nanoTime() + PATIENCE_NANOS;
         command(() -> actIfAnswered(action, receiver, end));
     }
 
     /** Tries again before the next cycle while answers are missing, since an agent that is thinking is out of reach. */
-    private void actIfAnswered(Supplier<WorldState> action, Consumer<Optional<WorldState>> receiver, long end) {
+    private <T> void actIfAnswered(Supplier<T> action, Consumer<Optional<T>> receiver, long end) {
         acceptor.receive();
         if (isAnswered()) {
             receiver.accept(result(action));
@@ -341,7 +340,7 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
-    private static Optional<WorldState> result(Supplier<WorldState> action) {
+    private static <T> Optional<T> result(Supplier<T> action) {
         try {
             return Optional.of(action.get());
         } catch (IllegalArgumentException | UnsupportedOperationException refused) {

@@ -25,8 +25,16 @@ public interface LivingWorld {
      * Puppets stand in for robots that do not play now.
      *
      * @param moment the state
-     * @return whether the world is now as it was to the bit
+     * @return how much of it is as it was
      * @throws IllegalStateException if that is not possible; the message says why
      */
-    boolean goOnFrom(KeptMoment moment);
+    Restored goOnFrom(KeptMoment moment);
+
+    /**
+     * How much of a kept moment is back.
+     *
+     * @param exact whether the world is as it was to the bit; else speeds are estimated
+     * @param agents how many agents have taken on their own states, which they offered when the moment was saved
+     */
+    record Restored(boolean exact, int agents) {}
 }

@@ -29,7 +29,7 @@ import org.eclipse.jetty.util.Fields;
  * POST /api/start/RECORDING?moment=N    continues from the N-th moment of a recording
  * </pre>
  *
- * <p>The answer to the last two says whether the world is now as it was to the bit.
+ * <p>The answer to the last two says whether the world is now as it was to the bit, and how many agents have taken on their own states.
  */
 public final class SceneApi extends Handler.Abstract {
 
@@ -73,14 +73,14 @@ public final class SceneApi extends Handler.Abstract {
 
     private String answer(Request request, String path) throws IOException {
         if (path.startsWith(START) && request.getMethod().equals("POST")) {
-            return exactness(start(decoded(path.substring(START.length())), moment(request)));
+            return written(start(decoded(path.substring(START.length())), moment(request)));
         }
         String name = path.equals(SCENES) ? "" : decoded(path.substring(SCENES.length() + 1));
         switch (request.getMethod()) {
             case "PUT" -> put(request, name);
             case "DELETE" -> folder.remove(name);
             case "POST" -> {
-                return exactness(world.goOnFrom(folder.load(name)));
+                return written(world.goOnFrom(folder.load(name)));
             }
             default -> {
                 return list();
@@ -89,9 +89,10 @@ public final class SceneApi extends Handler.Abstract {
         return "{}";
     }
 
-    private static String exactness(boolean exact) {
+    private static String written(LivingWorld.Restored restored) {
         JsonObject json = new JsonObject();
-        json.addProperty("exact", exact);
+        json.addProperty("exact", restored.exact());
+        json.addProperty("agents", restored.agents());
         return json.toString();
     }
 
@@ -108,7 +109,7 @@ public final class SceneApi extends Handler.Abstract {
         }
     }
 
-    private boolean start(String name, long moment) throws IOException {
+    private LivingWorld.Restored start(String name, long moment) throws IOException {
         Path file = recordings
                 .apply(name)
                 .orElseThrow(

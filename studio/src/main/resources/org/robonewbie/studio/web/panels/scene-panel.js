@@ -13,11 +13,14 @@ async function ask(token, path, options = {}) {
 /**
  * How much of what was kept has come back.
  *
- * @param {{exact: boolean}} restored
+ * @param {{exact: boolean, agents: number}} restored
  */
-export function restoredText({ exact }) {
+export function restoredText({ exact, agents }) {
   const world = exact ? 'The world is exactly as it was.' : 'The world is nearly as it was: speeds are estimated.';
-  return `${world} Agents are not restored: they keep what they remember.`;
+  const count = agents === 1 ? 'One agent was' : `${agents} agents were`;
+  return agents > 0
+    ? `${world} ${count} restored with it; all others keep what they remember.`
+    : `${world} Agents are not restored: they keep what they remember.`;
 }
 
 /**
@@ -26,7 +29,7 @@ export function restoredText({ exact }) {
  * @param {string} token
  * @param {string} recording
  * @param {number} moment
- * @returns {Promise<{exact: boolean}>}
+ * @returns {Promise<{exact: boolean, agents: number}>}
  */
 export function startFrom(token, recording, moment) {
   return ask(token, `start/${encodeURIComponent(recording)}?moment=${moment}`, { method: 'POST' });

@@ -1,0 +1,31 @@
+package org.robonewbie.agent;
+
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
+
+/** What is saved of an agent together with its world: the agent's own fields, if its class implements {@link Restorable}. */
+final class AgentState implements Restorable {
+
+    private final Agent agent;
+
+    AgentState(Agent agent) {
+        this.agent = agent;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        if (agent instanceof Restorable own) {
+            own.save(out);
+        }
+    }
+
+    /** Motions, walk and view of the field start over; the agent's own fields are restored. */
+    @Override
+    public void restore(StateReader in) {
+        agent.clockwork().startOver();
+        if (agent instanceof Restorable own) {
+            own.restore(in);
+        }
+    }
+}
