@@ -38,7 +38,7 @@ final class ScriptedServer implements AutoCloseable {
 
     /** Waits until the script has been played or the client has left. */
     void await() throws InterruptedException {
-        thread.join(10_000);
+        thread.join(100_000);
     }
 
     @Override

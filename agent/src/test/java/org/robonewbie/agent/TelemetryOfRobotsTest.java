@@ -126,7 +126,7 @@ class TelemetryOfRobotsTest {
     }
 
     @Test
-    @Timeout(60)
+    @Timeout(120)
     void reachesAStudioOfAnotherProcessBesideAnyServer() throws Exception {
         BlockingQueue<TelemetryMessage> heard = new LinkedBlockingQueue<>();
         try (ScriptedServer server = new ScriptedServer(script(200));

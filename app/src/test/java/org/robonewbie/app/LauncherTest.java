@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Starts the real launcher with a Java and a Maven that only say what they were asked. */
 @DisabledOnOs(OS.WINDOWS)
-@Timeout(60)
+@Timeout(120)
 @Tag("slow")
 class LauncherTest {
 

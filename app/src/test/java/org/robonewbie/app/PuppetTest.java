@@ -108,9 +108,9 @@ class PuppetTest {
 
     private WorldSnapshot await(Predicate<WorldSnapshot> condition) throws InterruptedException {
         seen.clear();
-        WorldSnapshot snapshot = seen.poll(60, TimeUnit.SECONDS);
+        WorldSnapshot snapshot = seen.poll(100, TimeUnit.SECONDS);
         while (snapshot != null && !condition.test(snapshot)) {
-            snapshot = seen.poll(60, TimeUnit.SECONDS);
+            snapshot = seen.poll(100, TimeUnit.SECONDS);
         }
         assertThat(snapshot).as("what should be seen").isNotNull();
         return snapshot;

@@ -9,19 +9,22 @@ import org.junit.jupiter.api.extension.ExtensionContext.Namespace;
 import org.junit.jupiter.api.extension.ParameterContext;
 import org.junit.jupiter.api.extension.ParameterResolver;
 
-/** Lends the browser of {@link InBrowser}; JUnit closes it after the last test of the class. */
+/** Lends the browser of {@link InBrowser}: one for all classes, with a new page for each; JUnit closes it after the last. */
 final class BrowserForTests implements BeforeAllCallback, AfterTestExecutionCallback, ParameterResolver {
 
     @Override
     public void beforeAll(ExtensionContext context) {
         Tool.BROWSER.orSkip();
-        browser(context);
+        InBrowser wanted = context.getRequiredTestClass().getAnnotation(InBrowser.class);
+        browser(context).openPage(wanted.width(), wanted.height());
+        browser(context).drawCoarsely();
     }
 
     @Override
     public void afterTestExecution(ExtensionContext context) {
         browser(context).evaluate("(() => { try { localStorage.clear(); } catch { return; } })()");
         browser(context).visit("about:blank");
+        browser(context).drawCoarsely();
         browser(context).forgetComplaints();
     }
 
@@ -36,14 +39,14 @@ final class BrowserForTests implements BeforeAllCallback, AfterTestExecutionCall
     }
 
     private static Chromium browser(ExtensionContext context) {
-        InBrowser wanted = context.getRequiredTestClass().getAnnotation(InBrowser.class);
-        return context.getStore(Namespace.create(BrowserForTests.class, context.getRequiredTestClass()))
-                .computeIfAbsent(Chromium.class, type -> open(wanted), Chromium.class);
+        return context.getRoot()
+                .getStore(Namespace.create(BrowserForTests.class))
+                .computeIfAbsent(Chromium.class, type -> start(), Chromium.class);
     }
 
-    private static Chromium open(InBrowser wanted) {
+    private static Chromium start() {
         try {
-            return Chromium.open(wanted.width(), wanted.height());
+            return Chromium.start();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

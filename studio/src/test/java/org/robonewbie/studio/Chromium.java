@@ -9,6 +9,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
+import java.io.Writer;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
@@ -35,6 +36,9 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
 
     private static final long PATIENCE_SECONDS = 120;
 
+    /** Pixels of the screen on one pixel of the page, in both directions. */
+    private static final double COARSE = 0.25;
+
     private static final Pattern PAGE_IS_LEFT = Pattern.compile(
             "context was destroyed|Cannot find (default execution )?context|navigated or closed|Promise was collected");
 
@@ -46,7 +50,11 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
     private final List<String> complaints = new CopyOnWriteArrayList<>();
     private final StringBuilder text = new StringBuilder();
     private volatile CompletableFuture<Boolean> frozen = new CompletableFuture<>();
-    private String session = "";
+    private volatile String session = "";
+    private String context = "";
+    private double sharpness = 1;
+    private int width;
+    private int height;
 
     private Chromium(Process process, Path profile, URI address) {
         this.process = process;
@@ -57,7 +65,15 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
                 .join();
     }
 
+    /** Starts a browser with a page whose pictures are worth looking at. */
     static Chromium open(int width, int height) throws IOException {
+        Chromium browser = start();
+        browser.openPage(width, height);
+        return browser;
+    }
+
+    /** Starts a browser that has no page yet. */
+    static Chromium start() throws IOException {
         Path profile = Files.createTempDirectory("studio-chromium");
         List<String> command = new ArrayList<>();
         command.add(Tool.BROWSER.find().orElseThrow().toString());
@@ -65,7 +81,8 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
                 "--headless=new",
                 "--no-sandbox",
                 "--disable-dev-shm-usage",
-                "--use-angle=swiftshader",
+                "--disable-gpu", // pages are put together by the processor, which takes less work than a pretended
+                // graphics card
                 "--enable-unsafe-swiftshader",
                 "--remote-debugging-port=0",
                 "--no-first-run",
@@ -77,9 +94,7 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
                 "--user-data-dir=" + profile,
                 "about:blank"));
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
-        Chromium browser = new Chromium(process, profile, devTools(process));
-        browser.openPage(width, height);
-        return browser;
+        return new Chromium(process, profile, devTools(process));
     }
 
     private static URI devTools(Process process) throws IOException {
@@ -96,17 +111,30 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
     }
 
     private static void drain(BufferedReader output) {
-        Thread reader = new Thread(() -> output.lines().forEach(line -> {}), "chromium-output");
+        Thread reader = new Thread(() -> readAll(output), "chromium-output");
         reader.setDaemon(true);
         reader.start();
     }
 
-    private void openPage(int width, int height) {
-        JsonObject target = new JsonObject();
-        target.addProperty("url", "about:blank");
-        String id = call("Target.createTarget", target).get("targetId").getAsString();
+    private static void readAll(BufferedReader output) {
+        try {
+            output.transferTo(Writer.nullWriter());
+        } catch (IOException browserIsClosed) {
+            return;
+        }
+    }
+
+    /** Opens a page that knows nothing of the page before it, which is closed. */
+    void openPage(int width, int height) {
+        closePage();
+        context = call("Target.createBrowserContext", new JsonObject())
+                .get("browserContextId")
+                .getAsString();
+        JsonObject page = new JsonObject();
+        page.addProperty("url", "about:blank");
+        page.addProperty("browserContextId", context);
         JsonObject attach = new JsonObject();
-        attach.addProperty("targetId", id);
+        attach.add("targetId", call("Target.createTarget", page).get("targetId"));
         attach.addProperty("flatten", true);
         session = call("Target.attachToTarget", attach).get("sessionId").getAsString();
         for (String domain : List.of("Page", "Runtime", "Log", "Network")) {
@@ -115,13 +143,37 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
         resize(width, height);
     }
 
+    private void closePage() {
+        session = "";
+        if (!context.isEmpty()) {
+            JsonObject left = new JsonObject();
+            left.addProperty("browserContextId", context);
+            call("Target.disposeBrowserContext", left);
+        }
+        complaints.clear();
+    }
+
     void resize(int width, int height) {
+        this.width = width;
+        this.height = height;
         JsonObject metrics = new JsonObject();
         metrics.addProperty("width", width);
         metrics.addProperty("height", height);
-        metrics.addProperty("deviceScaleFactor", 1);
+        metrics.addProperty("deviceScaleFactor", sharpness);
         metrics.addProperty("mobile", false);
         call("Emulation.setDeviceMetricsOverride", metrics);
+    }
+
+    /** Draws one pixel of the screen for 16 of the page, which spares the processor; places and sizes stay as they are. */
+    void drawCoarsely() {
+        sharpness = COARSE;
+        resize(width, height);
+    }
+
+    /** Draws each pixel of the page, for a picture that is worth looking at. */
+    void drawSharply() {
+        sharpness = 1;
+        resize(width, height);
     }
 
     /** Opens an address and waits until the page before it has gone and this one is there. */
@@ -330,7 +382,8 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
             call.complete(message.getAsJsonObject("result"));
         } else if (call != null) {
             call.completeExceptionally(new AssertionError(message.toString()));
-        } else if (message.has("method")) {
+        } else if (message.has("sessionId")
+                && message.get("sessionId").getAsString().equals(session)) {
             receiveEvent(message);
         }
     }

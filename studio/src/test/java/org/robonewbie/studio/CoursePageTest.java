@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.studio.course.Attempt;
@@ -85,8 +86,21 @@ class CoursePageTest {
     }
 
     @Test
-    void trialIsShownLiveAndItsVerdictBesideIt() throws IOException {
-        visit("high");
+    void trialIsShownLiveAndItsVerdictBesideIt() {
+        visit();
+        letAProgramTry();
+
+        browser.await(
+                "document.querySelector('#course-judged').innerText === '✗ Seed 1: 4 points, the ball went 1.00 m'");
+        browser.await("document.querySelector('#course-hints').innerText === 'Hint: Be quick.'");
+        browser.await("document.querySelector('#course-progress').innerText === 'Not yet passed: 4.0 of 10 points'");
+        browser.await("document.querySelector('#course-output pre').textContent === 'hello from the program'");
+        browser.click("#course-stop");
+        browser.await("studio.state.scene.robots.length === 0 && document.querySelector('#course-stop').hidden");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    private void letAProgramTry() {
         chooseKick();
         browser.evaluate("document.querySelector('#course-program').value = 'Other.java'");
 
@@ -94,16 +108,18 @@ class CoursePageTest {
         browser.await("document.querySelector('#course-progress').innerText.includes('being judged')");
         browser.await("studio.state.scene.robots.length === 1");
         course.judge(new Attempt.Judged(1, false, 4, "the ball went 1.00 m", "Be quick."), "hello from the program");
+    }
 
-        browser.await(
-                "document.querySelector('#course-judged').innerText === '✗ Seed 1: 4 points, the ball went 1.00 m'");
-        browser.await("document.querySelector('#course-hints').innerText === 'Hint: Be quick.'");
-        browser.await("document.querySelector('#course-progress').innerText === 'Not yet passed: 4.0 of 10 points'");
+    @Tag("slow")
+    @Test
+    void exercisesAreWorthAPicture() throws IOException {
+        browser.drawSharply();
+        visit("high");
+        letAProgramTry();
+
         browser.await("document.querySelector('#course-output pre').textContent === 'hello from the program'");
         Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
         Files.write(Files.createDirectories(pictures).resolve("studio-exercises.png"), browser.screenshot());
-        browser.click("#course-stop");
-        browser.await("studio.state.scene.robots.length === 0 && document.querySelector('#course-stop').hidden");
         assertThat(browser.complaints()).isEmpty();
     }
 

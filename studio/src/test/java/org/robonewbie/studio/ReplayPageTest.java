@@ -247,6 +247,7 @@ class ReplayPageTest {
     @Tag("slow")
     @Test
     void replayIsWorthAPicture() throws IOException {
+        browser.drawSharply();
         browser.visit(studio.address() + "&quality=high&theme=light#replay");
         browser.await("studio.replay?.file?.isWhole");
         browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");

@@ -197,6 +197,7 @@ class RobotPageTest {
     @Tag("slow")
     @Test
     void roomIsWorthAPicture() throws IOException {
+        browser.drawSharply();
         try (PlayingRobot robot = PlayingRobot.start();
                 StudioServer other = StudioServer.start(robot.simulator().control(), 0, AccessToken.random())) {
             browser.visit(other.address() + "&quality=lowest&theme=light#robot");

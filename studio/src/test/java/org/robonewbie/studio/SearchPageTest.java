@@ -129,6 +129,7 @@ class SearchPageTest {
     @Tag("slow")
     @Test
     void pageIsWorthAPicture() throws IOException {
+        browser.drawSharply();
         reach(1, 22);
         for (String theme : List.of("dark", "light")) {
             visit("&theme=" + theme);

@@ -225,7 +225,7 @@ class OptimiseCommandTest {
                         })
                 .join();
         try {
-            return heard.get(60, TimeUnit.SECONDS);
+            return heard.get(120, TimeUnit.SECONDS);
         } finally {
             socket.abort();
         }

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Timeout;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-@Timeout(20)
+@Timeout(120)
 class TcpAgentLinkTest {
 
     private static final String HOST = "127.0.0.1";
@@ -66,13 +66,13 @@ class TcpAgentLinkTest {
         try (Socket peer = server.accept()) {
             Future<Boolean> waiting = executor.submit(() -> link.receive(new MessageBuffer()));
             new FrameOutput(peer.getOutputStream()).write(message("(time (now 0.02))"));
-            assertThat(waiting.get(10, TimeUnit.SECONDS)).isTrue();
+            assertThat(waiting.get(120, TimeUnit.SECONDS)).isTrue();
 
             Future<Boolean> stillWaiting = executor.submit(() -> link.receive(new MessageBuffer()));
             link.close();
             link.close();
 
-            assertThat(stillWaiting.get(10, TimeUnit.SECONDS)).isFalse();
+            assertThat(stillWaiting.get(120, TimeUnit.SECONDS)).isFalse();
         }
     }
 

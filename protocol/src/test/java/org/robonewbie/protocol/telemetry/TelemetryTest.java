@@ -122,7 +122,7 @@ class TelemetryTest {
             send(server.port(), "\0\1\2 rubbish\n\n" + "x".repeat(300_000));
             send(server.port(), "rubbish\nplot\t1.0\tBlue\t3\tspeed\t2.0\n");
 
-            assertThat(heard.poll(10, TimeUnit.SECONDS))
+            assertThat(heard.poll(120, TimeUnit.SECONDS))
                     .isEqualTo(new TelemetryMessage("Blue", 3, 1, new TelemetryItem.PlotValue("speed", 2)));
         }
     }
@@ -143,11 +143,11 @@ class TelemetryTest {
     }
 
     private static TelemetryMessage next(BlockingQueue<TelemetryMessage> heard) throws InterruptedException {
-        TelemetryMessage message = heard.poll(10, TimeUnit.SECONDS);
+        TelemetryMessage message = heard.poll(120, TimeUnit.SECONDS);
         while (HELLO.equals(message)) {
-            message = heard.poll(10, TimeUnit.SECONDS);
+            message = heard.poll(120, TimeUnit.SECONDS);
         }
-        return Objects.requireNonNull(message, "nothing was heard for ten seconds");
+        return Objects.requireNonNull(message, "nothing was heard for two minutes");
     }
 
     private static void send(int port, String text) throws IOException {

@@ -24,7 +24,7 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 
-@Timeout(60)
+@Timeout(120)
 class BeginnersSimulatorProviderTest {
 
     @TempDir

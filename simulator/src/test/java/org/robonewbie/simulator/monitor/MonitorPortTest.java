@@ -25,7 +25,7 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.protocol.tcp.MonitorLink;
 
-@Timeout(60)
+@Timeout(120)
 class MonitorPortTest {
 
     private static final PlayerNumber FIRST = new PlayerNumber(TeamSide.LEFT, 1);

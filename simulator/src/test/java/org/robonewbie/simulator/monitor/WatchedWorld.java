@@ -74,7 +74,7 @@ final class WatchedWorld implements AutoCloseable {
     }
 
     Order nextOrder() throws InterruptedException {
-        Order order = orders.poll(10, TimeUnit.SECONDS);
+        Order order = orders.poll(100, TimeUnit.SECONDS);
         if (order == null) {
             throw new AssertionError("No command has arrived");
         }

@@ -20,7 +20,7 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 
 /** Messages that come in halves, in heaps, twice, late or not at all. */
-@Timeout(60)
+@Timeout(120)
 class AgentFramesTest {
 
     @SuppressWarnings("NullAway.Init")

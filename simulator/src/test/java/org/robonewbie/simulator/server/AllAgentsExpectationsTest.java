@@ -28,7 +28,7 @@ import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 import org.robonewbie.protocol.tcp.MonitorLink;
 
 /** What all public agents of the league rely on in a server, one test for each thing. */
-@Timeout(60)
+@Timeout(120)
 class AllAgentsExpectationsTest {
 
     private static final String SCENE = "(scene rsg/agent/nao/nao.rsg)";

@@ -17,7 +17,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
 /** What the agents of UT Austin Villa need beyond what all agents need, above all those that learn and order as trainers. */
-@Timeout(60)
+@Timeout(120)
 class AustinVillaExpectationsTest {
 
     @AutoClose

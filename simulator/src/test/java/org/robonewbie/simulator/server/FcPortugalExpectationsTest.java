@@ -23,7 +23,7 @@ import org.robonewbie.protocol.perceptor.Vision.SeenLine;
 import org.robonewbie.protocol.tcp.FrameEncoder;
 
 /** What the agents of FC Portugal need beyond what all agents need; their messages are read as they read them. */
-@Timeout(60)
+@Timeout(120)
 class FcPortugalExpectationsTest {
 
     private static final Set<String> TAGS = Set.of(

@@ -20,7 +20,7 @@ import org.robonewbie.protocol.order.Order;
  * What the benchmark tool magmaChallenge needs of a server. That it finds and ends the server by the name of its process, and
  * that the server understands its start script, is tested with the command line.
  */
-@Timeout(60)
+@Timeout(120)
 class MagmaChallengeExpectationsTest {
 
     private static final String BEAM = "(beam -3 2 0)";

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** What the agents of magmaOffenburg need beyond what all agents need. */
-@Timeout(60)
+@Timeout(120)
 class MagmaExpectationsTest {
 
     private static final String NUMBER = "-?[0-9]+\\.[0-9]{2}";

@@ -21,7 +21,7 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /** Each parameter that agents and monitors feel in their messages does as it says. */
-@Timeout(60)
+@Timeout(120)
 class MessageParametersTest {
 
     private final RecordingConsole console = new RecordingConsole();

@@ -22,7 +22,7 @@ import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 
 /** A whole game as monitors see it, and monitors as the game feels them. */
-@Timeout(60)
+@Timeout(120)
 class MonitoredGameTest {
 
     /** The modes in the order that magmaChallenge knows by number. */

@@ -20,7 +20,7 @@ import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
 
 /** Whatever a client does, its problem is named and a well-behaved agent is served on. */
-@Timeout(60)
+@Timeout(120)
 class NastyClientsTest {
 
     private static final String SCENE = "(scene rsg/agent/nao/nao.rsg)(syn)";
@@ -342,7 +342,7 @@ class NastyClientsTest {
 
     /** Lets the game go on until the console has told something. */
     private void awaitSaid(String part) throws IOException {
-        long end = System.nanoTime() + Duration.ofSeconds(20).toNanos();
+        long end = System.nanoTime() + Duration.ofSeconds(100).toNanos();
         while (console.sentences().stream().noneMatch(sentence -> sentence.contains(part)) && System.nanoTime() < end) {
             goodAgent.exchange("(syn)");
         }

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Timeout;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.WorldSnapshot;
 
-@Timeout(60)
+@Timeout(120)
 class RealTimeTest {
 
     private final HandTurnedClock clock = new HandTurnedClock();

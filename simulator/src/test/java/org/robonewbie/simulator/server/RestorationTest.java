@@ -18,7 +18,7 @@ import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
-@Timeout(60)
+@Timeout(120)
 class RestorationTest {
 
     private static final int FALLING_CYCLES = 25;

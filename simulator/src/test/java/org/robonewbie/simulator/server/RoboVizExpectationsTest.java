@@ -18,7 +18,7 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 
 /** What the monitor RoboViz needs of a server; its way of reading is that of {@link RoboVizReader}. */
-@Timeout(60)
+@Timeout(120)
 class RoboVizExpectationsTest {
 
     /** The models that RoboViz has, as far as a NAO and the pitch need them. */

@@ -23,7 +23,7 @@ import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /** A running simulation goes on from a state that was saved while it ran, whose agents play on. */
-@Timeout(60)
+@Timeout(120)
 class SavedWorldTest {
 
     private final List<WorldSnapshot> seen = new CopyOnWriteArrayList<>();

@@ -14,7 +14,7 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
 
-@Timeout(60)
+@Timeout(120)
 class SyncModeTest {
 
     private final RecordingConsole console = new RecordingConsole();

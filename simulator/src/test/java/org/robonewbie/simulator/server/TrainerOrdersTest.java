@@ -21,7 +21,7 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
-@Timeout(60)
+@Timeout(120)
 class TrainerOrdersTest {
 
     @SuppressWarnings("NullAway.Init")
