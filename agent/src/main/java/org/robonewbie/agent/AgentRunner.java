@@ -47,7 +47,7 @@ final class AgentRunner {
     /** Opens the connection that the options ask for, and says so. */
     static SimulatorConnection open(Options options, int robots) {
         try {
-            SimulatorConnection simulator = SimulatorConnection.open(options.simulator(robots));
+            SimulatorConnection simulator = SimulatorConnection.open(SimulatorChoice.of(options, robots));
             System.out.println(simulator.description());
             return simulator;
         } catch (IOException unreachable) {

@@ -12,8 +12,6 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.running.Surroundings;
-import org.robonewbie.agent.running.WantedSimulator;
-import org.robonewbie.protocol.embedded.SimulatorRequest;
 
 /**
  * Where a robot lives and who it is: the same options for every agent. They are taken from the command line, from the file
@@ -27,11 +25,7 @@ import org.robonewbie.protocol.embedded.SimulatorRequest;
  */
 public final class Options {
 
-    private static final String THIS_COMPUTER = "127.0.0.1";
-    private static final int USUAL_PORT = 3100;
     private static final String DEFAULT_TEAM = "RoboNewbie";
-    private static final List<Option> ONLY_OWN_SIMULATOR =
-            List.of(Option.SEED, Option.FAST, Option.REPORT, Option.RECORD, Option.WAIT_FOR);
 
     private final Map<Option, OptionSource.Value> values;
     private final List<String> arguments;
@@ -39,7 +33,7 @@ public final class Options {
     Options(Map<Option, OptionSource.Value> values, List<String> arguments) {
         this.values = values;
         this.arguments = List.copyOf(arguments);
-        checkPlace();
+        SimulatorChoice.check(this);
     }
 
     /** {@return options that are all left open} */
@@ -254,55 +248,8 @@ public final class Options {
         return isSet(Option.HELP);
     }
 
-    /** Resolves where robots live; the simulator holds its clock until all of them are in. */
-    WantedSimulator simulator(int robots) {
-        WantedSimulator.Kind kind = kind();
-        int usualPort = kind == WantedSimulator.Kind.OWN ? 0 : USUAL_PORT;
-        int port = port().orElse(usualPort);
-        String host = kind == WantedSimulator.Kind.SERVER ? host().orElse(THIS_COMPUTER) : THIS_COMPUTER;
-        return new WantedSimulator(kind, host, port, request(port, robots));
-    }
-
-    private WantedSimulator.Kind kind() {
-        int own = strongest(ONLY_OWN_SIMULATOR);
-        int server = strength(Option.HOST);
-        if (own == server) {
-            return WantedSimulator.Kind.ANY;
-        }
-        return own > server ? WantedSimulator.Kind.OWN : WantedSimulator.Kind.SERVER;
-    }
-
-    private SimulatorRequest request(int port, int robots) {
-        return new SimulatorRequest(
-                port,
-                seed(),
-                isFast(),
-                seconds(),
-                isHeadless(),
-                !isNoBrowser() && !isHeadless(),
-                isTruth(),
-                report(),
-                record(),
-                Math.max(robots, waitFor()));
-    }
-
-    private void checkPlace() {
-        if (strength(Option.HOST) < 0) {
-            return;
-        }
-        for (Option own : ONLY_OWN_SIMULATOR) {
-            if (strength(own) == strength(Option.HOST)) {
-                throw new StartUpException(own.argument() + " needs an own simulator, but --host " + host().orElse("")
-                        + " asks for another one: leave one of the two out.");
-            }
-        }
-    }
-
-    private int strongest(List<Option> options) {
-        return options.stream().mapToInt(this::strength).max().orElse(-1);
-    }
-
-    private int strength(Option option) {
+    /** Returns how much weight an option has: the more, the nearer to the command line it was set; -1 if it is not set at all. */
+    int strength(Option option) {
         OptionSource.Value value = values.get(option);
         return value == null || value.text().equals("false") ? -1 : value.strength();
     }

@@ -22,14 +22,12 @@ import org.robonewbie.protocol.telemetry.Drawing;
  * next. A value that the robot cannot use is ignored or clamped, and reported once.
  *
  * <p>Units are degrees, metres, seconds and newtons. Vectors have x forward, y to the left and z up, relative to the robot.
- * (SimSpark's own messages have x to the right and y forward; they are converted on reception.)
- *
- * <p>A command takes effect in the message after the next, since one message is always under way.
+ * (SimSpark's own messages have x to the right and y forward; they are converted on reception.) A command takes effect in the
+ * message after the next, since one message is always under way.
  *
  * <p>Drawings appear in the studio's picture of the robot's surroundings. All drawings of one cycle form a picture, which stays
  * until the next one, for a second at most. Their points are metres from the centre of the head, as in the field view; colours
- * are CSS names or codes, such as {@code red} or {@code #ff8800}. Without a studio they have no effect, so drawings may stay in
- * a finished program.
+ * are CSS names or codes, such as {@code red} or {@code #ff8800}. A finished program may keep them: without a studio they do nothing.
  */
 public class Robot {
 

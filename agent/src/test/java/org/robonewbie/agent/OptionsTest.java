@@ -103,12 +103,12 @@ class OptionsTest {
 
     @Test
     void startsAnOwnSimulatorForASeedAndJoinsANamedHost() {
-        assertThat(read("--seed", "1").simulator(1).kind()).isEqualTo(Kind.OWN);
-        assertThat(read("--fast").simulator(1).kind()).isEqualTo(Kind.OWN);
-        assertThat(read("--host", "there").simulator(1).kind()).isEqualTo(Kind.SERVER);
-        assertThat(read("--host", "there").simulator(1).host()).isEqualTo("there");
-        assertThat(read("--seconds", "3").simulator(1).kind()).isEqualTo(Kind.ANY);
-        assertThat(read().simulator(1).port()).isEqualTo(3100);
+        assertThat(SimulatorChoice.of(read("--seed", "1"), 1).kind()).isEqualTo(Kind.OWN);
+        assertThat(SimulatorChoice.of(read("--fast"), 1).kind()).isEqualTo(Kind.OWN);
+        assertThat(SimulatorChoice.of(read("--host", "there"), 1).kind()).isEqualTo(Kind.SERVER);
+        assertThat(SimulatorChoice.of(read("--host", "there"), 1).host()).isEqualTo("there");
+        assertThat(SimulatorChoice.of(read("--seconds", "3"), 1).kind()).isEqualTo(Kind.ANY);
+        assertThat(SimulatorChoice.of(read(), 1).port()).isEqualTo(3100);
     }
 
     @Test
@@ -117,14 +117,15 @@ class OptionsTest {
 
         Options options = read("--seed", "1");
 
-        assertThat(options.simulator(1).kind()).isEqualTo(Kind.OWN);
+        assertThat(SimulatorChoice.of(options, 1).kind()).isEqualTo(Kind.OWN);
     }
 
     @Test
     void refusesAHostTogetherWithASeed() {
         assertThatThrownBy(() -> read("--seed", "1", "--host", "there"))
-                .hasMessage("--seed needs an own simulator, but --host there asks for another one: leave one of the two"
-                        + " out.");
+                .hasMessage(
+                        "--seed needs a simulator of its own, but --host there asks for another one: leave one of the two"
+                                + " out.");
     }
 
     @Test

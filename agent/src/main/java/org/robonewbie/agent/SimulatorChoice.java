@@ -1,0 +1,62 @@
+package org.robonewbie.agent;
+
+import java.util.List;
+import org.robonewbie.agent.running.WantedSimulator;
+import org.robonewbie.protocol.embedded.SimulatorRequest;
+
+/**
+ * Decides where robots live: options such as {@code --seed} need a simulator of the program's own, {@code --host} names that of
+ * another program, and without either of them whatever runs on this computer is used.
+ */
+final class SimulatorChoice {
+
+    private static final String THIS_COMPUTER = "127.0.0.1";
+    private static final int USUAL_PORT = 3100;
+    private static final List<Option> ONLY_OWN_SIMULATOR =
+            List.of(Option.SEED, Option.FAST, Option.REPORT, Option.RECORD, Option.WAIT_FOR);
+
+    private SimulatorChoice() {}
+
+    /** Checks that the options do not ask for two simulators with the same weight. */
+    static void check(Options options) {
+        int server = options.strength(Option.HOST);
+        for (Option own : ONLY_OWN_SIMULATOR) {
+            if (server >= 0 && options.strength(own) == server) {
+                throw new StartUpException(own.argument() + " needs a simulator of its own, but --host "
+                        + options.host().orElse("") + " asks for another one: leave one of the two out.");
+            }
+        }
+    }
+
+    /** Chooses the simulator; one of the program's own holds its clock until all robots are in. */
+    static WantedSimulator of(Options options, int robots) {
+        WantedSimulator.Kind kind = kind(options);
+        int usualPort = kind == WantedSimulator.Kind.OWN ? 0 : USUAL_PORT;
+        int port = options.port().orElse(usualPort);
+        String host = kind == WantedSimulator.Kind.SERVER ? options.host().orElse(THIS_COMPUTER) : THIS_COMPUTER;
+        return new WantedSimulator(kind, host, port, request(options, port, robots));
+    }
+
+    private static WantedSimulator.Kind kind(Options options) {
+        int own = ONLY_OWN_SIMULATOR.stream().mapToInt(options::strength).max().orElse(-1);
+        int server = options.strength(Option.HOST);
+        if (own == server) {
+            return WantedSimulator.Kind.ANY;
+        }
+        return own > server ? WantedSimulator.Kind.OWN : WantedSimulator.Kind.SERVER;
+    }
+
+    private static SimulatorRequest request(Options options, int port, int robots) {
+        return new SimulatorRequest(
+                port,
+                options.seed(),
+                options.isFast(),
+                options.seconds(),
+                options.isHeadless(),
+                !options.isNoBrowser() && !options.isHeadless(),
+                options.isTruth(),
+                options.report(),
+                options.record(),
+                Math.max(robots, options.waitFor()));
+    }
+}
