@@ -217,7 +217,7 @@ final class OptimiseCommand implements Callable<Integer> {
 
     /** Runs an agent once, so that its mistakes are seen once and not in each of some thousand trials. */
     private void rehearse(Subject subject) throws IOException {
-        SilentPrograms.complaining(() -> subject.attempt(new double[subject.dimension()], seed));
+        SilentPrograms.complaining(() -> subject.evaluate(new double[subject.dimension()], seed));
     }
 
     private double firstStep() {

@@ -3,7 +3,7 @@ package org.robonewbie.app.studio;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Locale;
-import org.robonewbie.learning.optimise.Attempt;
+import org.robonewbie.learning.optimise.Evaluation;
 import org.robonewbie.learning.optimise.Generation;
 import org.robonewbie.learning.optimise.OptimisationListener;
 import org.robonewbie.learning.optimise.OptimisationResult;
@@ -18,7 +18,7 @@ import org.robonewbie.learning.optimise.OptimisationResult;
 public record SearchConsole(PrintStream out, String unit, Path file) implements OptimisationListener {
 
     @Override
-    public void begins(Attempt before) {
+    public void begins(Evaluation before) {
         out.printf(Locale.ROOT, "start: %.3f %s%n", before.value(), unit);
     }
 

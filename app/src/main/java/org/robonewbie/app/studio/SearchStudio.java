@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import org.robonewbie.learning.optimise.Attempt;
+import org.robonewbie.learning.optimise.Evaluation;
 import org.robonewbie.learning.optimise.Generation;
 import org.robonewbie.learning.optimise.MotionSubject;
 import org.robonewbie.learning.optimise.Objective;
@@ -137,7 +137,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
     }
 
     @Override
-    public void begins(Attempt before) {
+    public void begins(Evaluation before) {
         board.begins(before.value());
     }
 
@@ -215,7 +215,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
     private record Both(OptimisationListener one, OptimisationListener other) implements OptimisationListener {
 
         @Override
-        public void begins(Attempt before) {
+        public void begins(Evaluation before) {
             one.begins(before);
             other.begins(before);
         }

@@ -21,8 +21,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.studio.SearchStudio;
 import org.robonewbie.app.studio.SearchStudioOptions;
-import org.robonewbie.learning.optimise.Attempt;
 import org.robonewbie.learning.optimise.Cloud;
+import org.robonewbie.learning.optimise.Evaluation;
 import org.robonewbie.learning.optimise.Generation;
 import org.robonewbie.learning.optimise.MotionSubject;
 import org.robonewbie.learning.optimise.Objective;
@@ -134,7 +134,7 @@ class OptimiseCommandTest {
             List<Double> middle = Collections.nCopies(subject.dimension(), 0.0);
             List<Double> spread = Collections.nCopies(subject.dimension(), 0.1);
 
-            studio.begins(new Attempt(5.5, 1, 0));
+            studio.begins(new Evaluation(5.5, 1, 0));
             studio.reached(new Generation(
                     1,
                     2,

@@ -2,7 +2,7 @@ package org.robonewbie.learning.design;
 
 import java.util.Arrays;
 import java.util.List;
-import org.robonewbie.learning.trial.Watch;
+import org.robonewbie.learning.rehearsal.Poise;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.model.RobotType;
@@ -16,8 +16,8 @@ public final class Costs {
     private Costs() {}
 
     /** Likes a torso that stays upright and calm, and motors that are not asked for all they can do. */
-    static double roughness(Watch watch) {
-        return 2 * watch.meanTilt() + 0.01 * watch.meanRocking() + 0.3 * watch.meanJointsAtLimit();
+    static double roughness(Poise poise) {
+        return 2 * poise.meanTilt() + 0.01 * poise.meanRocking() + 0.3 * poise.meanJointsAtLimit();
     }
 
     /** Keeps a search near its first guess: a tenth for each unit that a coordinate is beyond a limit. */

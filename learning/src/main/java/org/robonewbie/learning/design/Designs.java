@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.robonewbie.agent.walk.Gait;
+import org.robonewbie.learning.rehearsal.Lying;
 import org.robonewbie.learning.search.SearchPlan;
-import org.robonewbie.learning.trial.Lying;
 
 /** All designs of the library, with the first guesses and plans that led to the shipped files. */
 public final class Designs {

@@ -1,8 +1,8 @@
 package org.robonewbie.learning.design;
 
 import java.util.List;
+import org.robonewbie.learning.rehearsal.DiveTrial;
 import org.robonewbie.learning.search.SearchPlan;
-import org.robonewbie.learning.trial.DiveTrial;
 import org.robonewbie.nao.motion.Motion;
 
 /** A goalkeeper's dive to the left: a sketch whose keyframes are searched for; to the right it is the mirror image. */

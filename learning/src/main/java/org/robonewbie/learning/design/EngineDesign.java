@@ -6,10 +6,10 @@ import java.util.Random;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.learning.rehearsal.WalkTrial;
 import org.robonewbie.learning.search.CostFunction;
 import org.robonewbie.learning.search.Search;
 import org.robonewbie.learning.search.SearchPlan;
-import org.robonewbie.learning.trial.WalkTrial;
 
 /**
  * The search for the numbers of the walk engine: in some trials it walks straight as fast as it can, in others in circles and
@@ -83,6 +83,6 @@ public record EngineDesign(int stepMillis, WalkVelocity slip, WalkVelocity most,
     }
 
     private static double cost(WalkTrial trial) {
-        return Costs.roughness(trial.watch()) + (trial.stood() ? 0 : 6 - 3 * trial.seconds() / trial.planned());
+        return Costs.roughness(trial.poise()) + (trial.stood() ? 0 : 6 - 3 * trial.seconds() / trial.planned());
     }
 }

@@ -1,10 +1,9 @@
 package org.robonewbie.learning.design;
 
 import java.util.List;
+import org.robonewbie.learning.rehearsal.GetUpTrial;
+import org.robonewbie.learning.rehearsal.Lying;
 import org.robonewbie.learning.search.SearchPlan;
-import org.robonewbie.learning.trial.GetUpTrial;
-import org.robonewbie.learning.trial.Lying;
-import org.robonewbie.learning.trial.TrialObserver;
 import org.robonewbie.nao.motion.Motion;
 
 /** Getting up from one side: a sketch whose keyframes are searched for until the robot stands after every fall. */
@@ -31,7 +30,7 @@ public final class GetUpDesign extends SketchedDesign {
 
     @Override
     double cost(Motion motion, long seed) {
-        GetUpTrial trial = GetUpTrial.run(lying.fallen(seed), List.of(motion), TrialObserver.NONE);
+        GetUpTrial trial = GetUpTrial.run(lying, motion, seed);
         return (trial.success() ? -4 : 0)
                 - trial.lastPromise()
                 - 0.7 * trial.bestPromise()

@@ -1,14 +1,18 @@
 package org.robonewbie.learning.design;
 
 import java.util.List;
+import org.robonewbie.learning.rehearsal.Lying;
+import org.robonewbie.learning.rehearsal.Rehearsal;
 import org.robonewbie.learning.search.SearchPlan;
-import org.robonewbie.learning.trial.Lying;
-import org.robonewbie.learning.trial.TrialObserver;
-import org.robonewbie.learning.trial.TrialRobot;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.trial.Measure;
+import org.robonewbie.trial.Moment;
 
 /** Rolling over from one side to another: a sketch whose keyframes are searched for. */
 public final class RollOverDesign extends SketchedDesign {
+
+    private static final Vector3 FORWARD = new Vector3(1, 0, 0);
 
     private final String does;
     private final Lying from;
@@ -34,17 +38,33 @@ public final class RollOverDesign extends SketchedDesign {
 
     @Override
     double cost(Motion motion, long seed) {
-        TrialRobot robot = from.fallen(seed);
-        double[] best = {-1};
-        TrialObserver chest = seen -> {
-            best[0] = Math.max(best[0], seen.chestUp());
-            return true;
-        };
-        robot.play(motion, chest);
-        robot.hold(0.4, chest);
-        return (Lying.ON_BACK.isTrueOf(robot) ? -2 : 0)
-                - best[0]
-                - 0.5 * robot.chestUp()
-                + 0.05 * motion.durationMillis() / 1000.0;
+        try (Rehearsal robot = from.fallen(seed)) {
+            ChestUp chest = new ChestUp();
+            robot.watch(chest);
+            robot.play(motion);
+            robot.hold(0.4);
+            return (Lying.ON_BACK.isTrueOf(robot.body()) ? -2 : 0)
+                    - chest.most
+                    - 0.5 * chest.now
+                    + 0.05 * motion.durationMillis() / 1000.0;
+        }
+    }
+
+    /** The upward component of the chest's direction: 1 straight up, -1 straight down. */
+    private static final class ChestUp implements Measure {
+
+        private double most = -1;
+        private double now;
+
+        @Override
+        public void see(Moment moment) {
+            now = moment.robot().torso().rotation().apply(FORWARD).z();
+            most = Math.max(most, now);
+        }
+
+        @Override
+        public double value() {
+            return most;
+        }
     }
 }

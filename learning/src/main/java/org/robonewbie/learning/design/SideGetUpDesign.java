@@ -2,7 +2,7 @@ package org.robonewbie.learning.design;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robonewbie.learning.trial.Lying;
+import org.robonewbie.learning.rehearsal.Lying;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.ShippedMotions;

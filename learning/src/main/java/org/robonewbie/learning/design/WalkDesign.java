@@ -5,8 +5,8 @@ import org.robonewbie.agent.walk.FootPlace;
 import org.robonewbie.agent.walk.Gait;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.gait.Footsteps;
+import org.robonewbie.learning.rehearsal.Rehearsal;
 import org.robonewbie.learning.search.SearchPlan;
-import org.robonewbie.learning.trial.Course;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
@@ -82,24 +82,25 @@ public final class WalkDesign extends SearchedDesign {
 
     @Override
     public double cost(double[] x, long seed) {
-        Course course = new Course(seed, PUSH_NEWTONS);
-        course.play(withStartAndStop ? start(x) : ShippedMotions.motion(START));
-        Motion walk = walk(x);
-        while (course.watch().seconds() < TRIAL_SECONDS && course.play(walk)) {
-            // one cycle of two steps after the other
+        try (Rehearsal robot = Rehearsal.inStance(seed, PUSH_NEWTONS)) {
+            robot.play(withStartAndStop ? start(x) : ShippedMotions.motion(START));
+            Motion walk = walk(x);
+            while (robot.seconds() < TRIAL_SECONDS && robot.play(walk)) {
+                // one cycle of two steps after the other
+            }
+            double seconds = robot.seconds();
+            double speed = robot.forward() / seconds;
+            boolean good = robot.play(withStartAndStop ? stop(x) : ShippedMotions.motion(STOP)) && robot.endsInStance();
+            if (!good) {
+                return 6 - 3 * seconds / TRIAL_SECONDS - Math.min(0.5, Math.max(0, speed));
+            }
+            return Costs.beyond(x, 6)
+                    + 0.02 * Costs.degreesBeyondMotors(walk)
+                    + 2 * Math.max(0, 1 - speed / wantedSpeed)
+                    + 0.5 * Math.abs(robot.left())
+                    + Math.abs(robot.turnedDegrees()) / 30
+                    + Costs.roughness(robot.poise());
         }
-        double seconds = course.watch().seconds();
-        double speed = course.forward() / seconds;
-        boolean good = course.play(withStartAndStop ? stop(x) : ShippedMotions.motion(STOP)) && course.endsInStance();
-        if (!good) {
-            return 6 - 3 * seconds / TRIAL_SECONDS - Math.min(0.5, Math.max(0, speed));
-        }
-        return Costs.beyond(x, 6)
-                + 0.02 * Costs.degreesBeyondMotors(walk)
-                + 2 * Math.max(0, 1 - speed / wantedSpeed)
-                + 0.5 * Math.abs(course.left())
-                + Math.abs(course.turnedDegrees()) / 30
-                + Costs.roughness(course.watch());
     }
 
     private Gait gait(double[] x) {

@@ -1,17 +1,14 @@
 package org.robonewbie.learning.measure;
 
 import java.util.List;
-import org.robonewbie.learning.trial.Course;
-import org.robonewbie.learning.trial.DiveTrial;
-import org.robonewbie.learning.trial.Lying;
-import org.robonewbie.learning.trial.TrialObserver;
-import org.robonewbie.learning.trial.TrialRobot;
+import java.util.function.LongFunction;
+import org.robonewbie.learning.rehearsal.DiveTrial;
+import org.robonewbie.learning.rehearsal.Lying;
+import org.robonewbie.learning.rehearsal.Rehearsal;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /** Checks of the motions that end on the ground or begin there. */
 final class FallChecks {
-
-    private static final double PUSH_NEWTONS = 3;
 
     private FallChecks() {}
 
@@ -25,25 +22,23 @@ final class FallChecks {
     }
 
     private static MotionCheck fall(String name, Lying end) {
-        return new MotionCheck(name, "stance", "ends " + end.words(), "s", seed -> {
-            TrialRobot robot = new Course(seed, PUSH_NEWTONS).robot();
-            double start = robot.seconds();
-            robot.play(ShippedMotions.motion(name), TrialObserver.NONE);
-            double seconds = robot.seconds() - start;
-            robot.hold(1, TrialObserver.NONE);
-            return new Outcome(end.isTrueOf(robot), seconds);
-        });
+        return check(name, "stance", end, seed -> Rehearsal.inStance(seed, 0));
     }
 
     private static MotionCheck rollOver() {
-        String name = "roll-over-to-back";
-        return new MotionCheck(name, "lying on front after a fall, arms anywhere", "ends lying on back", "s", seed -> {
-            TrialRobot robot = Lying.ON_FRONT.fallen(seed);
-            double start = robot.seconds();
-            robot.play(ShippedMotions.motion(name), TrialObserver.NONE);
-            double seconds = robot.seconds() - start;
-            robot.hold(1, TrialObserver.NONE);
-            return new Outcome(Lying.ON_BACK.isTrueOf(robot), seconds);
+        String start = "lying on front after a fall, arms anywhere";
+        return check("roll-over-to-back", start, Lying.ON_BACK, Lying.ON_FRONT::fallen);
+    }
+
+    private static MotionCheck check(String name, String start, Lying end, LongFunction<Rehearsal> opening) {
+        return new MotionCheck(name, start, "ends " + end.words(), "s", seed -> {
+            try (Rehearsal robot = opening.apply(seed)) {
+                robot.allowFalls();
+                robot.play(ShippedMotions.motion(name));
+                double seconds = robot.seconds();
+                robot.hold(1);
+                return new Outcome(end.isTrueOf(robot.body()), seconds);
+            }
         });
     }
 

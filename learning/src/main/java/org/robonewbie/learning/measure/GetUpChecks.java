@@ -1,9 +1,8 @@
 package org.robonewbie.learning.measure;
 
 import java.util.List;
-import org.robonewbie.learning.trial.GetUpTrial;
-import org.robonewbie.learning.trial.Lying;
-import org.robonewbie.learning.trial.TrialObserver;
+import org.robonewbie.learning.rehearsal.GetUpTrial;
+import org.robonewbie.learning.rehearsal.Lying;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /** Checks of the motions that bring a fallen robot to its feet. */
@@ -31,8 +30,7 @@ final class GetUpChecks {
                         "stands in the stance within 10 s",
                         "s",
                         seed -> {
-                            GetUpTrial trial = GetUpTrial.run(
-                                    lying.fallen(seed), List.of(ShippedMotions.motion(name)), TrialObserver.NONE);
+                            GetUpTrial trial = GetUpTrial.run(lying, ShippedMotions.motion(name), seed);
                             return new Outcome(trial.success() && trial.seconds() <= MOST_SECONDS, trial.seconds());
                         })
                 .thoroughly(THOROUGHNESS);

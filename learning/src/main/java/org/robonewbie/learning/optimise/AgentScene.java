@@ -58,16 +58,16 @@ public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spr
      * @param seed chooses the scene
      * @return what came out
      */
-    Attempt attempt(Agent agent, Objective objective, long seed) {
+    Evaluation evaluate(Agent agent, Objective objective, long seed) {
         Measure measure = objective.measure().get();
         Standing standing = new Standing();
         try (Trial trial = Trial.served(scene(seed), seed, Performer.ofAgent(agent))) {
             if (objective.isTimeToReachSomething()) {
                 trial.run(seconds, measure);
-                return new Attempt(measure.value(), measure.isDecided() ? 1 : 0, 0);
+                return new Evaluation(measure.value(), measure.isDecided() ? 1 : 0, 0);
             }
             trial.run(seconds, measure, standing);
-            return new Attempt(measure.value(), standing.hasFallen() ? 0 : 1, 0);
+            return new Evaluation(measure.value(), standing.hasFallen() ? 0 : 1, 0);
         }
     }
 

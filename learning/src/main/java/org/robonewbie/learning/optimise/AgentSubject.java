@@ -79,13 +79,13 @@ public final class AgentSubject implements Subject {
     }
 
     @Override
-    public Attempt attempt(double[] coordinates, long seed) {
+    public Evaluation evaluate(double[] coordinates, long seed) {
         Agent agent = TunableNumbers.with(values(coordinates), maker);
-        Attempt attempt = scene.attempt(agent, objective, seed);
+        Evaluation evaluation = scene.evaluate(agent, objective, seed);
         double beyond = IntStream.range(0, numbers.size())
                 .mapToDouble(i -> beyond(i, coordinates[i]))
                 .sum();
-        return new Attempt(attempt.value(), attempt.success(), attempt.flaws() + COST_OF_BEYOND * beyond);
+        return new Evaluation(evaluation.value(), evaluation.success(), evaluation.flaws() + COST_OF_BEYOND * beyond);
     }
 
     @Override

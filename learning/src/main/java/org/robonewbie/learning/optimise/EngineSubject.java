@@ -8,14 +8,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.agent.walk.WalkParameter;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.learning.trial.Course;
-import org.robonewbie.learning.trial.WalkTrial;
+import org.robonewbie.learning.rehearsal.Rehearsal;
+import org.robonewbie.learning.rehearsal.WalkTrial;
 import org.robonewbie.nao.file.AtomicFile;
-import org.robonewbie.nao.motion.PostureFollower;
+import org.robonewbie.trial.Measure;
 
 /** The numbers of the walk engine: it walks straight on as fast as it can, and must also stand what makes no sense. */
 public final class EngineSubject implements Subject {
@@ -26,7 +25,6 @@ public final class EngineSubject implements Subject {
     private static final double SIZE = 0.5;
     private static final double SECONDS = 7;
     private static final double ERRATIC_SECONDS = 5;
-    private static final double SECONDS_TO_STOP = 3;
     private static final double PUSH_NEWTONS = 5;
 
     private final Objective objective;
@@ -64,16 +62,20 @@ public final class EngineSubject implements Subject {
     }
 
     @Override
-    public Attempt attempt(double[] coordinates, long seed) {
+    public Evaluation evaluate(double[] coordinates, long seed) {
         WalkStyle style = style(coordinates);
-        MeasuringEye eye = new MeasuringEye(objective.measure().get());
-        Course course = new Course(seed, PUSH_NEWTONS, eye);
-        boolean stood = walk(course, style, eye);
-        boolean alwaysStood = stood
-                && WalkTrial.erratic(style, ERRATIC_SECONDS, seed, PUSH_NEWTONS).stood();
-        double aside =
-                Math.abs(course.turnedDegrees()) / 90 + 0.001 * course.watch().meanRocking();
-        return new Attempt(eye.value(), alwaysStood ? 1 : 0, aside);
+        boolean stood =
+                WalkTrial.erratic(style, ERRATIC_SECONDS, seed, PUSH_NEWTONS).stood();
+        try (Rehearsal robot = Rehearsal.inStance(style, seed, PUSH_NEWTONS)) {
+            Measure measure = objective.measure().get();
+            robot.watch(measure);
+            robot.walk(() -> new WalkVelocity(style.most().forward(), 0, 0), () -> robot.seconds() < SECONDS);
+            double value = measure.value();
+            boolean success = robot.stopWalking() && robot.endsInStance() && stood;
+            double aside =
+                    Math.abs(robot.turnedDegrees()) / 90 + 0.001 * robot.poise().meanRocking();
+            return new Evaluation(value, success ? 1 : 0, aside);
+        }
     }
 
     @Override
@@ -82,22 +84,6 @@ public final class EngineSubject implements Subject {
                 .map(fact -> "// " + fact.getKey() + ": " + fact.getValue() + "\n")
                 .collect(Collectors.joining("", "", text(shifted(coordinates)) + "\n"));
         AtomicFile.write(file, text);
-    }
-
-    private static boolean walk(Course course, WalkStyle style, MeasuringEye eye) {
-        WalkEngine engine = new WalkEngine(style);
-        PostureFollower follower = course.robot().follower();
-        engine.towards(new WalkVelocity(style.most().forward(), 0, 0));
-        while (course.watch().seconds() < SECONDS && course.walk(engine, follower)) {
-            // straight on
-        }
-        eye.close();
-        engine.towards(WalkVelocity.ZERO);
-        double end = course.watch().seconds() + SECONDS_TO_STOP;
-        while (!engine.isStanding() && course.watch().seconds() < end && course.walk(engine, follower)) {
-            // until it stands
-        }
-        return course.endsInStance();
     }
 
     private static WalkStyle style(double[] coordinates) {

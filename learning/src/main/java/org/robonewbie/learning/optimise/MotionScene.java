@@ -2,20 +2,19 @@ package org.robonewbie.learning.optimise;
 
 import java.util.Arrays;
 import java.util.Optional;
-import java.util.Random;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.design.Costs;
-import org.robonewbie.learning.trial.Course;
-import org.robonewbie.learning.trial.Lying;
-import org.robonewbie.learning.trial.TrialObserver;
-import org.robonewbie.learning.trial.TrialRobot;
-import org.robonewbie.learning.trial.Watch;
-import org.robonewbie.nao.Vector3;
+import org.robonewbie.learning.rehearsal.Lying;
+import org.robonewbie.learning.rehearsal.Poise;
+import org.robonewbie.learning.rehearsal.Rehearsal;
 import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.ShippedMotions;
+import org.robonewbie.trial.Measure;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.measure.KickDistance;
 
 /**
  * How a motion is tried, from what its file says: {@code // start: stance} or {@code // start: lying on back} is how the robot
@@ -25,12 +24,10 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
  */
 final class MotionScene {
 
-    private static final double BALL_RADIUS = 0.042;
+    private static final Place BEFORE_GOAL = new Place(1, 0, 0);
     private static final double PUSH_NEWTONS = 3;
     private static final double WALK_SECONDS = 8;
     private static final double SETTLING_SECONDS = 1;
-    private static final double METRES_BEFORE_GOAL = 5;
-    private static final double GOAL_LINE = 6;
     private static final double SECONDS_TO_ROLL = 4;
 
     private final Objective objective;
@@ -61,81 +58,77 @@ final class MotionScene {
     }
 
     /** Tries a motion. */
-    Attempt attempt(Motion candidate, long seed) {
+    Evaluation evaluate(Motion candidate, long seed) {
         Seen seen = play(candidate, seed);
         double flaws = seen.flaws + 0.01 * Math.max(0, beyondMotors(candidate) - beyondMotors(motion));
         if (keepsDeed) {
             flaws += seen.deed.difference(play(motion, seed).deed);
         }
-        return new Attempt(seen.value, seen.success ? 1 : 0, flaws);
+        return new Evaluation(seen.value, seen.success ? 1 : 0, flaws);
     }
 
     private Seen play(Motion candidate, long seed) {
-        return lyingStart.isPresent() ? fromTheGround(candidate, lyingStart.get(), seed) : onFoot(candidate, seed);
-    }
-
-    private Seen onFoot(Motion candidate, long seed) {
-        MeasuringEye eye = new MeasuringEye(objective.measure().get());
-        Course course = new Course(start(), seed, PUSH_NEWTONS, eye);
-        place(course, seed);
-        if (loop) {
-            course.play(ShippedMotions.motion("start-walking"));
-            while (course.watch().seconds() < WALK_SECONDS && course.play(candidate)) {
-                // one cycle after the other
+        try (Rehearsal robot = start(seed)) {
+            ball.ifPresent(place -> robot.placeBall(place, seed));
+            Measure measure = objective.measure().get();
+            KickDistance kick = new KickDistance();
+            robot.watch(measure);
+            robot.watch(kick);
+            if (lyingEnd.isPresent()) {
+                robot.allowFalls();
             }
-            eye.close();
-            course.play(ShippedMotions.motion("stop-walking"));
-        } else {
-            course.play(candidate);
-        }
-        boolean stands = course.endsInStance();
-        if (objective.isTimeToScore()) {
-            course.robot().hold(SECONDS_TO_ROLL, eye);
-        }
-        boolean success = lyingEnd.isPresent()
-                ? lyingEnd.get().isTrueOf(course.robot())
-                : endsInStance ? stands : !course.watch().hasFallen();
-        return new Seen(eye.value(), success, roughness(course.watch()), eye.deed());
-    }
-
-    private Seen fromTheGround(Motion candidate, Lying lying, long seed) {
-        MeasuringEye eye = new MeasuringEye(objective.measure().get());
-        Watch watch = new Watch();
-        TrialObserver both = eye.and(robot -> {
-            watch.goOn(robot);
-            return true;
-        });
-        TrialRobot robot = lying.fallen(seed);
-        robot.play(candidate, both);
-        robot.hold(SETTLING_SECONDS, both);
-        boolean success = lyingEnd.isPresent() ? lyingEnd.get().isTrueOf(robot) : stands(robot);
-        return new Seen(eye.value(), success, roughness(watch), eye.deed());
-    }
-
-    private void place(Course course, long seed) {
-        if (ball.isPresent()) {
-            Random random = new Random(7 * seed + 3);
-            random.nextLong();
-            BallPlace near = ball.get().near(random);
-            course.robot().ball().place(course.place(near.ahead(), near.left(), BALL_RADIUS));
+            perform(candidate, robot);
+            double value = measure.value();
+            Deed deed = deed(robot, kick);
+            if (loop) {
+                robot.play(ShippedMotions.motion("stop-walking"));
+            }
+            robot.hold(objective.isTimeToScore() ? SECONDS_TO_ROLL : SETTLING_SECONDS);
+            if (!loop) {
+                value = measure.value();
+                deed = deed(robot, kick);
+            }
+            return new Seen(value, isSuccess(robot), roughness(robot.poise()), deed);
         }
     }
 
-    private Vector3 start() {
+    private boolean isSuccess(Rehearsal robot) {
+        if (lyingEnd.isPresent()) {
+            return lyingEnd.get().isTrueOf(robot.body());
+        }
+        if (endsInStance) {
+            return robot.isInStance();
+        }
+        return lyingStart.isPresent() ? robot.isAtRest() : !robot.poise().hasFallen();
+    }
+
+    private static Deed deed(Rehearsal robot, KickDistance kick) {
+        return new Deed(robot.forward(), robot.left(), robot.turnedDegrees(), kick.value());
+    }
+
+    private Rehearsal start(long seed) {
+        if (lyingStart.isPresent()) {
+            return lyingStart.get().fallen(seed);
+        }
         return objective.isTimeToScore()
-                ? new Vector3(GOAL_LINE - METRES_BEFORE_GOAL, 0, TrialRobot.START.z())
-                : TrialRobot.START;
+                ? Rehearsal.inStance(BEFORE_GOAL, seed, PUSH_NEWTONS)
+                : Rehearsal.inStance(seed, PUSH_NEWTONS);
     }
 
-    private boolean stands(TrialRobot robot) {
-        return robot.uprightness() > 0.97
-                && robot.velocity().length() < 0.05
-                && (!endsInStance || robot.posture().largestDifference(Stance.POSTURE) < 3);
+    private void perform(Motion candidate, Rehearsal robot) {
+        if (!loop) {
+            robot.play(candidate);
+            return;
+        }
+        robot.play(ShippedMotions.motion("start-walking"));
+        while (robot.seconds() < WALK_SECONDS && robot.play(candidate)) {
+            // one cycle after the other
+        }
     }
 
     /** A calm torso and motors within their limits are worth something whatever the objective is. */
-    private static double roughness(Watch watch) {
-        return 0.001 * watch.meanRocking() + 0.03 * watch.meanJointsAtLimit();
+    private static double roughness(Poise poise) {
+        return 0.001 * poise.meanRocking() + 0.03 * poise.meanJointsAtLimit();
     }
 
     private static double beyondMotors(Motion motion) {

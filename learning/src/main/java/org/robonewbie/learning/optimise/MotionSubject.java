@@ -73,12 +73,12 @@ public final class MotionSubject implements Subject {
     }
 
     @Override
-    public Attempt attempt(double[] coordinates, long seed) {
-        Attempt attempt = scene.attempt(motion(coordinates), seed);
+    public Evaluation evaluate(double[] coordinates, long seed) {
+        Evaluation evaluation = scene.evaluate(motion(coordinates), seed);
         double far = Arrays.stream(coordinates)
                 .map(x -> Math.max(0, Math.abs(x) - FREE_CHANGE))
                 .sum();
-        return new Attempt(attempt.value(), attempt.success(), attempt.flaws() + COST_OF_CHANGE * far);
+        return new Evaluation(evaluation.value(), evaluation.success(), evaluation.flaws() + COST_OF_CHANGE * far);
     }
 
     @Override

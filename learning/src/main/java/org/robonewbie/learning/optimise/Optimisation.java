@@ -66,10 +66,10 @@ public final class Optimisation {
                 ? Checkpoint.resume(checkpointFile(), question())
                 : Checkpoint.begin(checkpointFile(), question());
         try (Workers workers = new Workers(plan.threads())) {
-            Attempt before = compared(workers, new double[subject.dimension()]);
+            Evaluation before = compared(workers, new double[subject.dimension()]);
             listener.begins(before);
             double[] found = search(workers, checkpoint, scale(before), listener);
-            Attempt after = compared(workers, found);
+            Evaluation after = compared(workers, found);
             OptimisationResult result =
                     new OptimisationResult(objective, before, after, TRIALS_OF_COMPARISON, subject.advice(found));
             if (result.isBetter()) {
@@ -108,11 +108,11 @@ public final class Optimisation {
                 cloud.tell(known.get(i).costs());
                 listener.reached(generation(i, known.get(i).score(), cloud, Pace.UNKNOWN));
             } else {
-                List<List<Attempt>> attempts = attempts(workers, candidates, firstSeed(i));
-                double[] costs = attempts.stream()
-                        .mapToDouble(trials -> Attempt.cost(trials, sign(), scale))
+                List<List<Evaluation>> evaluations = evaluations(workers, candidates, firstSeed(i));
+                double[] costs = evaluations.stream()
+                        .mapToDouble(trials -> Evaluation.cost(trials, sign(), scale))
                         .toArray();
-                Score score = score(attempts, costs);
+                Score score = score(evaluations, costs);
                 cloud.tell(costs);
                 checkpoint.add(costs, score);
                 subject.save(cloud.mean(), Map.of("so far", "generation " + (i + 1)), fileSoFar());
@@ -132,41 +132,41 @@ public final class Optimisation {
         return new Pace(trials / secondsPerGeneration, secondsPerGeneration * (plan.generations() - done));
     }
 
-    private static Score score(List<List<Attempt>> attempts, double[] costs) {
-        List<Attempt> means = attempts.stream().map(Attempt::mean).toList();
+    private static Score score(List<List<Evaluation>> evaluations, double[] costs) {
+        List<Evaluation> means = evaluations.stream().map(Evaluation::mean).toList();
         int best = IntStream.range(0, costs.length)
                 .reduce((a, b) -> costs[b] < costs[a] ? b : a)
                 .orElseThrow();
-        Attempt all = Attempt.mean(means);
+        Evaluation all = Evaluation.mean(means);
         return new Score(means.get(best).value(), all.value(), all.success());
     }
 
-    private List<List<Attempt>> attempts(Workers workers, List<double[]> candidates, long firstSeed) {
-        List<Callable<Attempt>> tasks = new ArrayList<>();
+    private List<List<Evaluation>> evaluations(Workers workers, List<double[]> candidates, long firstSeed) {
+        List<Callable<Evaluation>> tasks = new ArrayList<>();
         for (double[] candidate : candidates) {
             for (int i = 0; i < plan.trials(); i++) {
                 long seed = firstSeed + i;
-                tasks.add(() -> subject.attempt(candidate, seed));
+                tasks.add(() -> subject.evaluate(candidate, seed));
             }
         }
-        List<Attempt> all = workers.all(tasks);
+        List<Evaluation> all = workers.all(tasks);
         return IntStream.range(0, candidates.size())
                 .mapToObj(i -> all.subList(i * plan.trials(), (i + 1) * plan.trials()))
                 .toList();
     }
 
-    private Attempt compared(Workers workers, double[] coordinates) {
-        List<Callable<Attempt>> tasks = IntStream.range(0, TRIALS_OF_COMPARISON)
-                .<Callable<Attempt>>mapToObj(i -> () -> subject.attempt(coordinates, SEEDS_OF_COMPARISON + i))
+    private Evaluation compared(Workers workers, double[] coordinates) {
+        List<Callable<Evaluation>> tasks = IntStream.range(0, TRIALS_OF_COMPARISON)
+                .<Callable<Evaluation>>mapToObj(i -> () -> subject.evaluate(coordinates, SEEDS_OF_COMPARISON + i))
                 .toList();
-        return Attempt.mean(workers.all(tasks));
+        return Evaluation.mean(workers.all(tasks));
     }
 
     private long firstSeed(int generation) {
         return plan.seed() * SEEDS_FOR_EACH_RUN + generation / GENERATIONS_WITH_SAME_TRIALS * 1000L;
     }
 
-    private static double scale(Attempt before) {
+    private static double scale(Evaluation before) {
         return Math.max(LEAST_SCALE, Math.abs(before.value()));
     }
 

@@ -9,7 +9,7 @@ public interface OptimisationListener {
      *
      * @param before the mean of the trials of comparison
      */
-    default void begins(Attempt before) {}
+    default void begins(Evaluation before) {}
 
     /**
      * Called for each generation. After an interruption it is first called again for the earlier ones.

@@ -11,7 +11,7 @@ import java.util.Locale;
  * @param trials how many trials each of them had
  * @param advice what else can be done with the result than to use its file; may be empty
  */
-public record OptimisationResult(Objective objective, Attempt before, Attempt after, int trials, String advice) {
+public record OptimisationResult(Objective objective, Evaluation before, Evaluation after, int trials, String advice) {
 
     /** {@return whether the result does better without failing more often} */
     public boolean isBetter() {
@@ -20,19 +20,19 @@ public record OptimisationResult(Objective objective, Attempt before, Attempt af
     }
 
     /**
-     * Describes an attempt in words.
+     * Describes an evaluation in words.
      *
-     * @param attempt {@link #before} or {@link #after}
+     * @param evaluation {@link #before} or {@link #after}
      * @return such as {@code kick-distance 5.612 m, 20 of 20 trials succeed}
      */
-    public String words(Attempt attempt) {
+    public String words(Evaluation evaluation) {
         return String.format(
                 Locale.ROOT,
                 "%s %.3f %s, %d of %d trials succeed",
                 objective.label(),
-                attempt.value(),
+                evaluation.value(),
                 objective.unit(),
-                Math.round(attempt.success() * trials),
+                Math.round(evaluation.success() * trials),
                 trials);
     }
 }

@@ -47,7 +47,7 @@ public interface Subject {
      * @param seed chooses the circumstances; the same seed gives the same result
      * @return the outcome
      */
-    Attempt attempt(double[] coordinates, long seed);
+    Evaluation evaluate(double[] coordinates, long seed);
 
     /**
      * Returns how else a candidate can be used than by its file.

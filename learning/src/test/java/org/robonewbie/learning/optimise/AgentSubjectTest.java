@@ -27,10 +27,10 @@ class AgentSubjectTest {
 
     @Test
     void sameSeedIsTheSameTrial() {
-        Attempt one = walker.attempt(new double[2], 3);
+        Evaluation one = walker.evaluate(new double[2], 3);
 
-        assertThat(walker.attempt(new double[2], 3)).isEqualTo(one);
-        assertThat(walker.attempt(new double[2], 4)).isNotEqualTo(one);
+        assertThat(walker.evaluate(new double[2], 3)).isEqualTo(one);
+        assertThat(walker.evaluate(new double[2], 4)).isNotEqualTo(one);
     }
 
     @Tag("slow")
@@ -75,7 +75,7 @@ class AgentSubjectTest {
         AgentScene near = new AgentScene(new Vector3(5.4, 0, 0), 0, new Vector3(5.65, 0, 0), 0, 12);
         AgentSubject pusher = new AgentSubject("Walker", Walker::new, NamedObjective.named("time-to-score"), near);
 
-        Attempt fast = pusher.attempt(new double[] {2, 0}, 1);
+        Evaluation fast = pusher.evaluate(new double[] {2, 0}, 1);
 
         assertThat(fast.success()).isEqualTo(1);
         assertThat(fast.value()).isLessThan(12);

@@ -19,10 +19,10 @@ class EngineSubjectTest {
 
     @Test
     void theShippedWalkIsAsFastAsWeSay() {
-        Attempt attempt = engine.attempt(new double[engine.dimension()], 1);
+        Evaluation evaluation = engine.evaluate(new double[engine.dimension()], 1);
 
-        assertThat(attempt.success()).isEqualTo(1);
-        assertThat(attempt.value()).isCloseTo(0.57, within(0.05));
+        assertThat(evaluation.success()).isEqualTo(1);
+        assertThat(evaluation.value()).isCloseTo(0.57, within(0.05));
     }
 
     @Test

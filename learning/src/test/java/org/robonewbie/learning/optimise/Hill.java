@@ -48,11 +48,11 @@ final class Hill implements Subject {
     }
 
     @Override
-    public Attempt attempt(double[] coordinates, long seed) {
+    public Evaluation evaluate(double[] coordinates, long seed) {
         double below =
                 Arrays.stream(coordinates).map(x -> (x - away) * (x - away)).sum();
         double noise = NOISE * new Random(seed).nextGaussian();
-        return new Attempt(HEIGHT - below + noise, 1, 0);
+        return new Evaluation(HEIGHT - below + noise, 1, 0);
     }
 
     @Override

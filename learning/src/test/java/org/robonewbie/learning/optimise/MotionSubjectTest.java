@@ -34,17 +34,17 @@ class MotionSubjectTest {
     void motionsOfTheLibrarySucceedAsTheyAre(String name, String objective) {
         MotionSubject subject = subject(name, NamedObjective.named(objective));
 
-        Attempt attempt = subject.attempt(new double[subject.dimension()], 3);
+        Evaluation evaluation = subject.evaluate(new double[subject.dimension()], 3);
 
-        assertThat(attempt.success()).isEqualTo(1);
-        assertThat(attempt).isEqualTo(subject.attempt(new double[subject.dimension()], 3));
+        assertThat(evaluation.success()).isEqualTo(1);
+        assertThat(evaluation).isEqualTo(subject.evaluate(new double[subject.dimension()], 3));
     }
 
     @Test
     void measuresAWalkAsFastAsItIs() {
         MotionSubject subject = subject("walk-forward-fast", NamedObjective.named("walk-speed"));
 
-        assertThat(subject.attempt(new double[subject.dimension()], 1).value()).isCloseTo(0.38, within(0.03));
+        assertThat(subject.evaluate(new double[subject.dimension()], 1).value()).isCloseTo(0.38, within(0.03));
     }
 
     @Test
@@ -53,8 +53,8 @@ class MotionSubjectTest {
         double[] other = new double[kick.dimension()];
         other[22 * 2] = 8;
 
-        Attempt before = kick.attempt(new double[kick.dimension()], 1);
-        Attempt after = kick.attempt(other, 1);
+        Evaluation before = kick.evaluate(new double[kick.dimension()], 1);
+        Evaluation after = kick.evaluate(other, 1);
 
         assertThat(after.flaws()).isGreaterThan(before.flaws() + 0.2);
     }

@@ -1,5 +1,6 @@
 package org.robonewbie.trial.measure;
 
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.trial.Moment;
 
 /** How far the ball gets along the robot's first heading, in metres; what it will still roll counts. */
@@ -15,8 +16,17 @@ public final class KickDistance extends MeasureFromStart {
 
     @Override
     protected void see(Moment first, Moment now) {
-        metres = first.place().ahead(now.ball().plus(now.ballVelocity().times(ROLLS_ON_SECONDS)))
-                - first.place().ahead(first.ball());
+        metres = first.place().ahead(restingPlace(now)) - first.place().ahead(first.ball());
+    }
+
+    /**
+     * Estimates where a rolling ball comes to rest.
+     *
+     * @param moment the ball at some time
+     * @return a point as high above the ground as the ball
+     */
+    public static Vector3 restingPlace(Moment moment) {
+        return moment.ball().plus(moment.ballVelocity().times(ROLLS_ON_SECONDS));
     }
 
     @Override

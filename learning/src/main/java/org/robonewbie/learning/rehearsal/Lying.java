@@ -1,9 +1,11 @@
-package org.robonewbie.learning.trial;
+package org.robonewbie.learning.rehearsal;
 
 import java.util.Random;
 import org.robonewbie.agent.walk.Stance;
+import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.motion.Posture;
 
 /** The sides on which a robot can lie, and robots that have fallen on them. */
@@ -17,7 +19,10 @@ public enum Lying {
     /** Right side down. */
     ON_RIGHT("lying on right side");
 
+    private static final Vector3 FORWARD = new Vector3(1, 0, 0);
+    private static final Vector3 LEFT = new Vector3(0, 1, 0);
     private static final double DOWN = 0.7;
+    private static final double TILTED_DEGREES = 45;
     private static final double ARM_NOISE_DEGREES = 30;
     private static final double LEG_NOISE_DEGREES = 8;
     private static final int MOST_TRIES = 20;
@@ -36,18 +41,18 @@ public enum Lying {
     /**
      * Returns whether a robot lies this way.
      *
-     * @param robot a robot
+     * @param body the robot's body
      * @return whether it lies on this side
      */
-    public boolean isTrueOf(TrialRobot robot) {
-        boolean tilted = robot.uprightness() < DOWN;
-        return tilted
-                && switch (this) {
-                    case ON_BACK -> robot.chestUp() > DOWN;
-                    case ON_FRONT -> robot.chestUp() < -DOWN;
-                    case ON_LEFT -> robot.leftSideUp() < -DOWN;
-                    case ON_RIGHT -> robot.leftSideUp() > DOWN;
-                };
+    public boolean isTrueOf(BodyState body) {
+        double chestUp = body.torso().rotation().apply(FORWARD).z();
+        double leftSideUp = body.torso().rotation().apply(LEFT).z();
+        return switch (this) {
+            case ON_BACK -> chestUp > DOWN;
+            case ON_FRONT -> chestUp < -DOWN;
+            case ON_LEFT -> leftSideUp < -DOWN;
+            case ON_RIGHT -> leftSideUp > DOWN;
+        };
     }
 
     /**
@@ -58,28 +63,29 @@ public enum Lying {
      * @return a robot that lies on this side
      * @throws IllegalStateException if no fall ends that way
      */
-    public TrialRobot fallen(long seed) {
+    public Rehearsal fallen(long seed) {
         Random random = new Random(31 * seed + ordinal());
         random.nextLong();
         for (int i = 0; i < MOST_TRIES; i++) {
-            TrialRobot robot = fall(random);
-            if (isTrueOf(robot)) {
+            Rehearsal robot = fall(random);
+            if (isTrueOf(robot.body())) {
+                robot.begin(false);
                 return robot;
             }
+            robot.close();
         }
         throw new IllegalStateException("No fall of " + MOST_TRIES + " with seed " + seed + " ended " + this + ".");
     }
 
-    private TrialRobot fall(Random random) {
-        TrialRobot robot = new TrialRobot();
-        robot.moveTo(anyPosture(random), 700, TrialObserver.NONE);
+    private Rehearsal fall(Random random) {
+        Rehearsal robot = Rehearsal.standing(WalkStyle.STANDARD);
+        robot.moveTo(anyPosture(random), 700);
         Vector3 push = push(random);
-        for (int tries = 0; robot.uprightness() > DOWN && tries < 5; tries++) {
-            robot.hold(0.16 + 0.04 * tries, pushed -> {
-                pushed.push(push);
-                return true;
-            });
-            robot.hold(1.6, TrialObserver.NONE);
+        for (int tries = 0; robot.body().tiltDegrees() < TILTED_DEGREES && tries < 5; tries++) {
+            robot.with(trial -> trial.robot(0).push(push));
+            robot.hold(0.16 + 0.04 * tries);
+            robot.with(trial -> {});
+            robot.hold(1.6);
         }
         return robot;
     }

@@ -1,10 +1,9 @@
-package org.robonewbie.learning.trial;
+package org.robonewbie.learning.rehearsal;
 
 import java.util.Random;
-import org.robonewbie.agent.walk.WalkEngine;
+import java.util.function.Supplier;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.nao.motion.PostureFollower;
 
 /**
  * A robot that walks with the walk engine from the stance, while it is pushed, and stops.
@@ -15,12 +14,10 @@ import org.robonewbie.nao.motion.PostureFollower;
  * @param forward metres along its first heading
  * @param left metres to the left of its first heading
  * @param turnedDegrees degrees that it turned to the left
- * @param watch its stability
+ * @param poise how steady it was
  */
 public record WalkTrial(
-        boolean stood, double seconds, double planned, double forward, double left, double turnedDegrees, Watch watch) {
-
-    private static final double SECONDS_TO_STOP = 3;
+        boolean stood, double seconds, double planned, double forward, double left, double turnedDegrees, Poise poise) {
 
     /**
      * Walks with one velocity all the time.
@@ -34,7 +31,7 @@ public record WalkTrial(
      */
     public static WalkTrial straight(
             WalkStyle style, WalkVelocity velocity, double seconds, long seed, double newtons) {
-        return run(style, new Course(seed, newtons), seconds, engine -> engine.towards(velocity));
+        return run(style, () -> velocity, seconds, seed, newtons);
     }
 
     /**
@@ -49,11 +46,12 @@ public record WalkTrial(
     public static WalkTrial erratic(WalkStyle style, double seconds, long seed, double newtons) {
         Random random = new Random(17 * seed + 1);
         random.nextLong();
-        return run(style, new Course(seed, newtons), seconds, engine -> {
-            if (random.nextDouble() < 0.03) {
-                engine.towards(any(random, style));
-            }
-        });
+        WalkVelocity[] wanted = {WalkVelocity.ZERO};
+        Supplier<WalkVelocity> fickle = () -> {
+            wanted[0] = random.nextDouble() < 0.03 ? any(random, style) : wanted[0];
+            return wanted[0];
+        };
+        return run(style, fickle, seconds, seed, newtons);
     }
 
     private static WalkVelocity any(Random random, WalkStyle style) {
@@ -71,28 +69,16 @@ public record WalkTrial(
         return random.nextDouble() < 0.3 ? 0 : (0.5 + sharpness) * random.nextGaussian();
     }
 
-    private static WalkTrial run(WalkStyle style, Course course, double seconds, Command command) {
-        WalkEngine engine = new WalkEngine(style);
-        PostureFollower follower = course.robot().follower();
-        boolean up = true;
-        while (up && course.watch().seconds() < seconds) {
-            command.give(engine);
-            up = course.walk(engine, follower);
+    private static WalkTrial run(
+            WalkStyle style, Supplier<WalkVelocity> velocity, double seconds, long seed, double newtons) {
+        try (Rehearsal robot = Rehearsal.inStance(style, seed, newtons)) {
+            robot.walk(velocity, () -> robot.seconds() < seconds);
+            double lasted = robot.seconds();
+            double forward = robot.forward();
+            double left = robot.left();
+            double turned = robot.turnedDegrees();
+            boolean stood = robot.stopWalking() && robot.endsInStance();
+            return new WalkTrial(stood, lasted, seconds, forward, left, turned, robot.poise());
         }
-        double lasted = course.watch().seconds();
-        double forward = course.forward();
-        double left = course.left();
-        double turned = course.turnedDegrees();
-        engine.towards(WalkVelocity.ZERO);
-        while (up && !engine.isStanding() && course.watch().seconds() < seconds + SECONDS_TO_STOP) {
-            up = course.walk(engine, follower);
-        }
-        boolean stood = up && course.endsInStance();
-        return new WalkTrial(stood, lasted, seconds, forward, left, turned, course.watch());
-    }
-
-    /** Commands the engine in each cycle. */
-    private interface Command {
-        void give(WalkEngine engine);
     }
 }

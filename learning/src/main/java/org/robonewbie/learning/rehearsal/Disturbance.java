@@ -1,15 +1,18 @@
-package org.robonewbie.learning.trial;
+package org.robonewbie.learning.rehearsal;
 
 import java.util.Random;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.trial.Script;
+import org.robonewbie.trial.Trial;
 
 /**
- * What makes one trial different from the next: joints that are not quite where they should be, and a hand that pushes the
+ * What makes one rehearsal different from the next: joints that are not quite where they should be, and a hand that pushes the
  * torso for a tenth of a second in each second. The same seed disturbs in the same way.
  */
-public final class Disturbance implements TrialObserver {
+final class Disturbance implements Script {
 
     private static final int CYCLES_BETWEEN = 50;
     private static final int CYCLES_OF_PUSH = 5;
@@ -19,26 +22,14 @@ public final class Disturbance implements TrialObserver {
     private int cycle;
     private Vector3 push = Vector3.ZERO;
 
-    /**
-     * Prepares a trial.
-     *
-     * @param seed chooses the disturbances
-     * @param newtons strength of the pushes
-     */
-    public Disturbance(long seed, double newtons) {
+    Disturbance(long seed, double newtons) {
         this.random = new Random(seed);
         this.newtons = newtons;
         random.nextLong();
     }
 
-    /**
-     * Draws a posture near another one.
-     *
-     * @param posture the right posture
-     * @param degrees standard deviation of each joint from it
-     * @return a posture within the joints' ranges
-     */
-    public Posture near(Posture posture, double degrees) {
+    /** Draws a posture whose joints have this standard deviation from another one. */
+    Posture near(Posture posture, double degrees) {
         double[] angles = posture.toArray();
         for (Joint joint : Joint.values()) {
             angles[joint.ordinal()] += degrees * random.nextGaussian();
@@ -47,16 +38,15 @@ public final class Disturbance implements TrialObserver {
     }
 
     @Override
-    public boolean goOn(TrialRobot robot) {
+    public void act(Trial trial) {
         int phase = cycle % CYCLES_BETWEEN;
         if (phase == 0) {
             double direction = 2 * Math.PI * random.nextDouble();
-            push = new Vector3(newtons * Math.cos(direction), newtons * Math.sin(direction), 0);
+            push = new Vector3(PortableMath.cos(direction), PortableMath.sin(direction), 0).times(newtons);
         }
-        if (phase >= CYCLES_BETWEEN - CYCLES_OF_PUSH) {
-            robot.push(push);
+        if (phase >= CYCLES_BETWEEN - CYCLES_OF_PUSH && newtons > 0) {
+            trial.robot(0).push(push);
         }
         cycle++;
-        return true;
     }
 }

@@ -1,4 +1,4 @@
-package org.robonewbie.learning.trial;
+package org.robonewbie.learning.rehearsal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -10,12 +10,12 @@ import org.robonewbie.learning.search.CautiousMean;
  * @param success share of the trials that ended as they should, 0 to 1
  * @param flaws what is wrong with it besides, in parts of what the candidate is worth; 0 is nothing
  */
-public record Attempt(double value, double success, double flaws) {
+public record Evaluation(double value, double success, double flaws) {
 
     private static final double COST_OF_FAILURE = 2;
 
     /**
-     * Judges this attempt.
+     * Judges this evaluation.
      *
      * @param sign 1 if smaller values are better, -1 if larger ones are
      * @param scale the size of usual values, greater than 0
@@ -26,16 +26,16 @@ public record Attempt(double value, double success, double flaws) {
     }
 
     /** Takes several trials together. */
-    static Attempt mean(List<Attempt> attempts) {
-        return new Attempt(
-                attempts.stream().mapToDouble(Attempt::value).average().orElse(0),
-                attempts.stream().mapToDouble(Attempt::success).average().orElse(0),
-                attempts.stream().mapToDouble(Attempt::flaws).average().orElse(0));
+    static Evaluation mean(List<Evaluation> evaluations) {
+        return new Evaluation(
+                evaluations.stream().mapToDouble(Evaluation::value).average().orElse(0),
+                evaluations.stream().mapToDouble(Evaluation::success).average().orElse(0),
+                evaluations.stream().mapToDouble(Evaluation::flaws).average().orElse(0));
     }
 
     /** Judges several trials by their mean, drawn towards the worst of them. */
-    static double cost(List<Attempt> attempts, double sign, double scale) {
+    static double cost(List<Evaluation> evaluations, double sign, double scale) {
         return CautiousMean.of(
-                attempts.stream().mapToDouble(one -> one.cost(sign, scale)).toArray());
+                evaluations.stream().mapToDouble(one -> one.cost(sign, scale)).toArray());
     }
 }

@@ -1,9 +1,13 @@
-package org.robonewbie.learning.trial;
+package org.robonewbie.learning.rehearsal;
 
 import java.util.List;
 import java.util.Random;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.measure.MeasureFromStart;
 
 /**
  * A ball is shot at 2 m/s from 2 m away, to pass the robot at up to 0.6 m on one side; a moment after the shot the robot dives.
@@ -38,53 +42,52 @@ public record DiveTrial(boolean blocked, double passesAt, double reachInTime, do
         random.nextLong();
         double passesAt = side * WIDEST * random.nextDouble();
         double from = passesAt + 0.3 * random.nextGaussian();
-        Course course = new Course(seed, 0);
-        TrialRobot robot = course.robot();
-        shoot(course, from, passesAt);
-        robot.hold(REACTION_SECONDS, TrialObserver.NONE);
-        Goal goal = new Goal(course, side);
-        robot.play(dive, goal);
-        robot.hold(Math.max(0, END_SECONDS - dive.durationMillis() / 1000.0), goal);
-        return new DiveTrial(!goal.passed, passesAt, goal.reach, goal.watch.meanJointsAtLimit());
+        try (Rehearsal robot = Rehearsal.inStance(seed, 0)) {
+            robot.allowFalls();
+            Vector3 start = robot.start().pointAt(DISTANCE, from);
+            Vector3 way = robot.start().pointAt(0, passesAt).minus(start);
+            robot.shoot(start, way.times(SPEED / way.length()));
+            robot.hold(REACTION_SECONDS);
+            Goal goal = new Goal(robot.start(), side);
+            robot.watch(goal);
+            robot.play(dive);
+            robot.hold(Math.max(0, END_SECONDS - dive.durationMillis() / 1000.0));
+            return new DiveTrial(
+                    !goal.passed, passesAt, goal.value(), robot.poise().meanJointsAtLimit());
+        }
     }
 
-    private static void shoot(Course course, double from, double to) {
-        Vector3 start = course.place(DISTANCE, from, 0.042);
-        Vector3 way = course.place(0, to, 0.042).minus(start);
-        course.robot().ball().place(start);
-        course.robot().ball().setVelocity(way.times(SPEED / way.length()));
-    }
+    /** Sees whether the ball passes the robot, and how far the robot reaches when the ball arrives. */
+    private static final class Goal extends MeasureFromStart {
 
-    /** Observes whether the ball passes the robot, and how far the robot reaches when the ball arrives. */
-    private static final class Goal implements TrialObserver {
-
-        private final Course course;
+        private final Place place;
         private final int side;
-        private final Watch watch = new Watch();
-        private final double start;
         private boolean passed;
         private double reach;
 
-        Goal(Course course, int side) {
-            this.course = course;
+        Goal(Place place, int side) {
+            this.place = place;
             this.side = side;
-            this.start = course.robot().seconds();
         }
 
         @Override
-        public boolean goOn(TrialRobot robot) {
-            watch.goOn(robot);
-            passed |= course.seen(robot.ball().position()).x() < BEHIND;
-            double seconds = robot.seconds() - start + REACTION_SECONDS;
+        protected void see(Moment first, Moment now) {
+            passed |= place.ahead(now.ball()) < BEHIND;
+            double seconds = now.seconds() - first.seconds() + REACTION_SECONDS;
             if (Math.abs(seconds - ARRIVAL_SECONDS) < 0.011) {
+                BodyPoses limbs = now.robot().limbs();
                 for (String link : BLOCKERS) {
-                    Vector3 place = course.seen(robot.link(link).position());
-                    if (robot.link(link).position().z() < 2 * LOW) {
-                        reach = Math.max(reach, Math.min(0.7, side * place.y()));
+                    Vector3 part = limbs.link(link).position();
+                    if (part.z() < 2 * LOW) {
+                        reach = Math.max(reach, Math.min(0.7, side * place.left(part)));
                     }
                 }
             }
-            return true;
+        }
+
+        @Override
+        public double value() {
+            return reach;
         }
     }
 }

@@ -1,0 +1,30 @@
+package org.robonewbie.learning.rehearsal;
+
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.trial.Performer;
+
+/** An agent as puppet, with all that lies between an agent and its motors. */
+final class AgentPuppet extends Agent implements Puppet {
+
+    @Override
+    public Performer performer() {
+        return Performer.ofAgent(this);
+    }
+
+    @Override
+    public void play(Motion motion) {
+        motions.start(motion);
+    }
+
+    @Override
+    public void walk(WalkVelocity velocity) {
+        walk.towards(velocity.forward(), velocity.left(), velocity.turn());
+    }
+
+    @Override
+    public boolean isBusy() {
+        return walk.isWalking() || !motions.isFinished();
+    }
+}

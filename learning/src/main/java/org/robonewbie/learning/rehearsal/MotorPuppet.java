@@ -1,0 +1,79 @@
+package org.robonewbie.learning.rehearsal;
+
+import java.util.Arrays;
+import java.util.List;
+import org.robonewbie.agent.perception.TorsoMotion;
+import org.robonewbie.agent.walk.WalkEngine;
+import org.robonewbie.agent.walk.WalkStyle;
+import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.kinematics.SimSparkFrame;
+import org.robonewbie.nao.motion.Interpolation;
+import org.robonewbie.nao.motion.JointStates;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.MotionPlayer;
+import org.robonewbie.nao.motion.Motors;
+import org.robonewbie.nao.motion.PostureFollower;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.SensorReadings;
+
+/** The motion player and the walk engine alone, without an agent around them: much faster, and the walk may have any style. */
+final class MotorPuppet implements Puppet {
+
+    private static final Joint[] JOINTS = Joint.values();
+
+    private final JointStates joints = new JointStates();
+    private final Motors motors = new Motors(joints);
+    private final PostureFollower follower = new PostureFollower(motors);
+    private final WalkEngine engine;
+    private MotionPlayer player = new MotionPlayer(new Motion("hold", List.of()), Interpolation.LINEAR);
+    private boolean walking;
+
+    MotorPuppet(WalkStyle style) {
+        engine = new WalkEngine(style);
+    }
+
+    @Override
+    public Performer performer() {
+        return Performer.ofPolicy(this::degreesPerSecond);
+    }
+
+    @Override
+    public void play(Motion motion) {
+        player = new MotionPlayer(motion, Interpolation.LINEAR);
+    }
+
+    @Override
+    public void walk(WalkVelocity velocity) {
+        engine.towards(velocity);
+    }
+
+    @Override
+    public boolean isBusy() {
+        return !engine.isStanding() || !player.isFinished();
+    }
+
+    private double[] degreesPerSecond(SensorReadings readings) {
+        for (Joint joint : JOINTS) {
+            joints.sense(joint, readings.degrees(joint));
+        }
+        engine.feel(
+                new TorsoMotion(SimSparkFrame.toBody(readings.gyro()), SimSparkFrame.toBody(readings.acceleration())));
+        if (engine.isStanding()) {
+            walking = false;
+            player.step(motors);
+        } else {
+            step();
+        }
+        motors.endCycle();
+        return Arrays.stream(JOINTS).mapToDouble(motors::sentDegreesPerSecond).toArray();
+    }
+
+    private void step() {
+        if (!walking) {
+            walking = true;
+            follower.begin();
+        }
+        follower.follow(engine.next());
+    }
+}

@@ -1,0 +1,6 @@
+/**
+ * Robots that try motions and walks one after the other, and what comes of it: a walk, a kick, a dive, getting up. Read {@link
+ * org.robonewbie.learning.rehearsal.Rehearsal} first.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.learning.rehearsal;
