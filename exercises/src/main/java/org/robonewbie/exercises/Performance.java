@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.trial.Audience;
 import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.guest.AbsentProgramException;
 
 /**
@@ -54,7 +55,13 @@ public final class Performance {
             Audience audience)
             throws IOException {
         Task task = exercise.task().get();
-        task.play(exercise.seconds(), seed, student, audience, RecordingFile.openIfWanted(recording, sentence -> {}));
+        task.play(
+                exercise.seconds(),
+                seed,
+                RobotStart.TEAM,
+                student,
+                audience,
+                RecordingFile.openIfWanted(recording, sentence -> {}));
         return task.score();
     }
 

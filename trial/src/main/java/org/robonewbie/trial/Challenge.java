@@ -1,5 +1,6 @@
 package org.robonewbie.trial;
 
+import java.util.Iterator;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -11,7 +12,7 @@ import org.robonewbie.simulator.recording.RecordingTarget;
  *
  * <pre>{@code
  * Challenge challenge = new KickTask();
- * challenge.play(12, seed, () -> Performer.ofAgent(new MyKick()), Audience.NOBODY, RecordingTarget.NONE);
+ * challenge.play(12, seed, RobotStart.TEAM, () -> Performer.ofAgent(new MyKick()), Audience.NOBODY, RecordingTarget.NONE);
  * double points = challenge.value();
  * }</pre>
  */
@@ -45,21 +46,27 @@ public interface Challenge extends Measure, Script {
      *
      * @param seconds simulated time of the trial
      * @param seed what is left to chance
+     * @param team name of those who are challenged
      * @param contender makes the performer of each challenged robot when it enters
      * @param audience sees each cycle
      * @param recording where a recording of the trial goes
+     * @return simulated seconds after which it was over
      */
-    default void play(
+    default double play(
             double seconds,
             long seed,
+            String team,
             Supplier<? extends Performer> contender,
             Audience audience,
             RecordingTarget recording) {
+        Scene scene = scene(new Chance(seed));
+        Iterator<RobotStart> robots = scene.robots().iterator();
         Function<RobotStart, Performer> cast =
-                robot -> robot.team().equals(RobotStart.TEAM) ? contender.get() : Performer.ofSpeeds();
-        try (Trial trial = Trial.observed(scene(new Chance(seed)), seed, audience, recording, cast)) {
+                robot -> robots.next().team().equals(RobotStart.TEAM) ? contender.get() : Performer.ofSpeeds();
+        try (Trial trial = Trial.observed(scene.withTeam(team), seed, audience, recording, cast)) {
             begin(trial);
             trial.with(this).run(seconds, this);
+            return trial.seconds();
         }
     }
 }

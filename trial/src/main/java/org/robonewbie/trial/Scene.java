@@ -77,4 +77,17 @@ public record Scene(SoccerParameters parameters, boolean noise, List<RobotStart>
     public Scene withoutNoise() {
         return new Scene(parameters, false, robots, ball);
     }
+
+    /**
+     * Gives the robots of the team {@link RobotStart#TEAM} another name.
+     *
+     * @param name name of a team
+     * @return a changed copy
+     */
+    public Scene withTeam(String name) {
+        List<RobotStart> named = robots.stream()
+                .map(robot -> robot.team().equals(RobotStart.TEAM) ? robot.withTeam(name, robot.number()) : robot)
+                .toList();
+        return new Scene(parameters, noise, named, ball);
+    }
 }

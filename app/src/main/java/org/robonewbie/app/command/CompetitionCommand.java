@@ -201,7 +201,7 @@ final class CompetitionCommand implements Callable<Integer> {
         if (kind.startsWith(ExerciseContests.PREFIX)) {
             String name = kind.substring(ExerciseContests.PREFIX.length());
             return ExerciseContests.of(
-                    Exercises.find(name).orElseThrow(() -> GradeCommand.unknown(name)), seed, rounds);
+                    Exercises.find(name).orElseThrow(() -> GradeCommand.unknown(name)), rounds, conditions);
         }
         return switch (kind) {
             case "scoring" -> Contests.scoring(conditions, seconds.orElse(Contests.SCORING_SECONDS));

@@ -2,6 +2,9 @@ package org.robonewbie.app.course;
 
 import java.util.List;
 import org.robonewbie.competition.contest.ChallengeContest;
+import org.robonewbie.competition.contest.Conditions;
+import org.robonewbie.competition.contest.Criterion;
+import org.robonewbie.competition.contest.StartPlace;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
@@ -15,14 +18,14 @@ public final class ExerciseContests {
     private ExerciseContests() {}
 
     /**
-     * Makes a contest of an exercise.
+     * Makes a contest of an exercise. Programs are told a place as in any game, which is not where they start.
      *
      * @param exercise the exercise
-     * @param seed of the first trial; the next ones follow it
-     * @param rounds trials of each team
+     * @param rounds trials of each team, each with the next seed
+     * @param conditions the seed of the first trial
      * @return the contest
      */
-    public static ChallengeContest of(Exercise exercise, long seed, int rounds) {
+    public static ChallengeContest of(Exercise exercise, int rounds, Conditions conditions) {
         String rule = exercise.goal() + " " + rounds + (rounds == 1 ? " trial" : " trials") + " of 0 to "
                 + Score.MOST_POINTS + " points; the most points win, equal points share a place.";
         return new ChallengeContest(
@@ -30,11 +33,12 @@ public final class ExerciseContests {
                 "Exercise " + exercise.number() + ": " + exercise.title(),
                 rule,
                 exercise.task(),
+                new StartPlace(1, -1, 0, 0),
                 exercise.seconds(),
-                seed,
                 rounds,
                 List.of(
-                        new ChallengeContest.Column(Task.POINTS, "Points", Score.MOST_POINTS),
-                        new ChallengeContest.Column(Task.PASSED, "Passed", 1)));
+                        Criterion.points(Task.POINTS, "Points", rounds * Score.MOST_POINTS),
+                        Criterion.points(Task.PASSED, "Passed", rounds).onlyShown()),
+                conditions);
     }
 }

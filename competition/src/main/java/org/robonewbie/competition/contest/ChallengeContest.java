@@ -3,120 +3,114 @@ package org.robonewbie.competition.contest;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import org.robonewbie.nao.TeamSide;
-import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.trial.Challenge;
 
 /**
- * A challenge, such as an exercise, as a contest: each team tries it with the same seeds. The largest sum of the first figure
- * wins; teams with equal sums share a place.
+ * A challenge as a contest: an exercise, or one for this purpose. Each team tries it alone on the pitch, under the same
+ * conditions as all others, once or in several rounds.
  *
  * @param name one word, as it stands on the command line
  * @param title a title for people
  * @param rule how it is judged, in one or two sentences
  * @param challenge makes the challenge of each trial
+ * @param start what programs are told about where they start
  * @param seconds simulated time of a trial
- * @param seed of the first trial; the next ones follow it
- * @param rounds trials of each team
- * @param columns what the table shows; the first one decides
+ * @param rounds trials of each team, each with the next seed
+ * @param criteria columns of the table, by which teams are compared, the most important first
+ * @param conditions seeds and variations
  */
 public record ChallengeContest(
         String name,
         String title,
         String rule,
         Supplier<? extends Challenge> challenge,
+        StartPlace start,
         double seconds,
-        long seed,
         int rounds,
-        List<Column> columns)
+        List<Criterion> criteria,
+        Conditions conditions)
         implements Contest {
 
-    /**
-     * A column of the table: the sum of a figure over all trials of a team.
-     *
-     * @param figure name of the figure
-     * @param title head of the column
-     * @param most what can be reached in a trial
-     */
-    public record Column(String figure, String title, int most) {}
-
-    private record Total(String team, List<Double> sums, String last, List<String> trials) {}
+    /** What a team has reached, a value for each criterion. */
+    private record Total(String team, List<Double> values, String last) {}
 
     /** Copies the list. */
     public ChallengeContest {
-        columns = List.copyOf(columns);
+        criteria = List.copyOf(criteria);
     }
 
     @Override
     public List<ContestTrial> trials(List<String> teams, Results results) {
-        List<ContestTrial> trials = new ArrayList<>();
-        for (int round = 1; round <= rounds; round++) {
-            for (String team : teams) {
-                trials.add(trial(team, round));
-            }
-        }
-        return trials;
+        return IntStream.range(0, rounds)
+                .boxed()
+                .flatMap(round -> teams.stream().map(team -> trial(team, round)))
+                .toList();
     }
 
     private ContestTrial trial(String team, int round) {
-        return new ContestTrial(
-                id(team, round),
-                seed + round - 1,
-                SoccerParameters.beginner(),
-                List.of(Entrant.of(team, Role.MAIN, new StartPlace(1, -1, 0, 0))),
-                seconds,
-                TeamSide.LEFT,
-                Optional.empty());
+        return ContestTrial.alone(
+                ids(team).get(round),
+                conditions.seedOf(team) + round,
+                Entrant.of(team, Role.MAIN, start),
+                seconds);
     }
 
-    private String id(String team, int round) {
-        return name + "-" + team + "-" + round;
+    private List<String> ids(String team) {
+        return rounds == 1
+                ? List.of(name + "-" + team)
+                : IntStream.rangeClosed(1, rounds)
+                        .mapToObj(round -> name + "-" + team + "-" + round)
+                        .toList();
     }
 
     @Override
     public Table table(List<String> teams, Results results) {
         List<Total> totals = teams.stream().map(team -> total(team, results)).toList();
-        Comparator<Total> order =
-                Comparator.comparingDouble(total -> -total.sums().get(0));
+        Comparator<Total> order = IntStream.range(0, criteria.size())
+                .mapToObj(this::by)
+                .reduce(Comparator::thenComparing)
+                .orElseThrow();
         List<Table.Row> rows =
                 Ranked.ranking(totals, order).stream().map(this::row).toList();
-        List<String> heads = Stream.concat(columns.stream().map(Column::title), Stream.of("Last trial"))
-                .toList();
-        return new Table(title, rule, heads, rows);
+        Stream<String> heads = criteria.stream().map(Criterion::title);
+        return new Table(
+                title,
+                rule,
+                Stream.concat(heads, Stream.of(rounds == 1 ? "Trial" : "Last trial"))
+                        .toList(),
+                rows);
+    }
+
+    private Comparator<Total> by(int column) {
+        return Comparator.comparingDouble(
+                total -> criteria.get(column).order(total.values().get(column)));
     }
 
     private Total total(String team, Results results) {
-        List<String> trials = IntStream.rangeClosed(1, rounds)
-                .mapToObj(round -> id(team, round))
+        List<Optional<TeamResult>> found = ids(team).stream()
+                .map(id -> results.find(id).map(result -> result.of(team)))
                 .toList();
-        List<TeamResult> found = trials.stream()
-                .flatMap(id -> results.find(id).stream())
-                .map(result -> result.of(team))
+        List<Double> values = criteria.stream()
+                .map(criterion -> found.stream().mapToDouble(criterion::valueIn).sum())
                 .toList();
-        List<Double> sums = columns.stream()
-                .map(column -> found.stream()
-                        .mapToDouble(result -> result.figure(column.figure()).orElse(0))
-                        .sum())
-                .toList();
-        String last = found.isEmpty()
-                ? "not yet"
-                : found.get(found.size() - 1).ending().sentence();
-        return new Total(team, sums, last, trials);
+        String last = found.stream()
+                .flatMap(Optional::stream)
+                .map(result -> result.ending().sentence())
+                .reduce("not yet", (before, next) -> next);
+        return new Total(team, values, last);
     }
 
     private Table.Row row(Ranked<Total> place) {
         Total total = place.who();
         List<String> cells = new ArrayList<>();
-        for (int i = 0; i < columns.size(); i++) {
-            int most = rounds * columns.get(i).most();
-            cells.add(String.format(Locale.ROOT, "%.0f of %d", total.sums().get(i), most));
+        for (int i = 0; i < criteria.size(); i++) {
+            cells.add(criteria.get(i).text(total.values().get(i)));
         }
         cells.add(total.last());
-        return new Table.Row(place.rank(), total.team(), cells, total.trials());
+        return new Table.Row(place.rank(), total.team(), cells, ids(total.team()));
     }
 }

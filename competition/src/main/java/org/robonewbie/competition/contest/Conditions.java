@@ -12,6 +12,9 @@ import java.util.Random;
  */
 public record Conditions(long seed, boolean varied, Map<String, Long> ownSeeds) {
 
+    private static final double VARIED_METRES = 0.3;
+    private static final double VARIED_DEGREES = 20;
+
     /** Makes the map unmodifiable. */
     public Conditions {
         ownSeeds = Map.copyOf(ownSeeds);
@@ -25,6 +28,19 @@ public record Conditions(long seed, boolean varied, Map<String, Long> ownSeeds) 
      */
     public static Conditions of(long seed) {
         return new Conditions(seed, false, Map.of());
+    }
+
+    /** The usual start place, or, if places vary, another one for each seed; it is the same for all teams. */
+    StartPlace start(StartPlace usual) {
+        if (!varied) {
+            return usual;
+        }
+        Random random = new Random(seed);
+        return new StartPlace(
+                usual.number(),
+                usual.x() - VARIED_METRES * random.nextDouble(),
+                usual.y() + VARIED_METRES * (2 * random.nextDouble() - 1),
+                usual.degrees() + VARIED_DEGREES * (2 * random.nextDouble() - 1));
     }
 
     long seedOf(String team) {

@@ -36,8 +36,17 @@ public record ContestTrial(
         return entrants.stream().mapToInt(entrant -> entrant.places().size()).sum();
     }
 
-    /** {@return whether a team is alone on the pitch} */
-    public boolean isSolo() {
-        return entrants.size() == 1;
+    /**
+     * Plans a trial of one team that is alone on the pitch.
+     *
+     * @param id its name
+     * @param seed start of all random numbers
+     * @param entrant who takes part
+     * @param seconds simulated seconds that it lasts at most
+     * @return the trial
+     */
+    static ContestTrial alone(String id, long seed, Entrant entrant, double seconds) {
+        return new ContestTrial(
+                id, seed, SoccerParameters.beginner(), List.of(entrant), seconds, TeamSide.LEFT, Optional.empty());
     }
 }

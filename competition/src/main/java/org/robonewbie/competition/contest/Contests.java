@@ -1,6 +1,12 @@
 package org.robonewbie.competition.contest;
 
 import java.util.List;
+import java.util.Map;
+import org.robonewbie.trial.measure.BallToGoal;
+import org.robonewbie.trial.measure.LongestKick;
+import org.robonewbie.trial.measure.Pushes;
+import org.robonewbie.trial.measure.Race;
+import org.robonewbie.trial.measure.Standing;
 
 /** All contests with their usual values. */
 public final class Contests {
@@ -10,6 +16,8 @@ public final class Contests {
 
     private static final double MINI_SECONDS = 60;
     private static final double RACE_METRES = 3;
+    private static final int CYCLES_BETWEEN_PUSHES = 150;
+    private static final double PUSH_STEP_NEWTONS = 5;
 
     private Contests() {}
 
@@ -20,20 +28,29 @@ public final class Contests {
      * @param seconds simulated seconds of a trial
      * @return the contest
      */
-    public static JudgedContest scoring(Conditions conditions, double seconds) {
-        return new SoloContest(
+    public static Contest scoring(Conditions conditions, double seconds) {
+        String rule = "One trial of " + Math.round(seconds)
+                + " s for each team. Who scores first is first; those who do not score are ranked by how near"
+                + " the ball came to the goal.";
+        StartPlace start = conditions.start(new StartPlace(2, -0.5, 0.4, -40));
+        return new ChallengeContest(
                 "scoring",
                 "Scoring",
-                "One trial of " + Math.round(seconds)
-                        + " s for each team. Who scores first is first; those who do not score are ranked by how near"
-                        + " the ball came to the goal.",
-                new StartPlace(2, -0.5, 0.4, -40),
+                rule,
+                () -> new SoloChallenge<>(start, new BallToGoal(), Contests::goal),
+                start,
                 seconds,
-                trial -> new GoalJudge(trial, trial.entrants().get(0).team()),
+                1,
                 List.of(
-                        new Criterion(GoalJudge.GOAL_SECONDS, "Goal after", "%.2f s", false),
-                        new Criterion(GoalJudge.BALL_METRES, "Ball to goal", "%.3f m", false)),
+                        Criterion.least("goalSeconds", "Goal after", "%.2f s"),
+                        Criterion.least("ballMetres", "Ball to goal", "%.3f m")),
                 conditions);
+    }
+
+    private static Map<String, Double> goal(BallToGoal ball) {
+        return ball.isDecided()
+                ? Map.of("goalSeconds", ball.seconds(), "ballMetres", ball.value())
+                : Map.of("ballMetres", ball.value());
     }
 
     /**
@@ -54,19 +71,27 @@ public final class Contests {
      * @param conditions seeds and variations
      * @return the contest
      */
-    public static JudgedContest walk(Conditions conditions) {
-        return new SoloContest(
+    public static Contest walk(Conditions conditions) {
+        StartPlace start = conditions.start(new StartPlace(2, -4, 0, 0));
+        return new ChallengeContest(
                 "walk",
                 "Fastest walk",
                 "3 m straight ahead towards the ball. The first to cross the line upright wins; those who do not cross"
                         + " it are ranked by their way.",
-                new StartPlace(2, -4, 0, 0),
+                () -> new SoloChallenge<>(start, new Race(RACE_METRES), Contests::way),
+                start,
                 MINI_SECONDS,
-                trial -> new WalkJudge(trial, RACE_METRES),
+                1,
                 List.of(
-                        new Criterion(WalkJudge.LINE_SECONDS, "Line after", "%.2f s", false),
-                        new Criterion(WalkJudge.WAY_METRES, "Way", "%.2f m", true)),
+                        Criterion.least("lineSeconds", "Line after", "%.2f s"),
+                        Criterion.most("wayMetres", "Way", "%.2f m")),
                 conditions);
+    }
+
+    private static Map<String, Double> way(Race race) {
+        return race.isDecided()
+                ? Map.of("lineSeconds", race.value(), "wayMetres", race.metres())
+                : Map.of("wayMetres", race.metres());
     }
 
     /**
@@ -75,16 +100,18 @@ public final class Contests {
      * @param conditions seeds and variations
      * @return the contest
      */
-    public static JudgedContest kick(Conditions conditions) {
-        return new SoloContest(
+    public static Contest kick(Conditions conditions) {
+        StartPlace start = conditions.start(new StartPlace(2, -0.8, 0, 0));
+        return new ChallengeContest(
                 "kick",
                 "Longest kick",
                 "The ball lies on the centre spot, the robot starts 0.8 m behind it and has 60 s. What counts is how"
                         + " far the ball gets from the place where it left the robot.",
-                new StartPlace(2, -0.8, 0, 0),
+                () -> new SoloChallenge<>(start, new LongestKick(), kick -> Map.of("kickMetres", kick.value())),
+                start,
                 MINI_SECONDS,
-                KickJudge::new,
-                List.of(new Criterion(KickJudge.KICK_METRES, "Kick", "%.2f m", true)),
+                1,
+                List.of(Criterion.most("kickMetres", "Kick", "%.2f m")),
                 conditions);
     }
 
@@ -94,19 +121,31 @@ public final class Contests {
      * @param conditions seeds and variations
      * @return the contest
      */
-    public static JudgedContest stand(Conditions conditions) {
-        return new SoloContest(
+    public static Contest stand(Conditions conditions) {
+        StartPlace start = conditions.start(new StartPlace(2, -2, 0, 0));
+        return new ChallengeContest(
                 "stand",
                 "Longest standing",
                 "The robot is pushed every 3 s for 0.1 s, from changing directions, each time 5 N harder. Who lies"
                         + " last wins.",
-                new StartPlace(2, -2, 0, 0),
+                () -> pushed(start, conditions.seed()),
+                start,
                 SCORING_SECONDS,
-                trial -> new PushJudge(trial, conditions.seed()),
+                1,
                 List.of(
-                        new Criterion(PushJudge.STANDING_SECONDS, "Stood for", "%.2f s", true),
-                        new Criterion(PushJudge.PUSHES, "Pushes survived", "%.0f", true)),
+                        Criterion.most("standingSeconds", "Stood for", "%.2f s"),
+                        Criterion.most("pushes", "Pushes survived", "%.0f")),
                 conditions);
+    }
+
+    private static SoloChallenge<Standing> pushed(StartPlace start, long seed) {
+        Pushes pushes = new Pushes(seed, CYCLES_BETWEEN_PUSHES, PUSH_STEP_NEWTONS);
+        return new SoloChallenge<>(
+                start,
+                new Standing(),
+                pushes,
+                standing -> Map.of(
+                        "standingSeconds", standing.value(), "pushes", (double) Math.max(0, pushes.count() - 1)));
     }
 
     /**
@@ -115,18 +154,20 @@ public final class Contests {
      * @param conditions seeds and variations
      * @return the contest
      */
-    public static JudgedContest gymnastics(Conditions conditions) {
-        return new SoloContest(
+    public static Contest gymnastics(Conditions conditions) {
+        StartPlace start = conditions.start(new StartPlace(2, -2, 0, 0));
+        return new ChallengeContest(
                 "gymnastics",
                 "Gymnastics",
                 "60 s for six elements in any order: both arms up, a squat, a stand on one leg, a bow, a full turn,"
                         + " lying down and getting up. The most elements win, then the earliest last one.",
-                new StartPlace(2, -2, 0, 0),
+                () -> new SoloChallenge<>(start, new Gymnastics(), Gymnastics::figures),
+                start,
                 MINI_SECONDS,
-                GymnasticsJudge::new,
+                1,
                 List.of(
-                        new Criterion(GymnasticsJudge.ELEMENTS, "Elements", "%.0f", true),
-                        new Criterion(GymnasticsJudge.LAST_SECONDS, "Last one after", "%.2f s", false)),
+                        Criterion.most("elements", "Elements", "%.0f"),
+                        Criterion.least("lastSeconds", "Last one after", "%.2f s")),
                 conditions);
     }
 }

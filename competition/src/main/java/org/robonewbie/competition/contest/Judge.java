@@ -1,19 +1,21 @@
 package org.robonewbie.competition.contest;
 
 import java.util.Map;
-import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.WorldSnapshot;
 
-/** Watches one trial, cycle by cycle, and measures. */
+/** Watches one trial, cycle by cycle, and counts. */
 public interface Judge {
+
+    /** Name of the figure with a team's goals. */
+    String GOALS = "goals";
 
     /**
      * Looks at the world after a cycle.
      *
-     * @param moment what is true now
-     * @param referee steers the world, for contests in which something happens to the robots
+     * @param world what is true now
      * @return whether the trial is decided
      */
-    boolean watch(JudgedMoment moment, SimulationControl referee);
+    boolean watch(WorldSnapshot world);
 
     /**
      * Returns what a team has reached so far.
@@ -22,4 +24,26 @@ public interface Judge {
      * @return figures by name
      */
     Map<String, Double> figures(String team);
+
+    /**
+     * Returns whether a team is on the pitch.
+     *
+     * @param world what is true now
+     * @param team name of the team
+     * @return whether it has a robot
+     */
+    static boolean isPresent(WorldSnapshot world, String team) {
+        return world.robots().stream().anyMatch(robot -> robot.team().equals(team));
+    }
+
+    /**
+     * Returns the goals of a team that is on the pitch.
+     *
+     * @param world what is true now
+     * @param team name of the team
+     * @return its goals
+     */
+    static int goals(WorldSnapshot world, String team) {
+        return world.teamLeft().equals(team) ? world.scoreLeft() : world.scoreRight();
+    }
 }

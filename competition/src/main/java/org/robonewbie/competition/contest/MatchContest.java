@@ -95,7 +95,7 @@ public record MatchContest(int players, double seconds, Conditions conditions) i
     }
 
     private static int goals(TeamResult result) {
-        return (int) Math.round(result.figures().getOrDefault(MatchJudge.GOALS, 0.0));
+        return (int) Math.round(result.figures().getOrDefault(Judge.GOALS, 0.0));
     }
 
     private ContestTrial trial(Fixture.Pair pair) {

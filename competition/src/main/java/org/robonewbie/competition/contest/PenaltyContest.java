@@ -96,7 +96,7 @@ record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) 
     }
 
     private static int goals(TrialResult result, String attacker) {
-        return (int) Math.round(result.of(attacker).figure(PenaltyJudge.GOALS).orElse(0));
+        return (int) Math.round(result.of(attacker).figure(Judge.GOALS).orElse(0));
     }
 
     private ContestTrial trial(Fixture.Pair pair, int round, boolean homeAttacks) {

@@ -1,14 +1,10 @@
 package org.robonewbie.competition.contest;
 
 import java.util.Map;
-import java.util.Optional;
-import org.robonewbie.nao.TeamSide;
-import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.WorldSnapshot;
 
 /** Sees whether the attacker scores before its time is over, the ball is out, or it has left the pitch. */
 final class PenaltyJudge implements Judge {
-
-    static final String GOALS = "goals";
 
     private final String attacker;
     private double goals;
@@ -18,13 +14,12 @@ final class PenaltyJudge implements Judge {
     }
 
     @Override
-    public boolean watch(JudgedMoment moment, SimulationControl referee) {
-        Optional<TeamSide> side = moment.side(attacker);
-        if (side.isEmpty()) {
+    public boolean watch(WorldSnapshot world) {
+        if (!Judge.isPresent(world, attacker)) {
             return true;
         }
-        goals = Math.min(1, moment.goals(side.get()));
-        return switch (moment.world().playMode()) {
+        goals = Math.min(1, Judge.goals(world, attacker));
+        return switch (world.playMode()) {
             case PLAY_ON, KICK_OFF_LEFT, KICK_OFF_RIGHT -> goals > 0;
             default -> true;
         };

@@ -20,15 +20,15 @@ import org.robonewbie.competition.contest.Ending;
 public final class TeamProcess implements AutoCloseable {
 
     private static final long PATIENCE_SECONDS = 3;
-    private static final int PAGE_BYTES = 4096;
 
     private final Process process;
     private final LogPump log;
     private final Limits limits;
     private final Path workFolder;
+    private final Turns turns = new Turns();
     private final Set<ProcessHandle> seen = new LinkedHashSet<>();
     private final Map<ProcessHandle, Duration> processorTime = new HashMap<>();
-    private Optional<Ending> brokenLimit = Optional.empty();
+    private volatile Optional<Ending> brokenLimit = Optional.empty();
 
     private TeamProcess(Process process, LogPump log, Limits limits, Path workFolder) {
         this.process = process;
@@ -72,44 +72,68 @@ public final class TeamProcess implements AutoCloseable {
         return process.isAlive();
     }
 
+    /** Notes that it is the program's turn, or the world's again; the first turn is the program's, to ask for its robot. */
+    public void passTurn() {
+        turns.next();
+    }
+
+    /** {@return whether the program has been given its first turn back} */
+    public boolean hasJoined() {
+        return turns.hasBegun();
+    }
+
+    /** {@return how long the world has been waiting for the program: what it has calculated or slept meanwhile, in seconds} */
+    public double waitedSeconds() {
+        return turns.waitedSeconds();
+    }
+
     /** Looks what the program uses, and ends it if that is too much. */
-    public void check() {
+    public synchronized void check() {
         Stream.concat(Stream.of(process.toHandle()), process.descendants()).forEach(seen::add);
         long bytes = 0;
         for (ProcessHandle handle : seen) {
             handle.info().totalCpuDuration().ifPresent(used -> processorTime.put(handle, used));
-            bytes += handle.isAlive() ? residentBytes(handle.pid()) : 0;
+            bytes += handle.isAlive() ? LinuxProcess.residentBytes(handle.pid()) : 0;
         }
         double seconds =
                 processorTime.values().stream().mapToDouble(Duration::toMillis).sum() / 1000;
+        boolean atWork = seen.stream().anyMatch(handle -> LinuxProcess.isAtWork(handle.pid()));
+        turns.look(System.nanoTime() / 1e9, seconds, atWork);
         if (bytes > limits.residentBytes()) {
             brokenLimit = Optional.of(Ending.TOO_MUCH_MEMORY);
         } else if (seconds > limits.processorSeconds()) {
             brokenLimit = Optional.of(Ending.TOO_MUCH_TIME);
+        } else if (isSilent()) {
+            brokenLimit = Optional.of(Ending.SILENT);
         }
         if (brokenLimit.isPresent()) {
             end();
         }
     }
 
+    private boolean isSilent() {
+        return hasJoined()
+                && (turns.waitedSeconds() > limits.silentSeconds() || turns.sleptSeconds() > limits.realSeconds());
+    }
+
     /**
-     * Returns why the program has ended, or lost its robot. Waits a moment for its end.
+     * Returns why the program has ended. Waits a moment for its end.
      *
-     * @return the reason; {@link Ending#SILENT} if it is still running
+     * @return the reason; empty if it is still running
      */
-    public Ending ending() {
+    public Optional<Ending> ending() {
         if (brokenLimit.isPresent()) {
-            return brokenLimit.get();
+            return brokenLimit;
         }
         try {
             if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-                return Ending.SILENT;
+                return Optional.empty();
             }
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
         }
         log.await();
-        return log.tellsLackOfMemory() ? Ending.TOO_MUCH_MEMORY : Ending.STOPPED;
+        return Optional.of(log.tellsLackOfMemory() ? Ending.TOO_MUCH_MEMORY : Ending.STOPPED);
     }
 
     /** Ends the program with all that it has started, and deletes what it has written. */
@@ -120,7 +144,7 @@ public final class TeamProcess implements AutoCloseable {
         TeamFolder.delete(workFolder);
     }
 
-    private void end() {
+    private synchronized void end() {
         process.descendants().forEach(seen::add);
         process.destroyForcibly();
         seen.forEach(ProcessHandle::destroyForcibly);
@@ -166,15 +190,5 @@ public final class TeamProcess implements AutoCloseable {
                 Stream.concat(ours.map(Path::of), own.stream())
                         .map(place -> place.toAbsolutePath().toString())
                         .toList());
-    }
-
-    /** Memory that a process takes; 0 where the system does not tell it, which is all but Linux. */
-    private static long residentBytes(long pid) {
-        Path file = Path.of("/proc", String.valueOf(pid), "statm");
-        try {
-            return Files.exists(file) ? Long.parseLong(Files.readString(file).split(" ", -1)[1]) * PAGE_BYTES : 0;
-        } catch (IOException gone) {
-            return 0;
-        }
     }
 }

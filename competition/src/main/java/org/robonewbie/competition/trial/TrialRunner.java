@@ -190,7 +190,10 @@ public final class TrialRunner implements TrialPlayer {
         if (umpire.isDecided() && umpire.isPresent(team)) {
             return Ending.PLAYED;
         }
-        Ending reason = processes.stream().map(TeamProcess::ending).findFirst().orElse(Ending.NOT_STARTED);
+        Ending reason = processes.stream()
+                .map(process -> process.ending().orElse(Ending.SILENT))
+                .findFirst()
+                .orElse(Ending.NOT_STARTED);
         boolean unclear = reason == Ending.SILENT || reason == Ending.STOPPED;
         if (!umpire.isDecided()) {
             return reason == Ending.SILENT ? Ending.TOO_MUCH_TIME : reason;

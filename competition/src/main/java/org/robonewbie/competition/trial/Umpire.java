@@ -9,7 +9,6 @@ import java.util.concurrent.TimeUnit;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Entrant;
 import org.robonewbie.competition.contest.Judge;
-import org.robonewbie.competition.contest.JudgedMoment;
 import org.robonewbie.competition.contest.StartPlace;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
@@ -86,13 +85,7 @@ final class Umpire implements SimulationObserver {
         return greedy.contains(team);
     }
 
-    /** Whether the trial has begun. */
-    boolean hasBegun() {
-        return beginning > 0;
-    }
-
     private void lineUp(WorldSnapshot world) {
-        JudgedMoment moment = new JudgedMoment(trial, 0, world);
         long joined =
                 world.robots().stream().filter(robot -> robot.number() > 0).count();
         if (joined >= trial.robots() && complete == 0) {
@@ -101,30 +94,31 @@ final class Umpire implements SimulationObserver {
         boolean ready = complete > 0 && world.cycle() >= complete + CYCLES_TO_TAKE_PLACES;
         if (ready || world.cycle() >= CYCLES_TO_JOIN) {
             beginning = world.cycle();
-            count(moment);
+            count(world);
             if (joined == 0) {
                 decide(0);
                 return;
             }
-            trial.entrants().forEach(entrant -> correctPlaces(entrant, moment));
-            kickOff(moment);
+            trial.entrants().forEach(entrant -> correctPlaces(entrant, world));
+            kickOff(world);
         }
     }
 
-    private void kickOff(JudgedMoment moment) {
+    private void kickOff(WorldSnapshot world) {
         control.order(new Order.KickOff(trial.kickOff()));
         if (trial.ball().isPresent()) {
-            TeamSide side = moment.side(trial.entrants().get(0).team()).orElse(TeamSide.LEFT);
+            String first = trial.entrants().get(0).team();
             Vector3 ball = trial.ball().get();
             control.order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
             control.order(new Order.MoveBall(
-                    side == TeamSide.LEFT ? ball : new Vector3(-ball.x(), -ball.y(), ball.z()), Vector3.ZERO));
+                    world.teamRight().equals(first) ? new Vector3(-ball.x(), -ball.y(), ball.z()) : ball,
+                    Vector3.ZERO));
         }
     }
 
     /** Moves robots that have chosen other places to their own. */
-    private void correctPlaces(Entrant entrant, JudgedMoment moment) {
-        for (RobotSnapshot robot : robotsOf(entrant, moment.world())) {
+    private void correctPlaces(Entrant entrant, WorldSnapshot world) {
+        for (RobotSnapshot robot : robotsOf(entrant, world)) {
             TeamSide side = robot.side().orElseThrow();
             StartPlace place = entrant.places().stream()
                     .filter(candidate -> candidate.number() == robot.number())
@@ -144,16 +138,15 @@ final class Umpire implements SimulationObserver {
 
     private void watch(WorldSnapshot world) {
         double now = (world.cycle() - beginning) * Cycle.SECONDS;
-        JudgedMoment moment = new JudgedMoment(trial, now, world);
-        count(moment);
-        if (judge.watch(moment, control) || now >= trial.seconds() - 1e-9 || !greedy.isEmpty()) {
+        count(world);
+        if (judge.watch(world) || now >= trial.seconds() - 1e-9 || !greedy.isEmpty()) {
             decide(now);
         }
     }
 
-    private void count(JudgedMoment moment) {
+    private void count(WorldSnapshot world) {
         for (Entrant entrant : trial.entrants()) {
-            int count = robotsOf(entrant, moment.world()).size();
+            int count = robotsOf(entrant, world).size();
             robots.put(entrant.team(), count);
             if (count > entrant.places().size()) {
                 greedy.add(entrant.team());
@@ -161,10 +154,9 @@ final class Umpire implements SimulationObserver {
         }
     }
 
-    private List<RobotSnapshot> robotsOf(Entrant entrant, WorldSnapshot world) {
+    private static List<RobotSnapshot> robotsOf(Entrant entrant, WorldSnapshot world) {
         return world.robots().stream()
-                .filter(robot -> robot.side().isPresent())
-                .filter(robot -> trial.isSolo() || robot.team().equals(entrant.team()))
+                .filter(robot -> robot.team().equals(entrant.team()))
                 .toList();
     }
 

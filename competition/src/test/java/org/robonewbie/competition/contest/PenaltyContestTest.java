@@ -10,6 +10,16 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.WorldSnapshot;
 
 class PenaltyContestTest {
 
@@ -70,6 +80,50 @@ class PenaltyContestTest {
         assertThat(table.rows().get(0).cells()).containsExactly("1", "1", "0", "0", "2:1", "3");
     }
 
+    @Test
+    void penaltyIsOverWithTheGoalOfTheAttacker() {
+        Judge judge = penaltyOfRed();
+
+        boolean early = watch(judge, new Vector3(4, 0, 0.04));
+        boolean over = watch(judge, PlayMode.GOAL_LEFT, 1, Vector3.ZERO);
+
+        assertThat(List.of(early, over)).containsExactly(false, true);
+        assertThat(judge.figures("Red").get("goals")).isEqualTo(1);
+        assertThat(judge.figures("Blue")).isEmpty();
+    }
+
+    @Test
+    void penaltyIsOverWithoutAGoalWhenTheBallGoesOut() {
+        Judge judge = penaltyOfRed();
+
+        boolean over = watch(judge, PlayMode.GOAL_KICK_RIGHT, 0, new Vector3(6, 2, 0.04));
+
+        assertThat(over).isTrue();
+        assertThat(judge.figures("Red").get("goals")).isZero();
+    }
+
+    private static Judge penaltyOfRed() {
+        JudgedContest contest = Contests.penalties(Conditions.of(1), 3, 30);
+        ContestTrial trial = contest.trials(List.of("Red", "Blue"), id -> Optional.empty()).stream()
+                .filter(attack -> attack.entrants().get(0).team().equals("Red"))
+                .findFirst()
+                .orElseThrow();
+        return contest.judge(trial);
+    }
+
+    private static boolean watch(Judge judge, Vector3 ball) {
+        return watch(judge, PlayMode.PLAY_ON, 0, ball);
+    }
+
+    /** Shows a judge the attacker, alone on the pitch. */
+    private static boolean watch(Judge judge, PlayMode mode, int goals, Vector3 ball) {
+        Pose torso = new Pose(new Vector3(3, 0, 0.38), Rotation.NONE);
+        BodyState body = BodyState.of(RobotType.TYPE_0, torso, Posture.ZERO);
+        RobotSnapshot robot = new RobotSnapshot(1, "Red", Optional.of(TeamSide.LEFT), 2, body);
+        return judge.watch(new WorldSnapshot(
+                1, 0.02, mode, "Red", "", goals, 0, 1, ball, Rotation.NONE, List.of(robot), false, 1, 1));
+    }
+
     private static void play(
             Map<String, TrialResult> results, String id, String attacker, String keeper, double goals) {
         results.put(
@@ -79,7 +133,7 @@ class PenaltyContestTest {
                         1,
                         30,
                         List.of(
-                                TeamResult.of(attacker, Ending.PLAYED, Map.of(PenaltyJudge.GOALS, goals)),
+                                TeamResult.of(attacker, Ending.PLAYED, Map.of(Judge.GOALS, goals)),
                                 TeamResult.of(keeper, Ending.PLAYED, Map.of()))));
     }
 

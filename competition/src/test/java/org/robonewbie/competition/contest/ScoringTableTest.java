@@ -108,14 +108,14 @@ class ScoringTableTest {
     }
 
     private static TeamResult goal(double seconds) {
-        return TeamResult.of("", Ending.PLAYED, Map.of(GoalJudge.GOAL_SECONDS, seconds, GoalJudge.BALL_METRES, 0.0));
+        return TeamResult.of("", Ending.PLAYED, Map.of("goalSeconds", seconds, "ballMetres", 0.0));
     }
 
     private static TeamResult ball(double metres) {
-        return TeamResult.of("", Ending.PLAYED, Map.of(GoalJudge.BALL_METRES, metres));
+        return TeamResult.of("", Ending.PLAYED, Map.of("ballMetres", metres));
     }
 
     private static TeamResult lost(double metres) {
-        return TeamResult.of("", Ending.STOPPED, Map.of(GoalJudge.BALL_METRES, metres));
+        return TeamResult.of("", Ending.STOPPED, Map.of("ballMetres", metres));
     }
 }

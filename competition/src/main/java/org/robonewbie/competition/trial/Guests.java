@@ -1,0 +1,140 @@
+package org.robonewbie.competition.trial;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.Timer;
+import java.util.TimerTask;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.robonewbie.competition.contest.ContestTrial;
+import org.robonewbie.competition.contest.Ending;
+import org.robonewbie.competition.contest.Entrant;
+import org.robonewbie.competition.contest.StartPlace;
+import org.robonewbie.competition.team.Limits;
+import org.robonewbie.competition.team.Start;
+import org.robonewbie.competition.team.TeamProcess;
+import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.SensorReadings;
+import org.robonewbie.trial.guest.AbsentProgramException;
+import org.robonewbie.trial.guest.GuestDoor;
+
+/**
+ * The processes of a team's program in one trial, one for each of its robots. Whoever comes through their door when no robot is
+ * expected waits there until the trial is over.
+ */
+final class Guests implements AutoCloseable {
+
+    private static final long LOOK_MILLISECONDS = 100;
+
+    private final ContestTrial trial;
+    private final TrialFiles files;
+    private final TeamProgram program;
+    private final Limits limits;
+    private final GuestDoor door;
+    private final List<TeamProcess> processes = new CopyOnWriteArrayList<>();
+    private final Timer guard = new Timer("guard-of-programs", true);
+
+    /** Opens the door; nobody is there yet. */
+    Guests(ContestTrial trial, TrialFiles files, TeamProgram program, Limits limits) throws IOException {
+        this.trial = trial;
+        this.files = files;
+        this.program = program;
+        this.limits = limits;
+        this.door = GuestDoor.open(0, 0);
+        TimerTask look = new TimerTask() {
+            @Override
+            public void run() {
+                processes.forEach(TeamProcess::check);
+            }
+        };
+        guard.schedule(look, 0, LOOK_MILLISECONDS);
+    }
+
+    /** A program that moves a robot, and whose turns are timed. */
+    private record Guest(Performer performer, TeamProcess process) implements Performer {
+
+        @Override
+        public void awake(SensorReadings readings) {
+            respond(readings);
+        }
+
+        @Override
+        public List<EffectorCommand> respond(SensorReadings readings) {
+            process.passTurn();
+            List<EffectorCommand> answer = performer.respond(readings);
+            process.passTurn();
+            return answer;
+        }
+
+        @Override
+        public void close() {
+            performer.close();
+        }
+    }
+
+    /** Starts the program for the next robot, and waits until it comes. */
+    Performer next() {
+        Entrant entrant = trial.entrants().get(0);
+        StartPlace place = entrant.places().get(0);
+        int index = processes.size();
+        Start start = new Start(
+                door.port(),
+                entrant.team(),
+                entrant.role(),
+                List.of(new StartPlace(place.number() + index, place.x(), place.y(), place.degrees())));
+        try {
+            Path work = files.work().resolve(name(index));
+            TeamProcess process = TeamProcess.start(program, start, limits, work, log(index));
+            processes.add(process);
+            Performer performer = await(process);
+            process.passTurn();
+            return new Guest(performer, process);
+        } catch (IOException unstartable) {
+            throw new AbsentProgramException("The program cannot be started: " + unstartable, unstartable);
+        }
+    }
+
+    private Performer await(TeamProcess process) {
+        try {
+            return door.await(() -> process.isRunning() && process.waitedSeconds() < limits.startSeconds());
+        } catch (AbsentProgramException absent) {
+            throw process.isRunning() ? new AbsentProgramException("The program asked for no robot.", absent) : absent;
+        }
+    }
+
+    private String name(int index) {
+        return trial.id() + (index == 0 ? "" : "-" + (index + 1));
+    }
+
+    private Path log(int index) {
+        return files.logs().resolve(name(index) + ".txt");
+    }
+
+    /** Sends the rest away when one is absent, tells in the log what was noticed, and returns why it is so. */
+    Ending end(AbsentProgramException absent) throws IOException {
+        Ending reason = processes.stream()
+                .flatMap(process -> process.ending().stream())
+                .findFirst()
+                .orElse(Ending.STOPPED);
+        boolean came = !processes.isEmpty() && processes.stream().allMatch(TeamProcess::hasJoined);
+        Ending ending = !came && reason == Ending.STOPPED ? Ending.NOT_STARTED : reason;
+        close();
+        Files.writeString(
+                log(0),
+                "The trial is lost: " + ending.sentence() + ". " + absent.getMessage() + "\n",
+                StandardOpenOption.CREATE,
+                StandardOpenOption.APPEND);
+        return ending;
+    }
+
+    @Override
+    public void close() {
+        guard.cancel();
+        processes.forEach(TeamProcess::close);
+        door.close();
+    }
+}

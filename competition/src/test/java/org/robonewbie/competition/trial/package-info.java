@@ -1,0 +1,3 @@
+/** Tests of single trials with real programs. */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.competition.trial;
