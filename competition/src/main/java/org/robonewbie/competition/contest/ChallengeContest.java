@@ -53,10 +53,7 @@ public record ChallengeContest(
 
     private ContestTrial trial(String team, int round) {
         return ContestTrial.alone(
-                ids(team).get(round),
-                conditions.seedOf(team) + round,
-                Entrant.of(team, Role.MAIN, start),
-                seconds);
+                ids(team).get(round), conditions.seedOf(team) + round, Entrant.of(team, Role.MAIN, start), seconds);
     }
 
     private List<String> ids(String team) {

@@ -25,8 +25,14 @@ final class Gymnastics implements Measure {
 
     private final List<Held> poses = List.of(
             new Held(1, moment -> moment.robot().isStanding() && areArmsUp(moment.robot())),
-            new Held(1, moment -> moment.robot().isStanding() && moment.robot().position().z() < SQUAT_METRES),
-            new Held(2, moment -> moment.robot().isStanding() && isFootUp(moment.robot().limbs())),
+            new Held(
+                    1,
+                    moment -> moment.robot().isStanding()
+                            && moment.robot().position().z() < SQUAT_METRES),
+            new Held(
+                    2,
+                    moment -> moment.robot().isStanding()
+                            && isFootUp(moment.robot().limbs())),
             new Held(1, moment -> isBowing(moment.robot().tiltDegrees())));
     private final Held lying = new Held(1, moment -> moment.robot().tiltDegrees() > LYING_DEGREES);
     private final Held up = new Held(1, moment -> moment.robot().isStanding());
