@@ -2,12 +2,8 @@ package org.robonewbie.competition;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,6 +22,7 @@ import org.robonewbie.competition.contest.TeamResult;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.result.ResultFolder;
 import org.robonewbie.competition.result.TableFiles;
+import org.robonewbie.competition.team.Fingerprint;
 import org.robonewbie.competition.team.ProgramFinder;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamProgram;
@@ -181,24 +178,16 @@ public final class Competition {
 
     /** All that a result depends on: the trial itself, the programs, the limits. */
     private String circumstances(ContestTrial trial, Map<String, TeamProgram> programs) {
-        StringBuilder text = new StringBuilder(trial.id())
-                .append(trial.seed())
-                .append(trial.seconds())
-                .append(trial.entrants())
-                .append(trial.ball())
-                .append(trial.kickOff())
-                .append(trial.parameters().assignments())
-                .append(settings.limits());
+        Fingerprint all = new Fingerprint()
+                .add(trial.id() + " " + trial.seed() + " " + trial.seconds() + " " + trial.kickOff())
+                .add(trial.entrants().toString())
+                .add(trial.ball().toString())
+                .add(trial.parameters().assignments().toString())
+                .add(settings.limits().toString());
         for (Entrant entrant : trial.entrants()) {
             TeamProgram program = programs.get(entrant.team());
-            text.append(program == null ? "" : program.fingerprint());
+            all.add(program == null ? "" : program.fingerprint());
         }
-        try {
-            byte[] digest =
-                    MessageDigest.getInstance("SHA-256").digest(text.toString().getBytes(StandardCharsets.UTF_8));
-            return HexFormat.of().formatHex(digest).substring(0, 16);
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("This Java has no SHA-256, which every Java must have", e);
-        }
+        return all.text();
     }
 }

@@ -121,7 +121,7 @@ final class CompetitionCommand implements Callable<Integer> {
     @Option(
             names = "--patience",
             paramLabel = "T",
-            description = "Real seconds for which a program may keep the world waiting (${DEFAULT-VALUE}).")
+            description = "Seconds for which a program may keep the world waiting (${DEFAULT-VALUE}).")
     private double silentSeconds = Limits.USUAL.silentSeconds();
 
     @Option(

@@ -16,7 +16,7 @@ public enum Ending {
     TOO_MUCH_MEMORY("its program needed more memory than is allowed"),
     /** Its program needed too much processor time. */
     TOO_MUCH_TIME("its program needed more computing time than is allowed"),
-    /** It had more robots than it may have. */
+    /** It had more robots on the pitch than it may have; that takes a match or a penalty kick. */
     TOO_MANY_ROBOTS("its program brought more robots onto the pitch than are allowed");
 
     private final String sentence;

@@ -9,14 +9,15 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** A checksum by which a changed program is noticed. */
-final class Fingerprint {
+/** A checksum by which a changed program, or another trial, is noticed. */
+public final class Fingerprint {
 
     private static final int DIGITS = 16;
 
     private final MessageDigest digest;
 
-    Fingerprint() {
+    /** Creates the checksum of nothing. */
+    public Fingerprint() {
         try {
             digest = MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {
@@ -24,7 +25,13 @@ final class Fingerprint {
         }
     }
 
-    Fingerprint add(String text) {
+    /**
+     * Adds a text.
+     *
+     * @param text the text
+     * @return this
+     */
+    public Fingerprint add(String text) {
         digest.update(text.getBytes(StandardCharsets.UTF_8));
         digest.update((byte) 0);
         return this;
@@ -44,7 +51,8 @@ final class Fingerprint {
         return this;
     }
 
-    String text() {
+    /** {@return the checksum of all that has been added; it can be asked for once} */
+    public String text() {
         return HexFormat.of().formatHex(digest.digest()).substring(0, DIGITS);
     }
 }

@@ -5,9 +5,10 @@ package org.robonewbie.competition.team;
  *
  * @param memoryMegabytes memory for its data; a Java program gets this much heap
  * @param processorSeconds processor time of all its processes
- * @param silentSeconds real seconds for which it may keep the world waiting
- * @param startSeconds real seconds that it may need to bring its robots
- * @param realSeconds real seconds that the trial may take
+ * @param silentSeconds seconds for which it may keep the world waiting: while its robot is alone on the pitch, those in which
+ *     it calculates or sleeps, else real ones
+ * @param startSeconds seconds that it may need to bring its robots, counted in the same way
+ * @param realSeconds real seconds that a trial of two teams may take, and that a program may sleep on its turns in another one
  */
 public record Limits(
         int memoryMegabytes, double processorSeconds, double silentSeconds, double startSeconds, double realSeconds) {
