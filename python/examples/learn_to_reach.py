@@ -7,7 +7,7 @@ import robonewbie  # makes the tasks known
 
 CANDIDATES, BEST, GENERATIONS, TARGETS = 48, 8, 30, 4
 random = np.random.default_rng(1)
-robots = gymnasium.make_vec("RoboNewbie/Reach-v0", num_envs=CANDIDATES)
+robots = gymnasium.make_vec("RoboNewbie/Reach-v1", num_envs=CANDIDATES)
 target = [robots.unwrapped.observation_names.index(f"target.{axis}") for axis in ("forward", "left", "up")]
 
 

@@ -1,7 +1,7 @@
 """Tasks for a simulated NAO humanoid with the interface of Gymnasium.
 
 >>> import gymnasium, robonewbie
->>> env = gymnasium.make("RoboNewbie/Walk-v0")
+>>> env = gymnasium.make("RoboNewbie/Walk-v1")
 >>> observation, info = env.reset(seed=1)
 >>> observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
 """
@@ -18,7 +18,7 @@ _LONGEST_CYCLES = {"Stand": 500, "Walk": 500, "Kick": 250, "Reach": 100}
 
 for _task, _cycles in _LONGEST_CYCLES.items():
     gymnasium.register(
-        id=f"RoboNewbie/{_task}-v0",
+        id=f"RoboNewbie/{_task}-v1",
         entry_point="robonewbie.environment:RoboNewbieEnv",
         vector_entry_point="robonewbie.vector:RoboNewbieVectorEnv",
         max_episode_steps=_cycles,

@@ -21,16 +21,17 @@ class RoboNewbieEnv(gymnasium.Env):
     """A task for one robot; one step is a cycle of 20 ms.
 
     ``observation_names``, ``observation_units`` and ``action_names`` tell what the numbers are. An action is, for each joint,
-    the angle to go to: -1 to 1 times ``range_degrees`` from the first posture.
+    the angle to go to: -1 to 1 times ``range_degrees`` from the first posture. ``reward`` is the name of a measure such as
+    ``"energy"``; without it the task decides what it pays.
     """
 
     metadata = {"render_modes": []}
 
-    def __init__(self, task="Walk", render_mode=None):
+    def __init__(self, task="Walk", reward="", render_mode=None):
         if render_mode is not None:
             raise ValueError(f"There is no render_mode \"{render_mode}\"; leave it out.")
         self.render_mode = None
-        self._connection = Connection(task, 1)
+        self._connection = Connection(task, 1, reward)
         description = self._connection.description
         self.observation_space, self.action_space = spaces_of(description)
         self.observation_names = [entry["name"] for entry in description["observation"]]

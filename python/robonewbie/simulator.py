@@ -120,11 +120,12 @@ def _stop():
 class Connection:
     """Some environments of one task in the simulator."""
 
-    def __init__(self, task, count):
+    def __init__(self, task, count, reward=""):
         self._socket = socket.create_connection(("127.0.0.1", _running_process().port))
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         try:
-            self.description = json.loads(self._ask(b"M" + struct.pack("<i", count) + task.encode("utf-8")))
+            order = f"{task}\nreward={reward}" if reward else task
+            self.description = json.loads(self._ask(b"M" + struct.pack("<i", count) + order.encode("utf-8")))
         except RoboNewbieError:
             self.close()
             raise

@@ -13,12 +13,12 @@ class RoboNewbieVectorEnv(gymnasium.vector.VectorEnv):
 
     metadata = {"render_modes": [], "autoreset_mode": gymnasium.vector.AutoresetMode.NEXT_STEP}
 
-    def __init__(self, task="Walk", num_envs=1, max_episode_steps=None, render_mode=None):
+    def __init__(self, task="Walk", num_envs=1, max_episode_steps=None, reward="", render_mode=None):
         if render_mode is not None:
             raise ValueError(f"There is no render_mode \"{render_mode}\"; leave it out.")
         self.render_mode = None
         self.num_envs = num_envs
-        self._connection = Connection(task, num_envs)
+        self._connection = Connection(task, num_envs, reward)
         description = self._connection.description
         self._longest = max_episode_steps or description["longestCycles"]
         self.single_observation_space, self.single_action_space = spaces_of(description)

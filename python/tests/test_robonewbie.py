@@ -22,13 +22,13 @@ class EnvironmentTest(unittest.TestCase):
         for task in TASKS:
             with self.subTest(task), warnings.catch_warnings():
                 warnings.simplefilter("error")
-                env = gymnasium.make(f"RoboNewbie/{task}-v0")
+                env = gymnasium.make(f"RoboNewbie/{task}-v1")
                 check_env(env.unwrapped, skip_render_check=True)
                 env.close()
 
     def test_same_seed_gives_the_same_episode(self):
         def episode(seed):
-            env = gymnasium.make("RoboNewbie/Stand-v0")
+            env = gymnasium.make("RoboNewbie/Stand-v1")
             env.action_space.seed(5)
             rows = [env.reset(seed=seed)[0]]
             for _ in range(80):
@@ -41,7 +41,7 @@ class EnvironmentTest(unittest.TestCase):
         self.assertFalse(np.array_equal(episode(3), episode(4)))
 
     def test_episode_ends_after_its_time(self):
-        env = gymnasium.make("RoboNewbie/Reach-v0")
+        env = gymnasium.make("RoboNewbie/Reach-v1")
         env.reset(seed=1)
         steps, truncated = 0, False
         while not truncated:
@@ -55,7 +55,7 @@ class EnvironmentTest(unittest.TestCase):
         env.close()
 
     def test_robot_that_moves_wildly_falls(self):
-        env = gymnasium.make("RoboNewbie/Walk-v0")
+        env = gymnasium.make("RoboNewbie/Walk-v1")
         env.reset(seed=1)
         action = np.zeros(12, dtype=np.float32)
         for i, name in enumerate(env.unwrapped.action_names):
@@ -75,13 +75,34 @@ class EnvironmentTest(unittest.TestCase):
         env.close()
 
     def test_unknown_task_is_told_with_those_that_exist(self):
-        with self.assertRaisesRegex(robonewbie.RoboNewbieError, 'no task "Fly". The tasks are: Stand, Walk, Kick, Reach'):
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, 'no task "Fly". There are: Kick, Reach, Stand, Walk'):
             robonewbie.RoboNewbieEnv("Fly")
+
+
+    def test_any_measure_can_be_the_reward(self):
+        env = gymnasium.make("RoboNewbie/Walk-v1", reward="distance-walked")
+        energy = gymnasium.make("RoboNewbie/Walk-v1", reward="energy")
+        env.reset(seed=1)
+        energy.reset(seed=1)
+        total = cost = 0
+        action = np.zeros(12, dtype=np.float32)
+        for i in range(40):
+            action[:] = 0.2 * np.sin(i / 3)
+            total += env.step(action)[1]
+            cost += energy.step(action)[1]
+        self.assertNotEqual(total, 0)
+        self.assertLess(abs(total), 0.5)
+        self.assertLess(cost, 0)
+        env.close()
+        energy.close()
+
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, 'no measure "joy". There are: .*energy'):
+            gymnasium.make("RoboNewbie/Walk-v1", reward="joy")
 
 
 class VectorTest(unittest.TestCase):
     def test_many_robots_do_the_same_as_each_alone(self):
-        many = gymnasium.make_vec("RoboNewbie/Stand-v0", num_envs=4)
+        many = gymnasium.make_vec("RoboNewbie/Stand-v1", num_envs=4)
         observation, _ = many.reset(seed=10)
         rows = [observation]
         action = np.full((4, 12), 0.05, dtype=np.float32)
@@ -89,14 +110,19 @@ class VectorTest(unittest.TestCase):
             rows.append(many.step(action)[0])
         many.close()
 
+        with_measure = gymnasium.make_vec("RoboNewbie/Stand-v1", num_envs=2, reward="standing-time")
+        with_measure.reset(seed=10)
+        np.testing.assert_allclose(with_measure.step(action[:2])[1], [0.02, 0.02])
+        with_measure.close()
+
         for i in range(4):
-            alone = gymnasium.make("RoboNewbie/Stand-v0")
+            alone = gymnasium.make("RoboNewbie/Stand-v1")
             own = [alone.reset(seed=10 + i)[0]] + [alone.step(action[i])[0] for _ in range(30)]
             alone.close()
             np.testing.assert_array_equal([row[i] for row in rows], own)
 
     def test_episode_that_is_over_begins_anew_in_the_next_step(self):
-        many = gymnasium.make_vec("RoboNewbie/Reach-v0", num_envs=2)
+        many = gymnasium.make_vec("RoboNewbie/Reach-v1", num_envs=2)
         many.reset(seed=1)
         action = np.zeros((2, 4), dtype=np.float32)
         for _ in range(99):

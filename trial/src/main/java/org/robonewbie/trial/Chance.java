@@ -21,6 +21,11 @@ public final class Chance {
         this.random = new Random(31 * seed + 17);
     }
 
+    /** {@return the seed of the trial} */
+    public long seed() {
+        return seed;
+    }
+
     /**
      * Draws a number.
      *

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.protocol.perceptor.GameState;
 import org.robonewbie.protocol.perceptor.JointAngles;
@@ -64,6 +65,17 @@ final class DirectReadings implements SensorReadings {
     }
 
     @Override
+    public FootForces feet() {
+        return new FootForces(
+                rounded(feet.left()), rounded(feet.right()), rounded(feet.leftToe()), rounded(feet.rightToe()));
+    }
+
+    @Override
+    public Optional<Vision> picture() {
+        return picture;
+    }
+
+    @Override
     public PerceptorMessage message() {
         return whole().message();
     }
@@ -92,6 +104,10 @@ final class DirectReadings implements SensorReadings {
                         feet,
                         picture));
         return text;
+    }
+
+    private static Optional<FootForce> rounded(Optional<FootForce> foot) {
+        return foot.map(felt -> new FootForce(rounded(felt.point()), rounded(felt.force())));
     }
 
     private static Vector3 rounded(Vector3 reading) {

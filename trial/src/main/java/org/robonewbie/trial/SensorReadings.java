@@ -1,9 +1,12 @@
 package org.robonewbie.trial;
 
+import java.util.Optional;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.perceptor.Vision;
 
 /** What a robot senses in one cycle, in the precision that messages carry. Valid until the next cycle. */
 public interface SensorReadings {
@@ -21,6 +24,15 @@ public interface SensorReadings {
 
     /** {@return the acceleration that the torso feels in metres per second squared, along SimSpark's axes: right, forward, up} */
     Vector3 acceleration();
+
+    /** {@return the contact forces on the feet, along SimSpark's axes} */
+    FootForces feet();
+
+    /**
+     * {@return the camera's picture of this cycle, empty if there is none; in a direct trial its numbers are more precise than
+     * those of a message}
+     */
+    Optional<Vision> picture();
 
     /** {@return the whole message, as an agent gets it} */
     PerceptorMessage message();

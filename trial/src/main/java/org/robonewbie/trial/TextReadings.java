@@ -5,8 +5,10 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
+import org.robonewbie.protocol.perceptor.Vision;
 
 /** Readings that came as text; they are parsed only if a performer asks for them. */
 final class TextReadings implements SensorReadings {
@@ -43,6 +45,16 @@ final class TextReadings implements SensorReadings {
     @Override
     public Vector3 acceleration() {
         return or(message().accelerometer());
+    }
+
+    @Override
+    public FootForces feet() {
+        return message().footForces();
+    }
+
+    @Override
+    public Optional<Vision> picture() {
+        return message().vision();
     }
 
     private static Vector3 or(Optional<Vector3> reading) {

@@ -300,6 +300,16 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
+     * Returns what a robot senses, which its performer will answer in the next cycle.
+     *
+     * @param index its index in the scene
+     * @return the readings, valid until the next cycle
+     */
+    public SensorReadings readings(int index) {
+        return bodies.get(index).readings();
+    }
+
+    /**
      * Places the ball on the ground at rest.
      *
      * @param place where to; its height does not matter

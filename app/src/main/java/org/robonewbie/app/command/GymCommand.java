@@ -2,12 +2,15 @@ package org.robonewbie.app.command;
 
 import java.io.IOException;
 import java.util.concurrent.Callable;
+import org.robonewbie.app.program.AgentFinder;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.learning.gym.GymOrder;
 import org.robonewbie.learning.gym.GymServer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 
 /** Serves the tasks of the Python package, which starts it by itself. */
 @Command(
@@ -15,22 +18,45 @@ import picocli.CommandLine.Option;
         description = {
             "Serve tasks for learning programs; the Python package starts this by itself.",
             "",
-            "Prints \"gym PORT\" and serves on 127.0.0.1 until its standard input ends."
+            "Prints \"gym PORT\" and serves on 127.0.0.1 until its standard input ends. Any measure can be a reward: one of the"
+                    + " objectives of robonewbie optimise, or a class of your own."
         },
         footer = {
             "",
             "In Python, after \"pip install ./python\":",
             "  import gymnasium, robonewbie",
-            "  env = gymnasium.make(\"RoboNewbie/Walk-v0\")",
+            "  env = gymnasium.make(\"RoboNewbie/Walk-v1\")",
             "",
             "Examples:",
             "  robonewbie gym",
-            "  robonewbie gym --port 4000"
+            "  robonewbie gym --port 4000",
+            "  robonewbie gym Walk --reward walk-speed"
         })
 final class GymCommand implements Callable<Integer> {
 
     @Mixin
     final HelpOption help = new HelpOption();
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "TASK",
+            defaultValue = "Walk",
+            description = "Task of programs that name none: Stand, Walk, Kick, Reach, or a class of yours (Walk).")
+    private String task = "Walk";
+
+    @Option(
+            names = "--reward",
+            paramLabel = "MEASURE",
+            defaultValue = "",
+            description = "What is rewarded if a program does not choose, such as walk-speed (what the task pays).")
+    private String reward = "";
+
+    @Option(
+            names = {"-cp", "--class-path"},
+            paramLabel = "PATH",
+            defaultValue = ".",
+            description = "Folders and jars with your own classes (default: the current folder).")
+    private String classPath = ".";
 
     @Option(
             names = "--port",
@@ -55,6 +81,14 @@ final class GymCommand implements Callable<Integer> {
     }
 
     private GymServer server() throws IOException {
-        return GymServer.open(port, System.err::println);
+        try {
+            return GymServer.open(
+                    port,
+                    new GymOrder(task, reward),
+                    AgentFinder.loaderOf(AgentFinder.folders(classPath)),
+                    System.err::println);
+        } catch (IllegalArgumentException wrong) {
+            throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
+        }
     }
 }

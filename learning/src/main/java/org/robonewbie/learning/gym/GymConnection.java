@@ -10,8 +10,8 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
-import org.robonewbie.learning.experiment.ObservedQuantity;
 import org.robonewbie.nao.Joint;
 
 /** Serves one program: makes its environments and lets them act, see docs/gym-protocol.md. */
@@ -28,11 +28,15 @@ final class GymConnection {
 
     private final DataInputStream input;
     private final DataOutputStream output;
+    private final GymOrder usual;
+    private final ClassLoader classes;
     private List<GymEnvironment> environments = List.of();
 
-    GymConnection(DataInputStream input, DataOutputStream output) {
+    GymConnection(DataInputStream input, DataOutputStream output, GymOrder usual, ClassLoader classes) {
         this.input = input;
         this.output = output;
+        this.usual = usual;
+        this.classes = classes;
     }
 
     /** Answers requests until the other side leaves. */
@@ -42,7 +46,9 @@ final class GymConnection {
                 answer(readMessage());
             }
         } catch (EOFException left) {
-            environments = List.of();
+            // The program has ended.
+        } finally {
+            environments.forEach(GymEnvironment::close);
         }
     }
 
@@ -83,14 +89,17 @@ final class GymConnection {
             throw new IllegalArgumentException(
                     count + " environments were asked for; there can be 1 to " + MOST_ENVIRONMENTS + ".");
         }
-        Task task = Tasks.named(StandardCharsets.UTF_8.decode(request).toString());
+        GymOrder order = usual.completing(StandardCharsets.UTF_8.decode(request).toString());
+        Supplier<GymEpisode> episodes = order.episodes(classes);
+        environments.forEach(GymEnvironment::close);
         environments = IntStream.range(0, count)
-                .mapToObj(i -> new GymEnvironment(task))
+                .parallel()
+                .mapToObj(i -> new GymEnvironment(episodes))
                 .toList();
-        return description(environments.get(0)).toString().getBytes(StandardCharsets.UTF_8);
+        return description(order, environments.get(0)).toString().getBytes(StandardCharsets.UTF_8);
     }
 
-    private static JsonObject description(GymEnvironment environment) {
+    private static JsonObject description(GymOrder order, GymEnvironment environment) {
         JsonArray observation = new JsonArray();
         for (ObservedQuantity quantity : environment.quantities()) {
             JsonObject entry = new JsonObject();
@@ -103,7 +112,8 @@ final class GymConnection {
         JsonArray action = new JsonArray();
         environment.task().joints().stream().map(Joint::name).forEach(action::add);
         JsonObject all = new JsonObject();
-        all.addProperty("task", environment.task().name());
+        all.addProperty("task", order.task());
+        all.addProperty("reward", order.reward());
         all.addProperty("longestCycles", environment.task().longestCycles());
         all.addProperty("rangeDegrees", environment.task().rangeDegrees());
         all.add("observation", observation);
@@ -121,25 +131,41 @@ final class GymConnection {
                     + " bytes were expected.");
         }
         int start = request.position();
+        for (int i = 0; i < environments.size(); i++) {
+            check(i, action(request, start + i * size, actions));
+        }
         byte[][] answers = IntStream.range(0, environments.size())
                 .parallel()
                 .mapToObj(i -> act(
                         environments.get(i),
-                        request.duplicate().order(ByteOrder.LITTLE_ENDIAN).position(start + i * size),
-                        actions))
+                        request.get(start + i * size),
+                        request.getLong(start + i * size + 1),
+                        action(request, start + i * size, actions)))
                 .toArray(byte[][]::new);
         return joined(answers);
     }
 
-    private static byte[] act(GymEnvironment environment, ByteBuffer order, int actions) {
-        byte what = order.get();
-        long seed = order.getLong();
+    private static double[] action(ByteBuffer request, int order, int actions) {
         double[] action = new double[actions];
-        order.asDoubleBuffer().get(action);
+        for (int i = 0; i < actions; i++) {
+            action[i] = request.getDouble(order + 9 + i * Double.BYTES);
+        }
+        return action;
+    }
+
+    private static void check(int environment, double... action) {
+        for (double number : action) {
+            if (Double.isNaN(number)) {
+                throw new IllegalArgumentException("An action of environment " + environment
+                        + " holds a number that is none (NaN). Was something divided by zero?");
+            }
+        }
+    }
+
+    private static byte[] act(GymEnvironment environment, byte what, long seed, double... action) {
         if (what == RESET) {
             environment.reset(seed);
         } else if (what == STEP) {
-            check(action);
             environment.step(action);
         }
         double[] observation = environment.observation();
@@ -150,15 +176,6 @@ final class GymConnection {
         }
         answer.putDouble(environment.reward()).put((byte) (environment.isOver() ? 1 : 0));
         return answer.array();
-    }
-
-    private static void check(double[] action) {
-        for (double number : action) {
-            if (Double.isNaN(number)) {
-                throw new IllegalArgumentException(
-                        "An action holds a number that is none (NaN). Was something divided by zero?");
-            }
-        }
     }
 
     private static byte[] joined(byte[][] parts) {

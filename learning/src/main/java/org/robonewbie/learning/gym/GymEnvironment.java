@@ -1,48 +1,39 @@
 package org.robonewbie.learning.gym;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
-import java.util.SplittableRandom;
-import org.robonewbie.learning.experiment.ObservedQuantity;
-import org.robonewbie.learning.experiment.SoccerTrial;
-import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.motion.JointStates;
-import org.robonewbie.nao.motion.Motors;
-import org.robonewbie.nao.motion.Posture;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 
-/** One robot that lives through episodes of a task. */
-final class GymEnvironment {
+/** One robot that lives through episodes of a task, in a world of its own. */
+final class GymEnvironment implements AutoCloseable {
 
     /** Robots pass their stops by a little, and errors of sensors come on top. */
     private static final double ROOM = 0.1;
 
-    private final Task task;
-    private final SoccerTrial trial;
+    private final Supplier<GymEpisode> episodes;
     private final List<ObservedQuantity> quantities;
-    private final Posture firstPosture;
-    private JointStates joints = new JointStates();
-    private Motors motors = new Motors(joints);
-    private Task.Episode episode;
-    private double reward;
+    private GymEpisode episode;
+    private Perception perception;
+    private Scene scene;
+    private Trial trial;
 
-    GymEnvironment(Task task) {
-        this.task = task;
-        this.trial = new SoccerTrial(task.setting());
-        this.quantities = quantities(task, trial);
-        this.firstPosture = task.setting().robots().get(0).posture();
-        this.episode = task.begin(trial, new SplittableRandom(0));
-    }
-
-    private static List<ObservedQuantity> quantities(Task task, SoccerTrial trial) {
-        List<ObservedQuantity> all = new ArrayList<>(trial.quantities());
-        all.addAll(task.extras());
-        return all.stream().map(GymEnvironment::withRoom).toList();
-    }
-
-    private static ObservedQuantity withRoom(ObservedQuantity quantity) {
-        double room = ROOM * (quantity.greatest() - quantity.least());
-        return new ObservedQuantity(
-                quantity.name(), quantity.unit(), quantity.least() - room, quantity.greatest() + room);
+    /** Begins the episode with seed 0. */
+    GymEnvironment(Supplier<GymEpisode> episodes) {
+        this.episodes = episodes;
+        episode = episodes.get();
+        perception = new Perception(task().hasCamera());
+        quantities = Stream.concat(perception.quantities().stream(), task().extraQuantities().stream())
+                .map(quantity -> quantity.widened(ROOM))
+                .toList();
+        scene = task().scene(new Chance(0));
+        trial = Trial.direct(scene, 0, cast());
+        episode.begin(trial);
     }
 
     /** What is observed; values beyond the ranges are clamped. */
@@ -50,66 +41,65 @@ final class GymEnvironment {
         return quantities;
     }
 
-    Task task() {
-        return task;
+    /** The task of the present episode. */
+    GymTask task() {
+        return episode.task();
     }
 
     /** Begins an episode that is chosen by the seed. */
     void reset(long seed) {
-        trial.reset(seed);
-        joints = new JointStates();
-        motors = new Motors(joints);
-        episode = task.begin(trial, new SplittableRandom(~seed));
-        reward = 0;
+        episode = episodes.get();
+        perception = new Perception(task().hasCamera());
+        Scene next = task().scene(new Chance(seed));
+        if (next.equals(scene)) {
+            trial.reset(seed, cast());
+        } else {
+            trial.close();
+            scene = next;
+            trial = Trial.direct(scene, seed, cast());
+        }
+        episode.begin(trial);
     }
 
-    /** Runs one cycle. Actions beyond 1 count as 1. */
-    void step(double[] action) {
-        episode.beforeStep();
-        trial.step(speeds(action));
-        reward = episode.reward(action);
+    /** The robot that learns, and others that hold still. */
+    private Performer[] cast() {
+        Performer[] cast = new Performer[scene.robots().size()];
+        Arrays.setAll(cast, i -> i == 0 ? episode : Performer.ofSpeeds());
+        return cast;
     }
 
-    private double[] speeds(double[] action) {
-        double[] felt = trial.observation(0);
-        for (Joint joint : Joint.values()) {
-            joints.sense(joint, felt[joint.ordinal()]);
-        }
-        for (int i = 0; i < action.length; i++) {
-            Joint joint = task.joints().get(i);
-            double part = Math.max(-1, Math.min(1, action[i]));
-            double target = joint.clampDegrees(firstPosture.degrees(joint) + part * task.rangeDegrees());
-            motors.setTarget(joint, target, joint.maxDegreesPerSecond());
-        }
-        motors.endCycle();
-        double[] speeds = new double[Joint.COUNT];
-        for (Joint joint : Joint.values()) {
-            speeds[joint.ordinal()] = motors.sentDegreesPerSecond(joint);
-        }
-        return speeds;
+    /** Runs one cycle. */
+    void step(double... action) {
+        episode.step(trial, action);
     }
 
-    /** The robot's present perception. */
+    /** What the robot perceives; to be asked once after each reset and each step. */
     double[] observation() {
-        double[] felt = trial.observation(0);
-        double[] extras = episode.extras();
-        double[] all = new double[felt.length + extras.length];
-        System.arraycopy(felt, 0, all, 0, felt.length);
+        double[] felt = perception.observe(trial.readings(0));
+        double[] extras = task().extras();
+        double[] all = Arrays.copyOf(felt, felt.length + extras.length);
         System.arraycopy(extras, 0, all, felt.length, extras.length);
-        for (int i = 0; i < all.length; i++) {
-            all[i] = Math.max(
-                    quantities.get(i).least(), Math.min(quantities.get(i).greatest(), all[i]));
-        }
+        Arrays.setAll(all, i -> quantities.get(i).clamped(all[i]));
         return all;
+    }
+
+    /** What is true now. */
+    Moment now() {
+        return trial.now();
     }
 
     /** The reward of the last step. */
     double reward() {
-        return reward;
+        return episode.reward();
     }
 
     /** Whether the episode has ended. */
     boolean isOver() {
         return episode.isOver();
+    }
+
+    @Override
+    public void close() {
+        trial.close();
     }
 }

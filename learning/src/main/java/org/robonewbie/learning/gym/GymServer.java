@@ -20,10 +20,14 @@ public final class GymServer implements AutoCloseable {
     private static final byte[] LOOPBACK = {127, 0, 0, 1};
 
     private final ServerSocket socket;
+    private final GymOrder usual;
+    private final ClassLoader classes;
     private final Consumer<String> console;
 
-    private GymServer(ServerSocket socket, Consumer<String> console) {
+    private GymServer(ServerSocket socket, GymOrder usual, ClassLoader classes, Consumer<String> console) {
         this.socket = socket;
+        this.usual = usual;
+        this.classes = classes;
         this.console = console;
     }
 
@@ -31,12 +35,18 @@ public final class GymServer implements AutoCloseable {
      * Opens the port on 127.0.0.1 and begins to serve.
      *
      * @param port the port, 0 for any free one
+     * @param usual what programs get that leave something out
+     * @param classes where to look for tasks and measures of your own
      * @param console where it tells people what went wrong
      * @return the server
      * @throws IOException if the port is in use
+     * @throws IllegalArgumentException if there is no such task or measure; the message says what there is
      */
-    public static GymServer open(int port, Consumer<String> console) throws IOException {
-        GymServer server = new GymServer(new ServerSocket(port, 50, InetAddress.getByAddress(LOOPBACK)), console);
+    public static GymServer open(int port, GymOrder usual, ClassLoader classes, Consumer<String> console)
+            throws IOException {
+        usual.episodes(classes);
+        ServerSocket socket = new ServerSocket(port, 50, InetAddress.getByAddress(LOOPBACK));
+        GymServer server = new GymServer(socket, usual, classes, console);
         daemon("gym server", server::accept);
         return server;
     }
@@ -64,7 +74,9 @@ public final class GymServer implements AutoCloseable {
             client.setTcpNoDelay(true);
             new GymConnection(
                             new DataInputStream(new BufferedInputStream(client.getInputStream())),
-                            new DataOutputStream(new BufferedOutputStream(client.getOutputStream())))
+                            new DataOutputStream(new BufferedOutputStream(client.getOutputStream())),
+                            usual,
+                            classes)
                     .serve();
         } catch (IOException broken) {
             console.accept("A learning program is no longer served: " + broken.getMessage());

@@ -12,9 +12,10 @@ import java.util.Map;
  *     public List<String> columns() { return List.of("fallen"); }
  *
  *     public double[] run(Map<String, Double> parameters, long seed) {
- *         Trial trial = new SoccerTrial(TrialSetting.standing());
- *         trial.reset(seed);
- *         return new double[] {trial.state().robot().isFallen() ? 1 : 0};
+ *         try (Trial trial = Trial.direct(Scene.of(RobotStart.at(0, 0)), seed, Performer.ofSpeeds())) {
+ *             trial.run(5);
+ *             return new double[] {trial.now().robot().isFallen() ? 1 : 0};
+ *         }
  *     }
  * }
  * }</pre>

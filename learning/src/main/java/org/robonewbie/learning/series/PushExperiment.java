@@ -2,11 +2,14 @@ package org.robonewbie.learning.series;
 
 import java.util.List;
 import java.util.Map;
-import java.util.SplittableRandom;
-import org.robonewbie.learning.experiment.SoccerTrial;
-import org.robonewbie.learning.experiment.TrialSetting;
-import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 
 /**
  * How hard can a standing robot be pushed? In a trial of two seconds someone pushes the torso for 0.1 s from a random side;
@@ -14,8 +17,9 @@ import org.robonewbie.nao.Vector3;
  */
 public final class PushExperiment implements Experiment {
 
-    private static final int CYCLES = 100;
-    private static final int CYCLES_OF_THE_PUSH = 5;
+    private static final Scene SCENE = Scene.of(RobotStart.at(1.5, 0).after("stand"));
+    private static final double SECONDS = 2;
+    private static final double SECONDS_OF_THE_PUSH = 5 * Cycle.SECONDS;
     private static final double USUAL_NEWTONS = 40;
 
     /** Creates the experiment. */
@@ -28,19 +32,17 @@ public final class PushExperiment implements Experiment {
 
     @Override
     public double[] run(Map<String, Double> parameters, long seed) {
-        SoccerTrial trial = new SoccerTrial(TrialSetting.standing().withoutCamera());
-        trial.reset(seed);
-        double side = 360 * new SplittableRandom(~seed).nextDouble();
-        double newtons = parameters.getOrDefault("newtons", USUAL_NEWTONS);
-        Vector3 push = new Vector3(Math.cos(Math.toRadians(side)), Math.sin(Math.toRadians(side)), 0).times(newtons);
-        double largestTilt = 0;
-        for (int i = 0; i < CYCLES; i++) {
-            if (i < CYCLES_OF_THE_PUSH) {
-                trial.world().robots().get(0).push(push);
+        double side = new Chance(seed).between(0, 360);
+        Vector3 push = new Place(0, 0, side).point(parameters.getOrDefault("newtons", USUAL_NEWTONS), 0, 0);
+        try (Trial trial = Trial.direct(SCENE, seed, Performer.ofSpeeds())) {
+            double largestTilt = 0;
+            while (trial.seconds() < SECONDS) {
+                if (trial.seconds() < SECONDS_OF_THE_PUSH) {
+                    trial.robot(0).push(push);
+                }
+                largestTilt = Math.max(largestTilt, trial.step().robot().tiltDegrees());
             }
-            trial.step(new double[Joint.COUNT]);
-            largestTilt = Math.max(largestTilt, trial.state().robot().tiltDegrees());
+            return new double[] {side, trial.now().robot().isFallen() ? 1 : 0, largestTilt};
         }
-        return new double[] {side, trial.state().robot().isFallen() ? 1 : 0, largestTilt};
     }
 }

@@ -26,7 +26,7 @@ class GymServerTest {
 
     @BeforeEach
     void connect() throws IOException {
-        server = GymServer.open(0, console::add);
+        server = GymServer.open(0, new GymOrder("Walk", ""), getClass().getClassLoader(), console::add);
         socket = new Socket(InetAddress.getLoopbackAddress(), server.port());
     }
 
@@ -66,9 +66,40 @@ class GymServerTest {
         make("Reach", 1);
 
         assertThat(text(make("Fly", 1)))
-                .isEqualTo("\1There is no task \"Fly\". The tasks are: Stand, Walk, Kick, Reach.");
+                .startsWith(
+                        "\1There is no task \"Fly\". There are: Kick, Reach, Stand, Walk. A class of your own must extend");
         assertThat(text(make("Walk", 0))).isEqualTo("\1" + "0 environments were asked for; there can be 1 to 1024.");
         assertThat(act(order(2, 1, 0, 0, 0, 0)).get(0)).isZero();
+    }
+
+    @Test
+    void anyMeasureCanBeTheReward() throws IOException {
+        assertThat(text(make("Reach\nreward=energy", 1))).contains("\"reward\":\"energy\"");
+        act(order(2, 1, 0, 0, 0, 0));
+        act(order(1, 0, 1, 0, 0, 0));
+        ByteBuffer answer = act(order(1, 0, 1, 0, 0, 0));
+
+        assertThat(answer.getDouble(answer.limit() - 9)).isNegative();
+        assertThat(text(make("Reach\nreward=joy", 1))).startsWith("\1There is no measure \"joy\". There are: ");
+        assertThat(text(make("Reach\nspeed=9", 1)))
+                .isEqualTo("\1There is no option \"speed=9\". After the task there can be: reward=MEASURE.");
+    }
+
+    @Test
+    void programThatNamesNoTaskGetsTheUsualOne() throws IOException {
+        assertThat(text(make("", 1))).contains("\"task\":\"Walk\",\"reward\":\"\"");
+    }
+
+    @Test
+    void noRobotMovesIfAnActionIsNoNumber() throws IOException {
+        make("Reach", 2);
+        byte[] reset = bytes(little(82).put(order(2, 1, 0, 0, 0, 0)).put(order(2, 2, 0, 0, 0, 0)));
+        byte[] waiting = bytes(little(82).put(order(0, 1, 0, 0, 0, 0)).put(order(0, 2, 0, 0, 0, 0)));
+        ByteBuffer before = act(reset);
+
+        assertThat(text(act(bytes(little(82).put(order(1, 0, 1, 0, 0, 0)).put(order(1, 0, Double.NaN, 0, 0, 0))))))
+                .startsWith("\1An action of environment 1 holds a number that is none (NaN).");
+        assertThat(act(waiting)).isEqualTo(before);
     }
 
     @Test

@@ -1,7 +1,6 @@
 package org.robonewbie.trial.measure;
 
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.robonewbie.trial.Measure;
 
@@ -14,7 +13,7 @@ import org.robonewbie.trial.Measure;
  */
 public final class Measures {
 
-    private static final Map<String, Supplier<Measure>> ALL = new TreeMap<>(Map.of(
+    private static final Map<String, Supplier<Measure>> ALL = Map.of(
             "distance-walked", Distance::new,
             "walk-speed", Speed::new,
             "energy", Energy::new,
@@ -22,7 +21,9 @@ public final class Measures {
             "standing-time", Standing::new,
             "get-up-time", Measures::getUp,
             "kick-distance", KickDistance::new,
-            "time-to-score", TimeToScore::new));
+            "time-to-score", TimeToScore::new);
+
+    private static final Catalogue<Measure> CATALOGUE = new Catalogue<>("measure", Measure.class, ALL);
 
     private Measures() {}
 
@@ -36,32 +37,12 @@ public final class Measures {
      * @throws IllegalArgumentException if there is none of this name; the message lists all
      */
     public static Supplier<Measure> named(String name, ClassLoader classes) {
-        Supplier<Measure> known = ALL.get(name);
-        return known == null ? ofClass(name, classes) : known;
+        return CATALOGUE.named(name, classes);
     }
 
     /** {@return the names of the framework's measures, separated by commas} */
     public static String names() {
-        return String.join(", ", ALL.keySet());
-    }
-
-    private static Supplier<Measure> ofClass(String name, ClassLoader classes) {
-        try {
-            Class<? extends Measure> type = Class.forName(name, true, classes).asSubclass(Measure.class);
-            var constructor = type.getConstructor();
-            return () -> {
-                try {
-                    return constructor.newInstance();
-                } catch (ReflectiveOperationException failure) {
-                    throw new IllegalArgumentException("The measure " + name + " cannot be created.", failure);
-                }
-            };
-        } catch (ReflectiveOperationException | ClassCastException | LinkageError none) {
-            throw new IllegalArgumentException(
-                    "There is no measure \"" + name + "\". There are: " + names()
-                            + ". A class of your own must implement Measure and have a public constructor without parameters.",
-                    none);
-        }
+        return CATALOGUE.names();
     }
 
     /** When the robot has been on its feet for a second. */

@@ -1,4 +1,4 @@
-package org.robonewbie.learning.experiment;
+package org.robonewbie.learning.series;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -30,14 +30,16 @@ class FirstExperimentTest {
         }
 
         List<String> lines = printed.toString(StandardCharsets.UTF_8).lines().toList();
-        assertThat(lines).hasSize(5).allMatch(line -> line.matches("seed \\d: reward \\d+\\.\\d after \\d\\.\\d\\d s"));
+        assertThat(lines)
+                .hasSize(5)
+                .allMatch(line -> line.matches(
+                        "\\d+ degrees per second: \\d\\.\\d\\d s on its feet, mean tilt \\d+\\.\\d degrees"));
     }
 
     @Test
     void documentShowsTheExampleAsItIs() throws IOException {
         String document = Files.readString(Path.of("../docs/experiments.md"));
-        String source =
-                Files.readString(Path.of("src/test/java/org/robonewbie/learning/experiment/FirstExperiment.java"));
+        String source = Files.readString(Path.of("src/test/java/org/robonewbie/learning/series/FirstExperiment.java"));
 
         String shown =
                 document.substring(document.indexOf("public class FirstExperiment"), document.indexOf("\n```\n"));

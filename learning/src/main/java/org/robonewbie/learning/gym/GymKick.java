@@ -1,0 +1,58 @@
+package org.robonewbie.learning.gym;
+
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.measure.KickDistance;
+
+/**
+ * Kick the ball in front of the right foot ahead. Each metre that it gets ahead pays 1, what it will still roll included; a fall
+ * costs 1.
+ */
+final class GymKick extends GymTask {
+
+    private static final Vector3 BALL = new Vector3(-2 + 0.19, -0.055, 0);
+    private static final Scene SCENE = scene(-2).withBall(BALL);
+    private static final double SPREAD_METRES = 0.01;
+
+    private final KickDistance distance = new KickDistance();
+
+    @Override
+    public Scene scene(Chance ofTheEpisode) {
+        super.scene(ofTheEpisode);
+        return SCENE;
+    }
+
+    @Override
+    public void begin(Trial trial) {
+        trial.placeBall(BALL.plus(new Vector3(
+                chance().between(-SPREAD_METRES, SPREAD_METRES), chance().between(-SPREAD_METRES, SPREAD_METRES), 0)));
+    }
+
+    @Override
+    public double rangeDegrees() {
+        return 60;
+    }
+
+    @Override
+    public int longestCycles() {
+        return 250;
+    }
+
+    @Override
+    public boolean hasCamera() {
+        return true;
+    }
+
+    @Override
+    protected void see(Moment first, Moment now) {
+        distance.see(now);
+    }
+
+    @Override
+    public double value() {
+        return distance.value() - (hasFallen() ? 1 : 0);
+    }
+}

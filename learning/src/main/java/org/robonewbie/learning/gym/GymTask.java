@@ -1,0 +1,100 @@
+package org.robonewbie.learning.gym;
+
+import java.util.Arrays;
+import java.util.List;
+import org.robonewbie.agent.walk.Stance;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.trial.Challenge;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.measure.MeasureFromStart;
+
+/**
+ * Something to learn for the first robot of a scene, in one episode. As a measure its value is what the robot has earned so far:
+ * a step is rewarded with what the value grows by. An episode is over when the robot has fallen.
+ *
+ * <p>An action has a number between -1 and 1 for each of the task's {@link #joints}: the angle to go to, as a part of {@link
+ * #rangeDegrees} from the first posture. Subclasses say what is different; a task of your own needs a public constructor without
+ * parameters.
+ *
+ * <pre>{@code
+ * public final class Squat extends GymTask {
+ *     private double least = 1;
+ *     public double rangeDegrees() { return 60; }
+ *     protected void see(Moment first, Moment now) { least = Math.min(least, now.robot().position().z()); }
+ *     public double value() { return -least; }
+ * }
+ * }</pre>
+ */
+public abstract class GymTask extends MeasureFromStart implements Challenge {
+
+    private static final List<Joint> LEGS = Arrays.stream(Joint.values())
+            .filter(joint -> joint.name().matches(".*_(HIP|KNEE|FOOT)_.*"))
+            .toList();
+    private static final Motion TO_THE_STANCE =
+            new Motion("stance", List.of(new Keyframe(600, Stance.POSTURE), new Keyframe(300, Stance.POSTURE)));
+    private static final Scene STANDING = scene(1.5).withBall(2.5, 0);
+
+    private Chance chance = new Chance(0);
+
+    /** Creates a task for one episode. */
+    protected GymTask() {}
+
+    /** Sets a scene with a robot in the stance, which faces the right goal. */
+    static Scene scene(double x) {
+        return Scene.of(RobotStart.at(x, 0).after(TO_THE_STANCE));
+    }
+
+    /**
+     * {@inheritDoc}
+     *
+     * <p>A robot stands 3 m from the goal, the ball 1 m ahead. An episode begins at once if its scene equals that of the episode
+     * before; {@link #begin} is the better place for small differences.
+     */
+    @Override
+    public Scene scene(Chance ofTheEpisode) {
+        chance = ofTheEpisode;
+        return STANDING;
+    }
+
+    /** {@return what differs from episode to episode} */
+    protected final Chance chance() {
+        return chance;
+    }
+
+    /** {@return the joints that an action moves, those of both legs; the others stay as they are} */
+    public List<Joint> joints() {
+        return LEGS;
+    }
+
+    /** {@return the angle by which an action of 1 differs from the first posture} */
+    public abstract double rangeDegrees();
+
+    /** {@return the number of cycles after which an episode ends, 10 s} */
+    public int longestCycles() {
+        return 500;
+    }
+
+    /** {@return whether the robot observes the ball with its camera; without it a task is faster} */
+    public boolean hasCamera() {
+        return false;
+    }
+
+    /** {@return what is observed besides the perceptors} */
+    public List<ObservedQuantity> extraQuantities() {
+        return List.of();
+    }
+
+    /** {@return the present values of the {@link #extraQuantities}} */
+    public double[] extras() {
+        return new double[0];
+    }
+
+    @Override
+    public boolean isDecided() {
+        return hasFallen();
+    }
+}

@@ -1,0 +1,42 @@
+package org.robonewbie.learning.gym;
+
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.measure.Distance;
+import org.robonewbie.trial.measure.Standing;
+
+/**
+ * Walk ahead. Each metre along the first heading pays 10, each second on the feet 1. An episode begins with a light push from
+ * any side, so that no two are equal.
+ */
+final class GymWalk extends GymTask {
+
+    private static final double FOR_A_METRE = 10;
+    private static final double MOST_NEWTONS = 40;
+
+    private final Distance distance = new Distance();
+    private final Standing standing = new Standing();
+
+    @Override
+    public void begin(Trial trial) {
+        Place centre = new Place(0, 0, chance().between(-180, 180));
+        trial.robot(0).push(centre.point(chance().between(0, MOST_NEWTONS), 0, 0));
+    }
+
+    @Override
+    public double rangeDegrees() {
+        return 40;
+    }
+
+    @Override
+    protected void see(Moment first, Moment now) {
+        distance.see(now);
+        standing.see(now);
+    }
+
+    @Override
+    public double value() {
+        return FOR_A_METRE * distance.value() + standing.value();
+    }
+}

@@ -1,0 +1,234 @@
+package org.robonewbie.learning.gym;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Measure;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.measure.Distance;
+
+class GymEnvironmentTest {
+
+    private static final double[] NOTHING = new double[12];
+
+    @ParameterizedTest
+    @ValueSource(strings = {"Stand", "Walk", "Kick", "Reach"})
+    void equalSeedsGiveEqualEpisodesAndOthersOthers(String task) {
+        GymEnvironment used = environment(task);
+        track(used, 3);
+
+        assertThat(track(used, 7)).isEqualTo(track(environment(task), 7));
+        assertThat(track(used, 7)).isNotEqualTo(track(used, 8));
+    }
+
+    @Test
+    void episodesInOtherThreadsDoNotDisturb() {
+        List<List<Double>> alone = LongStream.range(0, 6)
+                .mapToObj(seed -> track(environment("Kick"), seed))
+                .toList();
+
+        List<List<Double>> together = LongStream.range(0, 6)
+                .parallel()
+                .mapToObj(seed -> track(environment("Kick"), seed))
+                .toList();
+
+        assertThat(together).isEqualTo(alone);
+    }
+
+    @Test
+    void observationHasANameForEachNumberAndIsPlausible() {
+        GymEnvironment kick = environment("Kick");
+        kick.step(NOTHING);
+
+        double[] seen = kick.observation();
+
+        assertThat(seen).hasSameSizeAs(kick.quantities());
+        assertThat(kick.quantities()).extracting(ObservedQuantity::name).doesNotHaveDuplicates();
+        assertThat(value(kick, seen, "accelerometer.up")).isCloseTo(9.81, within(1.0));
+        assertThat(value(kick, seen, "leftFoot.force.up") + value(kick, seen, "rightFoot.force.up"))
+                .isCloseTo(4.6 * 9.81, within(5.0));
+        assertThat(value(kick, seen, "joint.LEFT_KNEE_PITCH")).isCloseTo(-70, within(1.0));
+        assertThat(value(kick, seen, "ball.inSight")).isIn(0.0, 1.0);
+        assertThat(seen)
+                .isEqualTo(Arrays.stream(seen)
+                        .map(number -> Math.rint(number * 100) / 100)
+                        .toArray());
+    }
+
+    @Test
+    void ballInTheCameraStaysUntilTheNextPicture() {
+        GymEnvironment far = new GymEnvironment(() -> new GymEpisode(new FarBall()));
+        far.step(NOTHING);
+        double[] first = far.observation();
+        far.step(NOTHING);
+        double[] second = far.observation();
+        far.step(NOTHING);
+        far.observation();
+        far.step(NOTHING);
+        double[] fourth = far.observation();
+
+        int ball = first.length - 4;
+        assertThat(value(far, first, "ball.inSight")).isEqualTo(1);
+        assertThat(value(far, first, "ball.distance")).isCloseTo(1.1, within(0.1));
+        assertThat(Arrays.copyOfRange(second, ball, ball + 4)).isEqualTo(Arrays.copyOfRange(first, ball, ball + 4));
+        assertThat(Arrays.copyOfRange(fourth, ball, ball + 4)).isNotEqualTo(Arrays.copyOfRange(first, ball, ball + 4));
+    }
+
+    @Test
+    void actionIsSeenTwoStepsLater() {
+        GymEnvironment reach = environment("Reach");
+        int shoulder = Joint.LEFT_SHOULDER_PITCH.ordinal();
+        double before = reach.observation()[shoulder];
+
+        reach.step(1, 0, 0, 0);
+        double one = reach.observation()[shoulder];
+        reach.step(1, 0, 0, 0);
+        double two = reach.observation()[shoulder];
+
+        assertThat(one).isCloseTo(before, within(0.02));
+        assertThat(two).isGreaterThan(before + 1);
+    }
+
+    @Test
+    void rewardsAddUpToTheValueOfTheMeasure() {
+        GymEnvironment walk = environment("Walk", "distance-walked");
+        walk.reset(1);
+        double sum = 0;
+        double[] bend = NOTHING.clone();
+        bend[legs().indexOf(Joint.LEFT_FOOT_PITCH)] = 1;
+        bend[legs().indexOf(Joint.RIGHT_FOOT_PITCH)] = 1;
+        Measure distance = new Distance();
+        distance.see(walk.now());
+
+        for (int i = 0; i < 60; i++) {
+            walk.step(bend);
+            distance.see(walk.now());
+            sum += walk.reward();
+        }
+
+        assertThat(distance.value()).isNotZero();
+        assertThat(sum).isCloseTo(distance.value(), within(1e-12));
+    }
+
+    @Test
+    void measureOfWhichLessIsBetterCosts() {
+        GymEnvironment energy = environment("Walk", "energy");
+
+        energy.step(0.5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+        energy.step(0.5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+        energy.step(0.5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+
+        assertThat(energy.reward()).isNegative();
+    }
+
+    @Test
+    void robotThatFallsEndsItsEpisode() {
+        GymEnvironment stand = environment("Stand");
+        double[] bend = NOTHING.clone();
+        Arrays.fill(bend, 1);
+
+        for (int i = 0; i < 150 && !stand.isOver(); i++) {
+            stand.step(bend);
+        }
+
+        assertThat(stand.isOver()).isTrue();
+        stand.reset(1);
+        assertThat(stand.isOver()).isFalse();
+        assertThat(stand.reward()).isZero();
+    }
+
+    @Test
+    void taskOfYourOwnMayChangeTheSceneFromEpisodeToEpisode() {
+        GymEnvironment wandering = environment(Wandering.class.getName());
+
+        wandering.reset(2);
+        double second = wandering.now().place().x();
+        wandering.reset(1);
+
+        assertThat(second).isCloseTo(-2, within(0.05));
+        assertThat(wandering.now().place().x()).isCloseTo(-1, within(0.05));
+    }
+
+    private static List<Joint> legs() {
+        return new FarBall().joints();
+    }
+
+    private static GymEnvironment environment(String task) {
+        return environment(task, "");
+    }
+
+    private static GymEnvironment environment(String task, String reward) {
+        return new GymEnvironment(new GymOrder(task, reward).episodes(GymEnvironmentTest.class.getClassLoader()));
+    }
+
+    private static double value(GymEnvironment environment, double[] seen, String name) {
+        return seen[
+                environment.quantities().stream()
+                        .map(ObservedQuantity::name)
+                        .toList()
+                        .indexOf(name)];
+    }
+
+    /** What a robot with random actions perceives and earns. */
+    private static List<Double> track(GymEnvironment environment, long seed) {
+        environment.reset(seed);
+        Random random = new Random(0);
+        List<Double> track = new ArrayList<>();
+        for (int i = 0; i < 60; i++) {
+            environment.step(random.doubles(environment.task().joints().size(), -0.5, 0.5)
+                    .toArray());
+            Arrays.stream(environment.observation()).forEach(track::add);
+            track.add(environment.reward());
+        }
+        return track;
+    }
+
+    /** The robot looks at a ball 1 m ahead. */
+    public static class FarBall extends GymTask {
+
+        /** Creates the task. */
+        public FarBall() {}
+
+        @Override
+        public double rangeDegrees() {
+            return 10;
+        }
+
+        @Override
+        public boolean hasCamera() {
+            return true;
+        }
+
+        @Override
+        protected void see(Moment first, Moment now) {}
+
+        @Override
+        public double value() {
+            return 0;
+        }
+    }
+
+    /** Each episode begins somewhere else. */
+    public static final class Wandering extends FarBall {
+
+        /** Creates the task. */
+        public Wandering() {}
+
+        @Override
+        public Scene scene(Chance ofTheEpisode) {
+            return Scene.of(RobotStart.at(-(double) ofTheEpisode.seed(), 0));
+        }
+    }
+}
