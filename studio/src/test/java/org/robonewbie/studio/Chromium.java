@@ -316,6 +316,9 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
     }
 
     byte[] screenshot() {
+        if (sharpness < 1) {
+            throw new IllegalStateException("The picture is coarse. Call drawSharply() before visiting the page.");
+        }
         JsonObject form = new JsonObject();
         form.addProperty("format", "png");
         return Base64.getDecoder()

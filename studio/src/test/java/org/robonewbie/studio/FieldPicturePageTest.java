@@ -119,6 +119,7 @@ class FieldPicturePageTest {
 
     @Test
     void groundReachesTheHorizonBelowRobotsThatHaveLeftThePitch() throws IOException {
+        browser.drawSharply();
         open(CHEAP);
         browser.evaluate("studio.desk.jumpTo({target: [30, 0, 1.4], azimuthDegrees: 180, elevationDegrees: 2,"
                 + " distance: 8}); studio.touch()");

@@ -199,6 +199,7 @@ class ReplayPageTest {
 
     @Test
     void singleFilePlaysWithoutTheStudio() throws IOException {
+        browser.drawSharply();
         visit();
         String page = browser.evaluate("import('./replay/standalone.js').then(({ standalonePage }) =>"
                         + " standalonePage(studio.replay.file.packed, studio.replay.models, 'game'))")
