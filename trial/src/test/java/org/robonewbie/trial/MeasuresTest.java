@@ -105,6 +105,13 @@ class MeasuresTest {
     }
 
     @Test
+    void getUpTimeCountsFromTheFirstMomentAndWaitsForASecondOnTheFeet() {
+        double seconds = value("get-up-time", at(5, 0, 0, LYING), at(7, 0, 0, 0), at(7.5, 0, 0, 0), at(8.5, 0, 0, 0));
+
+        assertThat(seconds).isCloseTo(3.5, within(1e-9));
+    }
+
+    @Test
     void turnCountsWholeTurns() {
         Turn turn = new Turn();
 

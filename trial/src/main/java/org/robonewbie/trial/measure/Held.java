@@ -5,8 +5,8 @@ import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.Moment;
 
 /**
- * When something has been true for a while without a break, in seconds since the beginning of the trial; the seconds of the
- * trial so far until then.
+ * When something has been true for a while without a break, in seconds since the first moment that it has seen; the
+ * seconds so far until then.
  *
  * <pre>{@code
  * Measure up = new Held(1, moment -> moment.robot().isStanding());
@@ -16,6 +16,7 @@ public final class Held implements Measure {
 
     private final double seconds;
     private final Predicate<Moment> condition;
+    private double first = Double.NaN;
     private double since = Double.NaN;
     private double now;
     private boolean reached;
@@ -36,7 +37,8 @@ public final class Held implements Measure {
         if (reached) {
             return;
         }
-        now = moment.seconds();
+        first = Double.isNaN(first) ? moment.seconds() : first;
+        now = moment.seconds() - first;
         if (!condition.test(moment)) {
             since = Double.NaN;
         } else if (Double.isNaN(since)) {
