@@ -85,7 +85,7 @@ test('the score board shows teams, score, time and play mode', () => {
   const board = scoreBoard(withFrame(live(), sampleFrame({ gameTime: 75, half: 2, playMode: 1 }), 0), 0);
 
   assert.equal(board.left, 'Blue');
-  assert.equal(board.right, 'Right');
+  assert.equal(board.right, 'no team yet');
   assert.equal(board.hasRight, false);
   assert.equal(board.score, '1 : 0');
   assert.equal(board.clock, '01:15');
@@ -138,4 +138,10 @@ test('faster and slower walk through the list and stop at its ends', () => {
   assert.equal(neighbourSpeed(10, 1), 'fastest');
   assert.equal(neighbourSpeed(Infinity, 1), 'fastest');
   assert.equal(neighbourSpeed(0.1, -1), 0.1);
+});
+
+test('a side without a team is not called by the name of a side', () => {
+  const { left, right } = scoreBoard(initialState(true), 0);
+
+  assert.deepEqual([left, right], ['no team yet', 'no team yet']);
 });

@@ -45,6 +45,11 @@ public interface SimulationControl {
      */
     default void restore(WorldSnapshot before, WorldSnapshot moment) {}
 
+    /** {@return the TCP port at which agents join; empty where they cannot} */
+    default OptionalInt agentPort() {
+        return OptionalInt.empty();
+    }
+
     /**
      * Connects an agent of this process, which gets a robot as any other agent does.
      *

@@ -32,6 +32,13 @@ public interface SimulationObserver {
     default void happened(MatchEvent event) {}
 
     /**
+     * Receives what the simulator tells people, such as why it refuses an agent; called from any thread.
+     *
+     * @param sentence a complete sentence
+     */
+    default void told(String sentence) {}
+
+    /**
      * Returns whether the messages of a robot's agent are wanted; called in each cycle on the simulation's thread.
      *
      * @param robot number of the robot's connection, as in {@link RobotSnapshot#id}

@@ -2,6 +2,7 @@ package org.robonewbie.studio;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
@@ -14,13 +15,20 @@ import org.robonewbie.simulator.WorldSnapshot;
  *
  * @param field the pitch
  * @param clock whether time can be stopped
+ * @param agentPort the TCP port at which agents join; empty where they cannot
  * @param puppets whether robots can join that people steer
  * @param teamLeft name of the left team, empty before it joined
  * @param teamRight name of the right team, empty before it joined
  * @param robots the robots in the order of the state frames
  */
 record LineUp(
-        SoccerField field, boolean clock, boolean puppets, String teamLeft, String teamRight, List<Player> robots) {
+        SoccerField field,
+        boolean clock,
+        OptionalInt agentPort,
+        boolean puppets,
+        String teamLeft,
+        String teamRight,
+        List<Player> robots) {
 
     /**
      * One robot without its state.
@@ -43,6 +51,7 @@ record LineUp(
         return new LineUp(
                 simulation.field(),
                 simulation.hasClock(),
+                simulation.agentPort(),
                 desk.isOpen(),
                 snapshot.teamLeft(),
                 snapshot.teamRight(),

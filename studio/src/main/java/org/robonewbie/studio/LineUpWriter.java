@@ -32,6 +32,7 @@ final class LineUpWriter {
         json.addProperty("revision", revision);
         json.add("field", field(scene.field()));
         json.addProperty("clock", scene.clock());
+        scene.agentPort().ifPresent(port -> json.addProperty("agentPort", port));
         json.addProperty("puppets", scene.puppets());
         JsonObject teams = new JsonObject();
         teams.addProperty("left", scene.teamLeft());
@@ -89,6 +90,19 @@ final class LineUpWriter {
         JsonObject json = new JsonObject();
         json.addProperty("kind", "event");
         json.addProperty("text", event.text());
+        return json.toString();
+    }
+
+    /**
+     * Writes what the simulator tells people.
+     *
+     * @param sentence a complete sentence
+     * @return one JSON object
+     */
+    static String told(String sentence) {
+        JsonObject json = new JsonObject();
+        json.addProperty("kind", "told");
+        json.addProperty("text", sentence);
         return json.toString();
     }
 

@@ -42,6 +42,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private final SimulationControl simulation;
     private final PuppetDesk puppets;
     private final Queue<MatchEvent> events = new ConcurrentLinkedQueue<>();
+    private final Queue<String> sentences = new ConcurrentLinkedQueue<>();
     private final List<Spectator> spectators = new CopyOnWriteArrayList<>();
     private final BlockingQueue<TelemetryMessage> thoughts = new ArrayBlockingQueue<>(MOST_THOUGHTS);
     private final BlockingQueue<AgentMessages> messages = new ArrayBlockingQueue<>(MOST_MESSAGES);
@@ -143,6 +144,11 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         }
     }
 
+    @Override
+    public void told(String sentence) {
+        sentences.add(sentence);
+    }
+
     /** Takes what a robot tells; what is too much for the pages is left out. */
     @Override
     public void accept(TelemetryMessage message) {
@@ -159,6 +165,14 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private void handOnEvents() {
         for (MatchEvent event = events.poll(); event != null; event = events.poll()) {
             String json = LineUpWriter.event(event);
+            spectators.forEach(spectator -> spectator.tell(json));
+        }
+    }
+
+    /** What was told before a page was open is kept for the first one. */
+    private void handOnSentences() {
+        while (isWanted() && !sentences.isEmpty()) {
+            String json = LineUpWriter.told(sentences.remove());
             spectators.forEach(spectator -> spectator.tell(json));
         }
     }
@@ -199,6 +213,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         while (open) {
             handOnThoughts();
             handOnEvents();
+            handOnSentences();
             WorldSnapshot snapshot = latest;
             if (snapshot != null && !spectators.isEmpty()) {
                 write(snapshot);
@@ -215,6 +230,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         if (snapshot.equals(written)) {
             return;
         }
+        puppets.place(snapshot);
         LineUp current = LineUp.of(simulation, puppets, snapshot);
         if (!current.equals(scene)) {
             scene = current;

@@ -3,12 +3,15 @@ package org.robonewbie.studio;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.embedded.Puppet;
 import org.robonewbie.protocol.embedded.PuppetProvider;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
@@ -24,11 +27,14 @@ final class PuppetDesk {
     static final String TEAM = "Puppets";
 
     private static final int PLAYERS = 11;
+    private static final double METRES_TO_BALL = 0.4;
+    private static final double METRES_BETWEEN = 0.5;
 
     private final SimulationControl simulation;
     private final Optional<PuppetProvider> provider =
             ServiceLoader.load(PuppetProvider.class).findFirst();
     private final Map<PlayerNumber, Puppet> puppets = new ConcurrentHashMap<>();
+    private final Set<PlayerNumber> arriving = ConcurrentHashMap.newKeySet();
 
     PuppetDesk(SimulationControl simulation) {
         this.simulation = simulation;
@@ -56,11 +62,45 @@ final class PuppetDesk {
             PlayerNumber player = new PlayerNumber(side, number);
             if (!puppets.containsKey(player) && find(now, player).isEmpty()) {
                 start(player, teamName(now, side), RobotType.TYPE_0);
+                arriving.add(player);
                 return;
             }
         }
         throw new IllegalStateException(
                 "This team has eleven robots already. Take one away, or choose the other team.");
+    }
+
+    /** Puts puppets that have just joined behind the ball, where they can kick it at once. */
+    void place(WorldSnapshot now) {
+        for (PlayerNumber player : arriving) {
+            find(now, player).ifPresent(robot -> {
+                arriving.remove(player);
+                simulation.order(new Order.PlaceRobot(player, behindBall(robot, now), headingOf(player)));
+            });
+        }
+    }
+
+    private static double headingOf(PlayerNumber player) {
+        return player.side() == TeamSide.LEFT ? 0 : 180;
+    }
+
+    /** The nearest free place on the line from the goal that the robot attacks through the ball. */
+    private static Vector3 behindBall(RobotSnapshot robot, WorldSnapshot now) {
+        Vector3 ball = now.ballPosition();
+        double backwards = robot.side().equals(Optional.of(TeamSide.LEFT)) ? -1 : 1;
+        double metres = METRES_TO_BALL;
+        while (isTaken(ball.x() + backwards * metres, ball.y(), robot, now)) {
+            metres += METRES_BETWEEN;
+        }
+        return new Vector3(
+                ball.x() + backwards * metres, ball.y(), robot.body().position().z());
+    }
+
+    private static boolean isTaken(double x, double y, RobotSnapshot robot, WorldSnapshot now) {
+        return now.robots().stream()
+                .filter(other -> other.id() != robot.id())
+                .map(other -> other.body().position())
+                .anyMatch(place -> place.minus(new Vector3(x, y, place.z())).length() < METRES_BETWEEN);
     }
 
     /** Adds puppets for all robots of a state that are not in the game now; returns how many are on their way. */
@@ -86,6 +126,7 @@ final class PuppetDesk {
     }
 
     void remove(PlayerNumber player) {
+        arriving.remove(player);
         Optional.ofNullable(puppets.remove(player)).ifPresent(Puppet::close);
     }
 

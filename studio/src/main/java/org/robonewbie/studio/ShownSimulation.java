@@ -73,6 +73,11 @@ public final class ShownSimulation implements SimulationControl {
     }
 
     @Override
+    public OptionalInt agentPort() {
+        return shown.agentPort();
+    }
+
+    @Override
     public Optional<AgentLink> connect() {
         return shown.connect();
     }

@@ -194,6 +194,72 @@ class MotionSafetyPageTest {
     }
 
     @Test
+    void noteAfterSavingCoversNoKeyframe() {
+        browser.fill("[data-joint='NECK_YAW']", "44");
+
+        browser.click("#save");
+        browser.await("!document.querySelector('#toast').hidden");
+
+        assertThat(browser.evaluate("document.querySelector('#toast').getBoundingClientRect().bottom"
+                                + " < document.querySelector('#play').getBoundingClientRect().top")
+                        .getAsBoolean())
+                .isTrue();
+    }
+
+    @Test
+    void listOfMotionsKeepsItsButtonsWhenAnotherFileAppears() throws IOException {
+        browser.evaluate("window.mine = document.querySelector('#own-motions [data-motion=mine]')");
+
+        Files.writeString(folder.resolve("another.txt"), "500 " + STANDING + "\n");
+
+        browser.await("document.querySelector('#own-motions [data-motion=another]')");
+        assertThat(browser.evaluate("mine.isConnected && mine === document.querySelector('#own-motions"
+                                + " [data-motion=mine]')")
+                        .getAsBoolean())
+                .isTrue();
+    }
+
+    @Test
+    void lastTickOfTheTimelineIsReadInWhole() {
+        browser.await("document.querySelectorAll('.tick-text').length > 1");
+
+        assertThat(browser.evaluate("[...document.querySelectorAll('.tick-text')].every(tick =>"
+                                + " tick.getBoundingClientRect().right <= innerWidth)")
+                        .getAsBoolean())
+                .isTrue();
+        browser.await("document.querySelector('.moment-name').checkVisibility()");
+    }
+
+    @Test
+    void wordsOfTheVerdictAreExplained() {
+        browser.await("document.querySelector('.verdict').textContent.startsWith('balanced by')");
+
+        assertThat(browser.evaluate("document.querySelector('.verdict').title").getAsString())
+                .contains("centre of mass");
+    }
+
+    @Test
+    void limbThatCannotFollowSaysWhichJointIsAtItsLimit() {
+        String place = "(() => { const room = studio.motion; const { posture, torso } = room.posedNow();"
+                + " const link = room.body.model.links.findIndex(({ name }) => name === 'llowerarm');"
+                + " return room.stage.pageAt([...room.posesOf(posture, torso)].slice(7 * link, 7 * link + 3)).join(' ');"
+                + " })()";
+        String[] arm = browser.evaluate(place).getAsString().split(" ", -1);
+        double x = Double.parseDouble(arm[0]);
+        double y = Double.parseDouble(arm[1]);
+
+        browser.mouse("mousePressed", x, y);
+        for (int i = 1; i <= 8; i++) {
+            browser.mouse("mouseMoved", x + 45 * i, y + 30 * i);
+        }
+
+        browser.await("/^The left .* is at its limit.$/.test(document.querySelector('.limit-sign').textContent)"
+                + " && !document.querySelector('.limit-sign').hidden");
+        browser.mouse("mouseReleased", x + 360, y + 240);
+        browser.await("document.querySelector('.limit-sign').hidden");
+    }
+
+    @Test
     void robotInTheAirHasNoSupportAndNoMistake() {
         String place = "(() => { const room = studio.motion; const { posture, torso } = room.posedNow();"
                 + " return room.stage.pageAt([...room.posesOf(posture, torso)].slice(0, 3)).join(' '); })()";

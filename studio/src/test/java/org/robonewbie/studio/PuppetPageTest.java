@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.file.RecordingShelf;
@@ -90,6 +92,84 @@ class PuppetPageTest {
     }
 
     @Test
+    void puppetAppearsBehindTheBallWithItsJointsInReach() {
+        browser.evaluate(
+                "(() => { window.fromPlace = 9; setInterval(() => { const { robots, ball } = studio.state.frame ??"
+                        + " { robots: [] }; if (robots[0]) window.fromPlace = Math.min(fromPlace, Math.hypot(robots[0].torso[0]"
+                        + " - ball[0] + 0.4, robots[0].torso[1] - ball[1])); }, 20); })()");
+
+        addPuppet();
+
+        browser.await("fromPlace < 0.1");
+        browser.click("#puppet-joints summary");
+        browser.await("document.querySelector('#puppet-joints input')");
+        browser.await("(() => { const slider = document.querySelector('#puppet-joints input').getBoundingClientRect();"
+                + " const side = document.querySelector('#side').getBoundingClientRect();"
+                + " return slider.top > side.top && slider.bottom < Math.min(side.bottom, innerHeight); })()");
+    }
+
+    @Test
+    void resetFreesTheNamesOfTeamsThatHaveLeft() throws IOException {
+        addPuppet();
+        browser.click("#remove-puppet");
+        browser.await("studio.state.scene.robots.length === 0");
+
+        browser.click("#reset");
+        browser.await("studio.state.scene.teams.left === ''");
+        try (Stranger stars = new Stranger(simulator, "Stars");
+                Stranger moons = new Stranger(simulator, "Moons")) {
+            browser.await("studio.state.scene.teams.left === 'Stars' && studio.state.scene.teams.right === 'Moons'");
+            try (Stranger suns = new Stranger(simulator, "Suns")) {
+                browser.await("document.querySelector('#toast').textContent.includes('a third team \"Suns\" cannot')");
+            }
+        }
+    }
+
+    @Test
+    void hintNamesThePortAtWhichAgentsJoin() {
+        browser.await(
+                "document.querySelector('#banner').innerText.includes('./robonewbie run Agent_BasicStructure --port "
+                        + simulator.agentPort() + "')");
+    }
+
+    /** A robot of somebody else, which joins a team and stays. */
+    private static final class Stranger implements AutoCloseable {
+
+        private final AgentLink link;
+
+        Stranger(Simulator simulator, String team) throws IOException {
+            link = simulator.connect();
+            say("(scene rsg/agent/nao/nao.rsg)(syn)");
+            say("(init (unum 1)(teamname " + team + "))(syn)");
+            Thread life = new Thread(this::live, team);
+            life.setDaemon(true);
+            life.start();
+        }
+
+        private void live() {
+            MessageBuffer heard = new MessageBuffer();
+            try {
+                while (link.receive(heard)) {
+                    say("(syn)");
+                }
+            } catch (IOException hasLeft) {
+                link.close();
+            }
+        }
+
+        private void say(String text) throws IOException {
+            MessageBuffer message = new MessageBuffer();
+            message.append(text);
+            link.send(message);
+        }
+
+        @Override
+        public void close() {
+            link.close();
+        }
+    }
+
+    @Test
     void sceneIsRenamedDeletedAndBroughtBack() {
         addPuppet();
         browser.fill("#scene-name", "Before the kick");
@@ -148,7 +228,7 @@ class PuppetPageTest {
 
     @Test
     void recordedRunGoesOnFromTheShownMoment() {
-        browser.evaluate("location.hash = '#replay'");
+        browser.evaluate("location.hash = '#replay/game'");
         browser.await("studio.replay?.file?.isWhole");
         browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");
         browser.click("#start-here");

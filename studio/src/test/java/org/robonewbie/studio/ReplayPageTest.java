@@ -236,6 +236,67 @@ class ReplayPageTest {
     }
 
     @Test
+    void openingTheRoomTakesNothingOverUntilARecordingIsChosen() {
+        browser.visit(studio.address() + "&quality=lowest&theme=light#replay");
+        browser.await("document.querySelector('#recordings [data-recording=game]')");
+
+        browser.evaluate("location.hash = '#field'");
+
+        browser.await("studio.room() === 'field' && document.querySelector('.moment-reading').textContent === 'now'");
+        browser.await("document.querySelector('.team.left').textContent === 'Blue Newbies'");
+        assertThat(browser.evaluate("studio.replay.file === undefined && studio.cursor.recorded === undefined")
+                        .getAsBoolean())
+                .isTrue();
+    }
+
+    @Test
+    void recordingsAreCardsThatAreSearchedAndChosen() throws IOException {
+        Files.copy(place.resolve("game.rec"), place.resolve("other.rec"));
+        browser.visit(studio.address() + "&quality=lowest&theme=light#replay");
+        String card = "document.querySelector('#recordings [data-recording=game]')";
+        browser.await(card + "?.innerText.includes('Ada')");
+        assertThat(browser.evaluate(card + ".innerText").getAsString())
+                .contains("00:04", "1 robot", "1 goal", "1 fall", "game");
+        assertThat(number(card + ".querySelectorAll('circle.left, circle.ball').length"))
+                .isEqualTo(2);
+
+        browser.fill("#recording-search", "oth");
+        browser.evaluate("document.querySelector('#recording-search').dispatchEvent(new Event('input'))");
+        browser.await(card + ".hidden && !document.querySelector('#recordings [data-recording=other]').hidden");
+        browser.click("#recordings [data-recording=other]");
+
+        browser.await("studio.replay.file?.isWhole && document.querySelector('#recordings').hidden");
+        browser.await("document.querySelector('#recording-name').textContent === 'other'");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void barStaysAsHighWhileTwoRunsAreCompared() throws IOException {
+        Files.copy(place.resolve("game.rec"), place.resolve("other.rec"));
+        visit();
+        browser.await("document.querySelector('#compare-with').options.length === 2");
+        browser.fill("#compare-with", "other");
+        browser.await("document.querySelector('#compare-reading').textContent.includes('0.00 m')");
+        String height = "document.querySelector('#replay').offsetHeight";
+        double before = number(height);
+
+        browser.evaluate("document.querySelector('#compare-reading').textContent = 'Here: ball 10.00 m · 1 10.00 m"
+                + " · 2 10.00 m · 3 10.00 m · 4 10.00 m'");
+
+        assertThat(number(height)).isEqualTo(before);
+        browser.await("document.querySelector('.compare-line').innerText.includes('Apart, 0 to 0.05 m')");
+    }
+
+    @Test
+    void marksOfTheTimeLineHaveALegend() {
+        visit();
+
+        browser.await("document.querySelector('.replay-legend').innerText.includes('Fall')");
+        assertThat(number("document.querySelectorAll('.replay-legend svg').length"))
+                .isEqualTo(6);
+    }
+
+    @Test
     void roomWithoutRecordingsSaysSo() throws IOException {
         try (StudioServer empty =
                 StudioServer.start(simulation, 0, AccessToken.random(), new StudioFolders(place, Optional.empty()))) {
@@ -249,7 +310,7 @@ class ReplayPageTest {
     @Test
     void replayIsWorthAPicture() throws IOException {
         browser.drawSharply();
-        browser.visit(studio.address() + "&quality=high&theme=light#replay");
+        browser.visit(studio.address() + "&quality=high&theme=light#replay/game");
         browser.await("studio.replay?.file?.isWhole");
         browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");
         browser.await("studio.desk.isStill && " + STATE + ".index === " + STATE + ".count - 1"

@@ -249,4 +249,52 @@ class RobotPageTest {
         Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
         Files.write(Files.createDirectories(pictures).resolve(name), browser.screenshot());
     }
+
+    @Test
+    void emptyLogSaysHowToWriteIntoIt() {
+        browser.await("document.querySelector('#log-sheet p')?.checkVisibility()"
+                + " && document.querySelector('#log-level').hidden");
+
+        tellUntil("document.querySelector('.log li')", new TelemetryItem.LogEntry("INFO", "I see the ball"));
+
+        browser.await("document.querySelector('#log-sheet p').hidden && !document.querySelector('#log-level').hidden");
+    }
+
+    @Test
+    void namesInTheCameraPictureAreNotPrintedOverEachOther() {
+        String overlaps = browser.evaluate("""
+                import('./robot/camera-picture.js').then(({ cameraPicture }) => {
+                  const place = document.querySelector('#robot-thoughts');
+                  const player = (metres, left) => ({ name: `Blue ${metres}`, kind: 'player', team: 'Blue',
+                    points: [{ name: 'head', polar: [metres, left, 0] }] });
+                  cameraPicture(place)({ lines: [], things: Array.from({ length: 22 }, (_, i) => player(9 - i / 4, i)) }, 'Blue');
+                  const names = [...place.querySelectorAll(':scope > svg text')].filter((name) => !name.hasAttribute('hidden'));
+                  const boxes = names.map((name) => name.getBoundingClientRect()).filter(({ width }) => width > 0);
+                  const covered = boxes.filter((a, i) => boxes.some((b, j) => j < i && a.left < b.right && b.left < a.right
+                    && a.top < b.bottom && b.top < a.bottom));
+                  return `${covered.length} of ${boxes.length}`;
+                })""").getAsString();
+
+        assertThat(overlaps).startsWith("0 of ").isNotEqualTo("0 of 0");
+    }
+
+    @Test
+    void curvesLieBesideTheRobotOnASmallScreen() {
+        browser.resize(1024, 768);
+        try {
+            browser.await("innerWidth === 1024 && !document.querySelector('#robot-curves').checkVisibility()");
+
+            browser.click("[data-shows=curves]");
+
+            browser.await("document.querySelector('#robot-curves').checkVisibility()"
+                    + " && document.querySelector('#robot-curves').getBoundingClientRect().bottom <= innerHeight"
+                    + " && document.querySelector('#robot-thoughts').checkVisibility()");
+            assertThat(browser.evaluate("document.querySelector('#robot-room').scrollHeight"
+                                    + " - document.querySelector('#robot-room').clientHeight")
+                            .getAsInt())
+                    .isZero();
+        } finally {
+            browser.resize(1366, 768);
+        }
+    }
 }

@@ -66,6 +66,18 @@ class SearchPageTest {
     }
 
     @Test
+    void axisOfRoundsHasWholeNumbers() {
+        visit("");
+
+        reach(1, 2);
+
+        browser.await("search.valuePlot.data[0].length === 2 && search.valuePlot.axes[0]._splits.length > 1");
+        assertThat(browser.evaluate("search.valuePlot.axes[0]._splits.every(Number.isInteger)")
+                        .getAsBoolean())
+                .isTrue();
+    }
+
+    @Test
     void pageThatComesLateSeesTheWholeHistory() {
         reach(1, 12);
 

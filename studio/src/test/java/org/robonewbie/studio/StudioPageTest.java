@@ -338,6 +338,29 @@ class StudioPageTest {
         }
     }
 
+    @Test
+    void phoneShowsAllControlsOfFieldAndReplay() {
+        openStudioWithRobot();
+        browser.resize(390, 844);
+        try {
+            browser.await("innerWidth === 390");
+            browser.await(CONTROLS_BEYOND_THE_EDGE + " === ''");
+            browser.evaluate("location.hash = '#replay'");
+            browser.await("studio.replay && " + CONTROLS_BEYOND_THE_EDGE + " === ''");
+            browser.evaluate("location.hash = '#motion'");
+            browser.await("getComputedStyle(document.querySelector('#motion-room'), '::after').content"
+                    + ".includes('needs a wider window')");
+        } finally {
+            browser.resize(640, 360);
+        }
+    }
+
+    private static final String CONTROLS_BEYOND_THE_EDGE = """
+            [...document.querySelectorAll('button, select, input')]
+              .filter((control) => control.checkVisibility() && !control.closest('#rooms'))
+              .filter((control) => { const box = control.getBoundingClientRect(); return box.left < 0 || box.right > innerWidth; })
+              .map((control) => control.id || control.textContent).join()""";
+
     private static final String PANELS_THAT_DO_NOT_FIT = """
             (() => {
               const panels = [...document.querySelectorAll('.panel, .bar')].filter((panel) => panel.offsetParent);

@@ -24,6 +24,11 @@ final class AgentAcceptor {
         this.settings = settings;
     }
 
+    /** {@return the TCP port at which agents join} */
+    int portNumber() {
+        return port.number();
+    }
+
     /** Connects an agent of this process, from any thread; agents are numbered in the order of these calls. */
     AgentLink connect() {
         LocalLink link = new LocalLink(this::ring);

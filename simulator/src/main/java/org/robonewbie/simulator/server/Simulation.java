@@ -69,15 +69,18 @@ final class Simulation implements SimulationControl, Runnable {
      */
     Simulation(SimulatorSettings settings, AgentPort port, Console console) throws IOException {
         this.settings = settings;
-        this.console = console;
+        this.console = sentence -> {
+            console.say(sentence);
+            observers.forEach(observer -> observer.told(sentence));
+        };
         this.lastCycle = PortableMath.rint(settings.seconds().orElse(Double.POSITIVE_INFINITY) / Cycle.SECONDS);
         this.cycle = new SimulationCycle(
-                settings.world(), RecordingFile.openIfWanted(settings.recording(), console::say), console);
+                settings.world(), RecordingFile.openIfWanted(settings.recording(), console::say), this.console);
         this.cycle.reportEventsTo(this::happened);
         this.acceptor = new AgentAcceptor(port, cycle, settings);
         this.pacemaker = new Pacemaker(settings.speed(), RealTime.CLOCK);
-        this.silenceWatch = new StalledAgentWatch(console, settings.silentAgentSeconds());
-        this.monitors = new MonitorDesk(cycle, this::command, this::end, console);
+        this.silenceWatch = new StalledAgentWatch(this.console, settings.silentAgentSeconds());
+        this.monitors = new MonitorDesk(cycle, this::command, this::end, this.console);
     }
 
     AgentAcceptor acceptor() {
@@ -346,6 +349,11 @@ final class Simulation implements SimulationControl, Runnable {
         } catch (IllegalArgumentException | UnsupportedOperationException refused) {
             return Optional.empty();
         }
+    }
+
+    @Override
+    public OptionalInt agentPort() {
+        return OptionalInt.of(acceptor.portNumber());
     }
 
     @Override

@@ -148,9 +148,10 @@ public final class Match implements Restorable {
         dropBall(ball.position());
     }
 
-    /** Resets the score, the clock and the ball. */
+    /** Resets the score, the clock and the ball; the names of teams without players become free. */
     public void restart() {
         state.restart();
+        teams.forgetEmpty();
         events.add(new MatchEvent.PlayModeChanged(PlayMode.BEFORE_KICK_OFF));
         nextFirstKickOff = presetKickOff();
         halfBegun = false;

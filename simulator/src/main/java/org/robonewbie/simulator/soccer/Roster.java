@@ -5,6 +5,8 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.BiFunction;
+import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
@@ -16,9 +18,12 @@ final class Roster {
 
     private final List<Team> teams;
     private final List<Player> known;
+    private final BiFunction<String, TeamSide, Team> forgotten;
 
-    Roster(List<Team> teams, List<Player> players) {
+    /** Numbers players; a team that has been forgotten since is made again from its name and side. */
+    Roster(List<Team> teams, List<Player> players, BiFunction<String, TeamSide, Team> forgotten) {
         this.teams = teams;
+        this.forgotten = forgotten;
         this.known = new ArrayList<>(players);
     }
 
@@ -27,15 +32,29 @@ final class Roster {
         out.putInt(index < 0 ? known.size() : index);
         if (index < 0) {
             known.add(player);
-            out.putInt(teams.indexOf(player.team()));
+            saveTeam(player.team(), out);
             out.putInt(player.number());
         }
+    }
+
+    private void saveTeam(Team team, StateWriter out) {
+        int index = teams.indexOf(team);
+        out.putInt(index < 0 ? teams.size() : index);
+        if (index < 0) {
+            out.putText(team.name());
+            out.putEnum(team.side());
+        }
+    }
+
+    private Team restoreTeam(StateReader in) {
+        int index = in.getIndex(teams.size() + 1);
+        return index < teams.size() ? teams.get(index) : forgotten.apply(in.getText(), in.getEnum(TeamSide.values()));
     }
 
     Player restore(StateReader in) {
         int index = in.getIndex(known.size() + 1);
         if (index == known.size()) {
-            known.add(Player.departed(teams.get(in.getIndex(teams.size())), in.getInt()));
+            known.add(Player.departed(restoreTeam(in), in.getInt()));
         }
         return known.get(index);
     }

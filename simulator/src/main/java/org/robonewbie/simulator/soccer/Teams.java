@@ -11,7 +11,7 @@ import org.robonewbie.simulator.world.Robot;
 
 /**
  * The two teams: the first team name to appear plays on the left, the second on the right, and both stay reserved when their
- * players leave (SimSpark: {@code gamestateaspect.cpp}).
+ * players leave (SimSpark: {@code gamestateaspect.cpp}), until the game is reset.
  */
 public final class Teams {
 
@@ -106,6 +106,11 @@ public final class Teams {
         player.robot().moveUpright((left ? leftPlaces : rightPlaces).next(), left ? -90 : 90);
     }
 
+    /** Frees the names of teams without players, so that others can play. */
+    void forgetEmpty() {
+        teams.removeIf(team -> team.players().isEmpty());
+    }
+
     /** Replaces a player's body. */
     Player replaceRobot(Player old, Robot robot) {
         Player replacement = new Player(old.team(), old.number(), robot);
@@ -171,7 +176,7 @@ public final class Teams {
     }
 
     Roster roster() {
-        return new Roster(teams, players);
+        return new Roster(teams, players, (name, side) -> new Team(name, side, parameters));
     }
 
     private Team team(String name, TeamSide side, List<Team> former) {

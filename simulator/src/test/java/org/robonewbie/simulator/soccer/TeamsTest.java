@@ -43,6 +43,18 @@ class TeamsTest {
     }
 
     @Test
+    void nameOfTeamWithoutPlayersIsFreeAfterAReset() throws JoinRefusedException {
+        teams.leave(join("Stars", 1));
+        join("Moons", 1);
+
+        teams.forgetEmpty();
+
+        assertThat(teams.name(TeamSide.LEFT)).isEmpty();
+        assertThat(join("Suns", 1).side()).isEqualTo(TeamSide.LEFT);
+        assertThat(join("Moons", 2).side()).isEqualTo(TeamSide.RIGHT);
+    }
+
+    @Test
     void takenNumberIsRefused() throws JoinRefusedException {
         join("Stars", 3);
 

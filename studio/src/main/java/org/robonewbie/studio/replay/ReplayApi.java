@@ -30,6 +30,7 @@ import org.robonewbie.simulator.monitor.RecordedLog;
  * <pre>
  * GET /api/recordings                 all recordings, the newest first
  * GET /api/recordings/NAME?from=N     its bytes from the N-th on, at most four million at once
+ * GET /api/cards/NAME                 its teams, score, length and events, and where everybody is at its end
  * GET /api/log/NAME                   the recording as the log of a SimSpark server, packed with gzip
  * GET /api/notes/NAME                 what robots wrote into their logs meanwhile, one line of JSON each
  * GET /api/models                     the bodies of all robot types
@@ -38,6 +39,7 @@ import org.robonewbie.simulator.monitor.RecordedLog;
 public final class ReplayApi extends Handler.Abstract {
 
     private static final String LIST = "/api/recordings";
+    private static final String CARDS = "/api/cards/";
     private static final String LOG = "/api/log/";
     private static final String NOTES = "/api/notes/";
     private static final String MODELS = "/api/models";
@@ -48,6 +50,7 @@ public final class ReplayApi extends Handler.Abstract {
     private final Optional<RecordingShelf> shelf;
     private final Optional<Path> opened;
     private final String models;
+    private final RecordingCards cards = new RecordingCards();
 
     /**
      * Opens the room.
@@ -65,8 +68,9 @@ public final class ReplayApi extends Handler.Abstract {
     @Override
     public boolean handle(Request request, Response response, Callback callback) throws Exception {
         String path = Request.getPathInContext(request);
-        Optional<String> kind =
-                Stream.of(LIST, LOG, NOTES, MODELS).filter(path::startsWith).findFirst();
+        Optional<String> kind = Stream.of(LIST, CARDS, LOG, NOTES, MODELS)
+                .filter(path::startsWith)
+                .findFirst();
         if (!request.getMethod().equals("GET") || kind.isEmpty()) {
             return false;
         }
@@ -81,6 +85,9 @@ public final class ReplayApi extends Handler.Abstract {
         if (file.isEmpty()) {
             byte[] text = "There is no such recording any more. Choose another one.".getBytes(StandardCharsets.UTF_8);
             send(response, callback, 404, "text/plain;charset=utf-8", ByteBuffer.wrap(text));
+        } else if (kind.get().equals(CARDS)) {
+            byte[] card = cards.of(file.get()).getBytes(StandardCharsets.UTF_8);
+            send(response, callback, 200, "application/json", ByteBuffer.wrap(card));
         } else if (kind.get().equals(NOTES)) {
             byte[] notes = RunNotes.read(file.get()).getBytes(StandardCharsets.UTF_8);
             send(response, callback, 200, "application/x-ndjson;charset=utf-8", ByteBuffer.wrap(notes));

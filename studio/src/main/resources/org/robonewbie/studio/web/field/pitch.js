@@ -71,9 +71,7 @@ function grass(field, colours, blades) {
   geometry.setAttribute('color', new THREE.Float32BufferAttribute(tints, 3));
   const corners = places.filter((_, i) => i % 3 < 2).map((value) => value / BLADES_METRES);
   geometry.setAttribute('uv', new THREE.Float32BufferAttribute(corners, 2));
-  const material = blades
-    ? new THREE.MeshBasicMaterial({ vertexColors: true, map: grain() })
-    : flatMaterial(colours.plain);
+  const material = blades ? new THREE.MeshBasicMaterial({ vertexColors: true, map: grain() }) : flatMaterial();
   const mesh = new THREE.Mesh(geometry, material);
   mesh.name = 'grass';
   return mesh;

@@ -46,6 +46,7 @@
  * @property {Player[]} robots
  * @property {Object<string, RobotModel>} models by robot type
  * @property {string[]} playModes
+ * @property {number} [agentPort] where agents join, if they can
  * @property {boolean} [clock] whether time can be stopped
  * @property {boolean} [puppets] whether robots can join that people steer
  */

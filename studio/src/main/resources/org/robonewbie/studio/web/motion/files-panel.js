@@ -71,21 +71,31 @@ class FilesPanel {
     const { state, list } = editor;
     const openOwn = state.version === '' ? undefined : state.name;
     const openShipped = state.version === '' ? state.name : undefined;
-    this.#own.replaceChildren(
-      ...list.own.map(({ name }) =>
-        entry(name, name === openOwn, () => run(editor.open('motions', name)), hasDraft(editor, name)),
-      ),
-    );
-    this.#own.append(
-      ...namelessDrafts(list).map((draft) =>
-        entry(draft, state.name === '' && draft === state.draft, () => run(editor.openDraft(draft)), true),
-      ),
-    );
+    fill(this.#own, [
+      ...list.own.map(({ name }) => ({
+        name,
+        isOpen: name === openOwn,
+        open: () => run(editor.open('motions', name)),
+        changed: hasDraft(editor, name),
+      })),
+      ...namelessDrafts(list).map((draft) => ({
+        name: draft,
+        isOpen: state.name === '' && draft === state.draft,
+        open: () => run(editor.openDraft(draft)),
+        changed: true,
+      })),
+    ]);
     this.#own.hidden = this.#own.children.length === 0;
     this.#folder.textContent = list.own.length === 0 ? `None yet. They are kept in ${list.folder}` : '';
     this.#folder.hidden = list.own.length > 0;
-    this.#library.replaceChildren(
-      ...list.library.map((name) => entry(name, name === openShipped, () => run(editor.open('library', name)), false)),
+    fill(
+      this.#library,
+      list.library.map((name) => ({
+        name,
+        isOpen: name === openShipped,
+        open: () => run(editor.open('library', name)),
+        changed: false,
+      })),
     );
   }
 
@@ -106,19 +116,38 @@ function hasDraft(editor, name) {
 }
 
 /**
- * @param {string} name
- * @param {boolean} isOpen
- * @param {() => void} open
- * @param {boolean} changed
+ * @typedef {object} Entry of a list of motions
+ * @property {string} name
+ * @property {boolean} isOpen
+ * @property {() => void} open
+ * @property {boolean} changed
  */
-function entry(name, isOpen, open, changed) {
-  const act = () => (takeTyped(), open());
-  const made = button(changed ? `${name} •` : name, changed ? 'Has unsaved changes' : `Open “${name}”`, act);
-  made.dataset.motion = name;
-  if (isOpen) {
-    made.setAttribute('aria-current', 'true');
+
+/** Shows entries; what is there already stays, so that it keeps the focus. @param {HTMLElement} list @param {Entry[]} entries */
+function fill(list, entries) {
+  const known = new Map([...list.children].map((item) => [item.getAttribute('data-entry') ?? '', item]));
+  const items = entries.map((entry) => {
+    const key = `${entry.name} ${entry.changed}`;
+    const item = known.get(key) ?? element('li', { 'data-entry': key }, entryButton(entry));
+    const made = /** @type {HTMLButtonElement} */ (item.firstElementChild);
+    made.onclick = () => (takeTyped(), entry.open());
+    if (entry.isOpen) {
+      made.setAttribute('aria-current', 'true');
+    } else {
+      made.removeAttribute('aria-current');
+    }
+    return item;
+  });
+  if (items.length !== list.children.length || items.some((item, i) => item !== list.children[i])) {
+    list.replaceChildren(...items);
   }
-  return element('li', {}, made);
+}
+
+/** @param {Entry} entry */
+function entryButton({ name, changed }) {
+  const made = button(changed ? `${name} •` : name, changed ? 'Has unsaved changes' : `Open “${name}”`, () => {});
+  made.dataset.motion = name;
+  return made;
 }
 
 /** @param {Editor} editor */

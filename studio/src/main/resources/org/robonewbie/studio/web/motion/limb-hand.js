@@ -2,6 +2,7 @@
 import * as THREE from 'three';
 import { POSE, rotated } from '../state/kinematics.js';
 import { pointOf, posesOf } from '../state/motion/body.js';
+import { farFrom, limitSign, stuckJoint } from './limit-sign.js';
 import { chainJoints, limbOf, ownJoints, followed, torsoMoved } from '../state/motion/reach.js';
 
 /**
@@ -41,6 +42,7 @@ export class LimbHand {
     this.grip = undefined;
     this.gestures = 0;
     this.lastKnead = 0;
+    this.sign = limitSign(stage.stage, stage.body);
     const target = stage.stage;
     target.addEventListener('pointerdown', (event) => this.#press(event));
     target.addEventListener('pointermove', (event) => this.#drag(event));
@@ -121,6 +123,7 @@ export class LimbHand {
 
   #drop() {
     this.grip = undefined;
+    this.sign(undefined);
     this.editor.released();
   }
 
@@ -153,6 +156,9 @@ export class LimbHand {
     const up = whole && isFoot ? rotated(posesOf(body, grip.posture, grip.torso), link, [0, 0, 1]) : undefined;
     const posture = followed(body, grip.reached, grip.torso, { link, local, target, up, joints });
     grip.reached = posture;
+    this.sign(
+      stuckJoint(body, posture, joints, farFrom(target, pointOf(posesOf(body, posture, grip.torso), link, local))),
+    );
     this.editor.pose(tenths(posture, grip.posture), grip, grip.torso);
   }
 

@@ -18,6 +18,7 @@ const CURVE_HEIGHT = 34;
 const MARK_TOP = 112;
 const MARK_ROW = 8;
 const LEAST_GAP = 34;
+const TICK_TEXT_WIDTH = 40;
 
 /** @type {Array<{kind: Mark['kind'], name: string}>} */
 export const MARK_KINDS = [
@@ -103,7 +104,10 @@ export class Timeline {
     for (let time = 0; time <= most; time += step) {
       const x = this.#x(time).toFixed(1);
       parts.push(node('line', { class: 'tick', x1: x, x2: x, y1: String(RULER - 5), y2: '150' }));
-      parts.push(text(`${time / 1000} s`, { class: 'tick-text', x: String(Number(x) + 4), y: '13' }));
+      const isLast = Number(x) + TICK_TEXT_WIDTH > this.place.clientWidth;
+      const anchor = isLast ? 'end' : 'start';
+      const label = { class: 'tick-text', x: String(Number(x) + (isLast ? -4 : 4)), y: '13', 'text-anchor': anchor };
+      parts.push(text(`${time / 1000} s`, label));
     }
     return parts;
   }

@@ -25,6 +25,9 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 const TRIAL = 'Try on a physical robot';
 const TRIAL_HINT = 'A robot with weight, motors and ground plays the motion now';
 
+const VERDICT_HINT =
+  'What may go wrong on a robot. “Balanced by 2 cm”: the centre of mass lies 2 cm inside the feet; outside of them it tips over.';
+
 /** @type {Array<[value: string, text: string]>} */
 const STARTS = [
   ['standing', 'standing'],
@@ -73,7 +76,7 @@ function partsOf(editor, orders, deeds) {
     trial: button(TRIAL, TRIAL_HINT, () => deeds.tryPhysically(start.value), { id: 'trial' }),
     take: button('Take posture', '', deeds.takePosture, { id: 'take-posture' }),
     reading: element('span', { class: 'seconds' }),
-    verdict: element('span', { class: 'verdict', role: 'status' }),
+    verdict: element('span', { class: 'verdict', role: 'status', title: VERDICT_HINT }),
   };
 }
 

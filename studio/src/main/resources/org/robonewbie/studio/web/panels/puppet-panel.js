@@ -45,6 +45,7 @@ export class PuppetPanel {
     this.joints = element('details', { id: 'puppet-joints' }, element('summary', {}, 'Joints'), this.sliders);
     this.help = element('details', { id: 'puppet-keys' }, element('summary', {}, 'Keys'), this.keys);
     this.tools = element('div', { class: 'grid' }, this.stand, this.away);
+    this.joints.addEventListener('toggle', () => this.joints.open && this.#showJoints());
     byId('puppet').append(element('h2', {}, 'Puppet'), this.add, this.hint, this.tools, this.help, this.joints);
     document.addEventListener('keydown', (event) => this.#press(event), { capture: true });
     document.addEventListener('keyup', (event) => this.#release(event.key.toLowerCase()));
@@ -142,6 +143,11 @@ export class PuppetPanel {
     }
   }
 
+  /** The sliders open below the others; they are of no use beyond the edge of the window. */
+  #showJoints() {
+    this.joints.scrollIntoView({ block: 'start' });
+  }
+
   /** @param {import('../state/kinematics.js').RobotModel['hinges']} hinges @param {ArrayLike<number>} degrees */
   #drawJoints(hinges, degrees) {
     if (this.inputs.length !== hinges.length) {
@@ -157,6 +163,7 @@ export class PuppetPanel {
           ),
         ),
       );
+      this.#showJoints();
     }
     this.inputs.forEach((input, i) => {
       if (document.activeElement !== input) {

@@ -21,7 +21,7 @@ export function timeLinePanel(cursor, changed) {
   const reading = element('span', { class: 'moment-reading', role: 'status' });
   const live = button('Live', 'Show what happens now (End)', () => act(() => cursor.goLive()));
   live.id = 'go-live';
-  place.append(live, line, reading);
+  place.append(element('span', { class: 'faint moment-name' }, 'Running simulation'), live, line, reading);
   /** @param {() => void} deed */
   const act = (deed) => {
     deed();

@@ -36,8 +36,11 @@ export class ComparisonPanel {
     this.svg.setAttribute('class', 'compare-curve');
     this.svg.setAttribute('viewBox', `0 0 ${POINTS} ${HEIGHT}`);
     this.svg.setAttribute('preserveAspectRatio', 'none');
-    this.line = document.createElementNS(SVG, 'polyline');
-    this.svg.append(this.line);
+    this.polyline = document.createElementNS(SVG, 'polyline');
+    this.scale = element('span', { class: 'faint', title: 'How far ball and robots are apart over time' });
+    this.svg.append(this.polyline);
+    this.line = element('div', { class: 'compare-line', hidden: '' });
+    this.line.append(this.scale, this.svg, this.reading);
     this.listed = '';
     this.drawn = '';
     /** @type {{own: unknown, other: unknown, picture: Picture} | undefined} */
@@ -86,7 +89,7 @@ export class ComparisonPanel {
     this.last = { own: own.scene, other: moment.robots, picture };
     setText(
       this.reading,
-      `Apart: ${differences(own, other)
+      `Here: ${differences(own, other)
         .map(({ name, metres }) => `${name} ${metres.toFixed(2)} m`)
         .slice(0, 4)
         .join(' · ')}`,
@@ -97,14 +100,14 @@ export class ComparisonPanel {
   /** @param {readonly import('../state/replay/recording-reader.js').Moment[]} own */
   draw(own) {
     const other = this.file?.reader.moments;
-    this.svg.toggleAttribute('hidden', !other);
-    this.reading.hidden = !other;
+    this.line.hidden = !other;
     const key = `${own.length} ${other?.length} ${this.file?.name}`;
     if (other && key !== this.drawn) {
       this.drawn = key;
       const curve = curveOf(own, other, POINTS);
       const most = Math.max(0.05, ...curve);
-      this.line.setAttribute(
+      setText(this.scale, `Apart, 0 to ${most.toFixed(2)} m`);
+      this.polyline.setAttribute(
         'points',
         curve.map((metres, i) => `${i},${(HEIGHT - 1 - ((HEIGHT - 2) * metres) / most).toFixed(1)}`).join(' '),
       );

@@ -25,6 +25,24 @@ export async function listRecordings(token) {
   return (await ask(token, 'recordings')).json();
 }
 
+/**
+ * @typedef {object} RecordingCard what a recording holds
+ * @property {number} seconds
+ * @property {string} left name of a team, or empty
+ * @property {string} right
+ * @property {[number, number]} score
+ * @property {number} robots
+ * @property {Record<string, number>} events how often something happened
+ * @property {[number, number]} pitch
+ * @property {[number, number]} ball at its end
+ * @property {Array<[x: number, y: number, side: number]>} places of the robots at its end
+ */
+
+/** @param {string} token @param {string} name @returns {Promise<RecordingCard>} */
+export async function loadCard(token, name) {
+  return (await ask(token, `cards/${encodeURIComponent(name)}`)).json();
+}
+
 /** @param {string} token @returns {Promise<Record<string, import('../state/kinematics.js').RobotModel>>} */
 export async function loadModels(token) {
   return (await ask(token, 'models')).json();

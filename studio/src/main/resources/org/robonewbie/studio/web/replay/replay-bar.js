@@ -1,8 +1,8 @@
 /** The controls below the picture of a replay. */
-import { button, choice, element, setEntries, setText } from '../panels/elements.js';
+import { button, choice, element, setText } from '../panels/elements.js';
 import { NO_CLOCK } from '../panels/transport.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
-import { ReplayLine } from './replay-line.js';
+import { legend, ReplayLine } from './replay-line.js';
 
 /**
  * @typedef {import('../state/replay/replay-state.js').ReplayState} ReplayState
@@ -10,7 +10,7 @@ import { ReplayLine } from './replay-line.js';
  *
  * @typedef {object} Deeds
  * @property {(key: string) => void} press does what a key does
- * @property {(name: string) => void} choose opens a recording
+ * @property {() => void} showShelf lets one choose another recording
  * @property {(speed: number) => void} setSpeed
  * @property {(index: number) => void} goTo
  * @property {() => void} startHere
@@ -38,28 +38,29 @@ export class ReplayBar {
     this.play = this.#key('replay-play', '', 'Play or pause', 'Space');
     this.play.className = 'primary';
     this.loop = this.#key('replay-loop', 'Loop', 'Repeat two seconds around this moment', 'L');
-    this.recording = choice({ id: 'recording', 'aria-label': 'Recording' }, [], deeds.choose);
+    this.recording = button('Recordings', 'Choose another recording', deeds.showShelf, { id: 'recording' });
     this.speed = choice(
       { id: 'replay-speed', 'aria-label': 'Speed of the replay' },
       SPEEDS.map((each) => [String(each), `${each}×`]),
       (speed) => deeds.setSpeed(Number(speed)),
     );
     this.reading = element('span', { class: 'seconds' });
+    this.name = element('span', { class: 'faint', id: 'recording-name' });
     this.start = button('Start here', '', deeds.startHere, { id: 'start-here' });
     this.saves = saveButtons(deeds.save);
     const line = element('div', { class: 'replay-line', id: 'replay-line', title: 'Drag to any moment' });
     this.line = new ReplayLine(line, deeds.goTo);
-    place.append(comparison.svg, line, this.#bar(comparison));
-    this.listed = '';
+    place.append(comparison.line, line, legend(), this.#bar(comparison));
   }
 
   /** @param {Shown} shown */
   draw({ state, list, file, hasClock }) {
-    this.#list(list, file?.name ?? '');
+    setText(this.name, file?.name ?? '');
     setText(this.play, state.playing ? '❚❚ Pause' : '▶ Play');
     this.loop.setAttribute('aria-pressed', String(state.loop !== undefined));
     this.speed.value = String(state.speed);
-    setText(this.reading, list.length === 0 ? 'Nothing is recorded yet.' : readingOf(state));
+    const nothing = list.length === 0 ? 'Nothing is recorded yet.' : 'Choose a recording.';
+    setText(this.reading, file ? readingOf(state) : nothing);
     this.play.disabled = state.count === 0;
     this.start.disabled = state.count === 0 || !hasClock;
     this.start.title = hasClock ? START_HINT : NO_CLOCK;
@@ -69,26 +70,13 @@ export class ReplayBar {
     this.line.draw(state, file?.events ?? []);
   }
 
-  /** @param {readonly RecordingEntry[]} list @param {string} chosen */
-  #list(list, chosen) {
-    const listed = JSON.stringify(list);
-    if (listed !== this.listed) {
-      this.listed = listed;
-      setEntries(
-        this.recording,
-        list.map((entry) => [entry.name, entryText(entry)]),
-      );
-    }
-    this.recording.value = chosen;
-    this.recording.hidden = list.length === 0;
-  }
-
   /** @param {import('./comparison-panel.js').ComparisonPanel} comparison */
   #bar(comparison) {
     return element(
       'div',
       { class: 'replay-bar' },
       this.recording,
+      this.name,
       this.#key('event-before', '|◂', 'Event before', '['),
       this.#key('replay-back', '◂', 'One cycle back', '←'),
       this.play,
@@ -99,7 +87,6 @@ export class ReplayBar {
       this.speed,
       this.reading,
       comparison.choice,
-      comparison.reading,
       element('span', { class: 'replay-export' }, ...this.saves),
     );
   }
@@ -119,11 +106,6 @@ function saveButtons(save) {
       id: 'export-html',
     }),
   ];
-}
-
-/** @param {RecordingEntry} entry */
-function entryText({ name, bytes, running }) {
-  return `${name} · ${running ? 'now' : `${(bytes / 1e6).toFixed(1)} MB`}`;
 }
 
 /** @param {ReplayState} state */

@@ -1,4 +1,5 @@
 /** The time line of a replay: events as marks, the part that is repeated, the moment that is shown. */
+import { element } from '../panels/elements.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
 
 /**
@@ -89,6 +90,17 @@ export class ReplayLine {
     mark.append(title);
     return mark;
   }
+}
+
+/** Says what the marks on the line are. */
+export function legend() {
+  const kinds = /** @type {Array<RecordedEvent['kind']>} */ (Object.keys(NAMES));
+  const entries = kinds.map((kind) => {
+    const mark = node('svg', { viewBox: '-7 8 14 18', 'aria-hidden': 'true' });
+    mark.append(node('path', { d: SHAPES[kind], class: `event-sign ${kind}` }));
+    return element('span', {}, mark, NAMES[kind]);
+  });
+  return element('p', { class: 'replay-legend faint' }, ...entries);
 }
 
 /** @param {RecordedEvent} event @returns {string} */

@@ -15,6 +15,7 @@ import {
 import { restoredText, startFrom } from '../panels/scene-panel.js';
 import { ComparisonPanel } from './comparison-panel.js';
 import { ReplayBar } from './replay-bar.js';
+import { RecordingShelf } from './recording-shelf.js';
 import { eventText } from './replay-line.js';
 import { listRecordings, loadLog, loadModels, RecordingFile } from './recordings.js';
 
@@ -65,6 +66,7 @@ class ReplayRoom {
       note: surroundings.note,
       changed: () => this.#set(this.state),
     });
+    this.shelf = new RecordingShelf(surroundings.token, (name) => this.choose(name));
     this.bar = this.#bar();
     setInterval(() => {
       if (!byId('replay').hidden && !document.hidden) {
@@ -73,20 +75,23 @@ class ReplayRoom {
     }, LIST_MILLISECONDS);
   }
 
-  /** Looks which recordings there are, and opens the newest if none is open. */
+  /** Looks which recordings there are, and opens the one that the address names. */
   async refresh() {
     const { recordings } = await listRecordings(this.surroundings.token);
     this.list = recordings;
-    if (!this.file && recordings.length > 0) {
-      const wanted = decodeURIComponent(location.hash.split('/')[1] ?? '');
-      this.choose(recordings.find(({ name }) => name === wanted)?.name ?? recordings[0].name);
+    this.shelf.list(recordings);
+    const wanted = decodeURIComponent(location.hash.split('/')[1] ?? '');
+    if (!this.file && recordings.some(({ name }) => name === wanted)) {
+      this.choose(wanted);
     }
+    this.shelf.show(this.shelf.isOpen || !this.file);
     this.stale = true;
   }
 
   /** @param {string} name */
   choose(name) {
     this.file?.close();
+    this.shelf.show(false);
     const entry = this.list.find((each) => each.name === name);
     const file = new RecordingFile(this.surroundings.token, name, this.models, () => this.#grow());
     this.file = file;
@@ -183,7 +188,7 @@ class ReplayRoom {
   #grow() {
     const { count, index } = this.state;
     const moments = this.file?.reader.moments.length ?? 0;
-    const atEnd = index >= count - 1 - BEHIND_MOMENTS && !this.state.playing && count > 0;
+    const atEnd = index >= count - 1 - BEHIND_MOMENTS && !this.state.playing;
     const follows = atEnd && this.list.find(({ name }) => name === this.file?.name)?.running;
     this.#set({ ...this.state, count: moments, index: follows ? Math.max(0, moments - 1) : index });
     if (this.file?.problem && moments === 0) {
@@ -207,7 +212,7 @@ class ReplayRoom {
   #bar() {
     return new ReplayBar(byId('replay'), this.comparison, {
       press: (key) => this.deeds.find(({ shown }) => shown === key)?.act(),
-      choose: (name) => this.choose(name),
+      showShelf: () => this.shelf.show(!this.shelf.isOpen),
       setSpeed: (speed) => this.#set({ ...this.state, speed }),
       goTo: (index) => this.#set({ ...atMoment(this.state, index), playing: false }),
       startHere: () => this.#startHere(),

@@ -46,8 +46,32 @@ export function cameraPicture(place) {
     const lines = seen.lines
       .filter((line) => line.length === 2)
       .map(([from, to]) => shape('line', { class: 'field-line', ...ends(from, to) }));
-    content.replaceChildren(...lines, ...seen.things.flatMap((thing) => drawnThing(thing, team)));
+    content.replaceChildren(...lines, ...nearestFirst(seen.things).flatMap((thing) => drawnThing(thing, team)));
+    hideCoveredNames([...content.querySelectorAll('text')]);
   };
+}
+
+/** @param {readonly SeenThing[]} things */
+function nearestFirst(things) {
+  const distance = (/** @type {SeenThing} */ { points }) => points[0]?.polar[0] ?? Infinity;
+  return [...things].sort((a, b) => distance(a) - distance(b));
+}
+
+/** Leaves out names that would be printed over others; what comes first stays. @param {SVGTextElement[]} names */
+function hideCoveredNames(names) {
+  /** @type {DOMRect[]} */
+  const taken = [];
+  for (const name of names) {
+    const box = name.getBBox();
+    const isCovered = taken.some(
+      ({ x, y, width, height }) =>
+        box.x < x + width && x < box.x + box.width && box.y < y + height && y < box.y + box.height,
+    );
+    name.toggleAttribute('hidden', isCovered);
+    if (!isCovered) {
+      taken.push(box);
+    }
+  }
 }
 
 /** @param {number[]} polar distance, degrees left, degrees up @returns {[number, number]} */

@@ -5,6 +5,7 @@ import { element } from '../panels/elements.js';
 
 const LEVELS = ['DEBUG', 'INFO', 'WARNING', 'ERROR'];
 const MOST_LINES = 300;
+const NOTHING_SAID = 'This robot has said nothing yet. Its program writes here with nao.log("…").';
 const HALF_CYCLE = 0.01;
 
 /**
@@ -20,10 +21,13 @@ export function logList(place, goTo) {
     ),
   );
   const list = element('ol', { class: 'log', 'aria-label': 'Log of the robot', tabindex: '0' });
-  place.append(level, list);
+  const silence = element('p', { class: 'faint' }, NOTHING_SAID);
+  place.append(level, list, silence);
   let drawn = '';
   let marked = '';
   return (log, seconds) => {
+    silence.hidden = log.length > 0;
+    level.hidden = list.hidden = log.length === 0;
     const wanted = log.filter((line) => LEVELS.indexOf(line.level) >= LEVELS.indexOf(level.value));
     const last = wanted.findLastIndex((line) => line.seconds <= seconds + HALF_CYCLE);
     const shown = wanted.slice(Math.max(0, last + 50 - MOST_LINES), last + 50);

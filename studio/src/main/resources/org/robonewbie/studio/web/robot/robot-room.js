@@ -53,7 +53,7 @@ class RobotRoom {
     );
     const senses = element('div', { class: 'senses-row' });
     middle.append(
-      element('div', { class: 'robot-head' }, this.choice, this.facts),
+      element('div', { class: 'robot-head' }, this.choice, this.facts, besideButtons(place)),
       this.motion,
       element('div', { class: 'robot-views' }, camera, map),
       senses,
@@ -172,4 +172,18 @@ class RobotRoom {
     this.choice.hidden = names.length === 0;
     this.choice.value = String(Math.min(this.watch.chosen, names.length - 1));
   }
+}
+
+/** What is beside the robot where there is no room for both joints and curves. @param {HTMLElement} room */
+function besideButtons(room) {
+  const choose = (/** @type {string} */ shown) => {
+    room.dataset.beside = shown;
+    made.forEach((each) => each.setAttribute('aria-pressed', String(each.dataset.shows === shown)));
+  };
+  const made = [
+    button('Joints', 'Angles and speeds of all joints', () => choose('joints'), { 'data-shows': 'joints' }),
+    button('Curves', 'Curves of any values over time', () => choose('curves'), { 'data-shows': 'curves' }),
+  ];
+  choose('joints');
+  return element('div', { class: 'beside' }, ...made);
 }

@@ -19,6 +19,7 @@ export function searchPlot(place, curves) {
   const style = getComputedStyle(place);
   const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
   const size = () => ({ width: Math.max(60, place.clientWidth), height: Math.max(60, place.clientHeight) });
+  const [rounds, values] = axes(colour);
   const series = curves.map(({ label, colour: name, dash, points }) => ({
     label,
     dash,
@@ -32,7 +33,7 @@ export function searchPlot(place, curves) {
       legend: { show: false },
       cursor: { drag: { x: false, y: false }, points: { size: 7 }, sync: { key: 'search' } },
       scales: { x: { time: false, range: wholeRounds }, y: { range: roomy } },
-      axes: axes(colour),
+      axes: [{ ...rounds, incrs: WHOLE_STEPS }, values],
       series: [{}, ...series],
     },
     [[], ...curves.map(() => [])],
@@ -41,6 +42,9 @@ export function searchPlot(place, curves) {
   new ResizeObserver(() => plot.setSize(size())).observe(place);
   return plot;
 }
+
+/** Between two rounds there is nothing to mark. */
+const WHOLE_STEPS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
 
 /** Also a single round has room. @param {any} _ @param {number | null} least @param {number | null} most */
 function wholeRounds(_, least, most) {

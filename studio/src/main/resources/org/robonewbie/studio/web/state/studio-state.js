@@ -21,8 +21,13 @@ import { playModeText } from './play-mode.js';
 /** Without a new cycle for so long, a running world is waiting for somebody. */
 const STANDSTILL_MILLISECONDS = 1500;
 
+const NO_TEAM = 'no team yet';
+
 /** How long a goal is cheered. */
 const CHEER_MILLISECONDS = 4000;
+
+/** Where agents look for a simulator if nothing else is said. */
+const USUAL_AGENT_PORT = 3100;
 
 /** The speeds that can be chosen; 'fastest' does not wait between cycles. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 'fastest'];
@@ -140,16 +145,20 @@ export function message(state, now) {
     );
   }
   if (state.scene.robots.length === 0) {
-    const own = 'Add a puppet, or run an agent: ./robonewbie run Agent_BasicStructure';
-    return waiting(
-      'Waiting for a robot…',
-      state.scene.clock !== false ? own : 'Run an agent that joins the server that is watched.',
-    );
+    return waiting('Waiting for a robot…', howToJoin(state.scene));
   }
   if (state.frame && !state.frame.paused && now - state.movedMilliseconds > STANDSTILL_MILLISECONDS) {
     return waiting('The world waits for an agent', 'Is one at a breakpoint? It goes on when the agent does.');
   }
   return undefined;
+}
+
+/** @param {Scene} scene */
+function howToJoin({ clock: hasClock, agentPort = USUAL_AGENT_PORT }) {
+  const port = agentPort === USUAL_AGENT_PORT ? '' : ` --port ${agentPort}`;
+  return hasClock === false
+    ? 'Run an agent that joins the server that is watched.'
+    : `Add a puppet, or run an agent: ./robonewbie run Agent_BasicStructure${port}`;
 }
 
 /**
@@ -180,8 +189,8 @@ export function scoreBoard(state, now) {
   const { scene, frame, goal } = state;
   return {
     cheers: goal && now - goal.milliseconds < CHEER_MILLISECONDS ? goal.side : '',
-    left: scene?.teams.left || 'Left',
-    right: scene?.teams.right || 'Right',
+    left: scene?.teams.left || NO_TEAM,
+    right: scene?.teams.right || NO_TEAM,
     hasLeft: Boolean(scene?.teams.left),
     hasRight: Boolean(scene?.teams.right),
     score: frame ? `${frame.scoreLeft} : ${frame.scoreRight}` : '– : –',
