@@ -140,6 +140,7 @@ class PuppetPageTest {
         Stranger(Simulator simulator, String team) throws IOException {
             link = simulator.connect();
             say("(scene rsg/agent/nao/nao.rsg)(syn)");
+            link.receive(new MessageBuffer());
             say("(init (unum 1)(teamname " + team + "))(syn)");
             Thread life = new Thread(this::live, team);
             life.setDaemon(true);
