@@ -23,7 +23,7 @@ import org.robonewbie.simulator.recording.RecordingReader;
  * @param right name of the right team, empty if there was none
  * @param score goals of the left and of the right team at the end
  * @param robots how many robots took part at most at the same time
- * @param events how often something happened, such as {@code fall}, by its kind
+ * @param events how often something happened, such as a goal, by its kind
  * @param pitch length and width of the field in metres
  * @param ball place of the ball in the last cycle with a robot
  * @param places of the robots in that cycle: x, y, and 0 for the left team or 1 for the right
