@@ -116,13 +116,11 @@ class PuppetPageTest {
 
         browser.click("#reset");
         browser.await("studio.state.scene.teams.left === ''");
-        try (Stranger stars = new Stranger(simulator, "Stars");
-                Stranger moons = new Stranger(simulator, "Moons")) {
-            browser.await("studio.state.scene.teams.left === 'Stars' && studio.state.scene.teams.right === 'Moons'");
-            try (Stranger suns = new Stranger(simulator, "Suns")) {
-                browser.await("document.querySelector('#toast').textContent.includes('a third team \"Suns\" cannot')");
-            }
-        }
+        new Stranger(simulator, "Stars").join();
+        new Stranger(simulator, "Moons").join();
+        browser.await("studio.state.scene.teams.left === 'Stars' && studio.state.scene.teams.right === 'Moons'");
+        new Stranger(simulator, "Suns").join();
+        browser.await("document.querySelector('#toast').textContent.includes('a third team \"Suns\" cannot')");
     }
 
     @Test
@@ -132,13 +130,18 @@ class PuppetPageTest {
                         + simulator.agentPort() + "')");
     }
 
-    /** A robot of somebody else, which joins a team and stays. */
-    private static final class Stranger implements AutoCloseable {
+    /** A robot of somebody else, which stays until the simulator ends. */
+    private static final class Stranger {
 
         private final AgentLink link;
+        private final String team;
 
-        Stranger(Simulator simulator, String team) throws IOException {
-            link = simulator.connect();
+        Stranger(Simulator simulator, String team) {
+            this.link = simulator.connect();
+            this.team = team;
+        }
+
+        void join() throws IOException {
             say("(scene rsg/agent/nao/nao.rsg)(syn)");
             link.receive(new MessageBuffer());
             say("(init (unum 1)(teamname " + team + "))(syn)");
@@ -153,7 +156,7 @@ class PuppetPageTest {
                 while (link.receive(heard)) {
                     say("(syn)");
                 }
-            } catch (IOException hasLeft) {
+            } catch (IOException simulatorHasEnded) {
                 link.close();
             }
         }
@@ -162,11 +165,6 @@ class PuppetPageTest {
             MessageBuffer message = new MessageBuffer();
             message.append(text);
             link.send(message);
-        }
-
-        @Override
-        public void close() {
-            link.close();
         }
     }
 
