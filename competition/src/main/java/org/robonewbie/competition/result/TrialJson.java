@@ -25,8 +25,7 @@ final class TrialJson {
      * @param circumstances checksum of all that the trial depends on
      */
     static String write(TrialResult result, String circumstances) {
-        return PRETTY.toJson(
-                        new Finished(result.id(), circumstances, result.seed(), result.seconds(), result.teams()))
+        return PRETTY.toJson(new Finished(result.id(), circumstances, result.seed(), result.seconds(), result.teams()))
                 + "\n";
     }
 
