@@ -110,6 +110,7 @@ class ArchitectureTest {
                 Arguments.of("competition", new String[] {
                     "org.robonewbie.trial..",
                     "org.robonewbie.nao..",
+                    "org.robonewbie.protocol.effector..",
                     "org.robonewbie.protocol.frame..",
                     "org.robonewbie.protocol.order..",
                     "org.robonewbie.simulator..",

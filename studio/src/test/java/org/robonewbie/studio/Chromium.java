@@ -32,7 +32,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** A real browser without a window, steered by the Chrome DevTools protocol. */
-final class Chromium implements AutoCloseable, WebSocket.Listener {
+final class Chromium implements AutoCloseable {
 
     private static final long PATIENCE_SECONDS = 120;
 
@@ -42,13 +42,9 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
     private static final Pattern PAGE_IS_LEFT = Pattern.compile(
             "context was destroyed|Cannot find (default execution )?context|navigated or closed|Promise was collected");
 
-    private final Process process;
-    private final Path profile;
-    private final WebSocket socket;
-    private final AtomicInteger lastCall = new AtomicInteger();
-    private final Map<Integer, CompletableFuture<JsonObject>> calls = new ConcurrentHashMap<>();
+    private final BrowserProcess process;
+    private final DevTools tools;
     private final List<String> complaints = new CopyOnWriteArrayList<>();
-    private final StringBuilder text = new StringBuilder();
     private volatile CompletableFuture<Boolean> frozen = new CompletableFuture<>();
     private volatile String session = "";
     private String context = "";
@@ -56,13 +52,9 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
     private int width;
     private int height;
 
-    private Chromium(Process process, Path profile, URI address) {
+    private Chromium(BrowserProcess process) {
         this.process = process;
-        this.profile = profile;
-        this.socket = HttpClient.newHttpClient()
-                .newWebSocketBuilder()
-                .buildAsync(address, this)
-                .join();
+        this.tools = new DevTools(process.devTools(), this::receiveEvent);
     }
 
     /** Starts a browser with a page whose pictures are worth looking at. */
@@ -74,54 +66,7 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
 
     /** Starts a browser that has no page yet. */
     static Chromium start() throws IOException {
-        Path profile = Files.createTempDirectory("studio-chromium");
-        List<String> command = new ArrayList<>();
-        command.add(Tool.BROWSER.find().orElseThrow().toString());
-        command.addAll(List.of(
-                "--headless=new",
-                "--no-sandbox",
-                "--disable-dev-shm-usage",
-                "--disable-gpu", // pages are put together by the processor, which takes less work than a pretended
-                // graphics card
-                "--enable-unsafe-swiftshader",
-                "--remote-debugging-port=0",
-                "--no-first-run",
-                "--disable-extensions",
-                "--disable-background-networking",
-                "--disable-background-timer-throttling",
-                "--disable-backgrounding-occluded-windows",
-                "--disable-renderer-backgrounding",
-                "--user-data-dir=" + profile,
-                "about:blank"));
-        Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
-        return new Chromium(process, profile, devTools(process));
-    }
-
-    private static URI devTools(Process process) throws IOException {
-        BufferedReader output =
-                new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
-        String announcement = "DevTools listening on ";
-        for (String line = output.readLine(); line != null; line = output.readLine()) {
-            if (line.startsWith(announcement)) {
-                drain(output);
-                return URI.create(line.substring(announcement.length()).strip());
-            }
-        }
-        throw new IOException("The browser did not start.");
-    }
-
-    private static void drain(BufferedReader output) {
-        Thread reader = new Thread(() -> readAll(output), "chromium-output");
-        reader.setDaemon(true);
-        reader.start();
-    }
-
-    private static void readAll(BufferedReader output) {
-        try {
-            output.transferTo(Writer.nullWriter());
-        } catch (IOException browserIsClosed) {
-            return;
-        }
+        return new Chromium(BrowserProcess.start());
     }
 
     /** Opens a page that knows nothing of the page before it, which is closed. */
@@ -325,14 +270,6 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
                 .decode(call("Page.captureScreenshot", form).get("data").getAsString());
     }
 
-    /** Tells how long processors have worked for the browser with all its processes. */
-    double processorSeconds() {
-        return Stream.concat(Stream.of(process.toHandle()), process.descendants())
-                .flatMap(each -> each.info().totalCpuDuration().stream())
-                .mapToDouble(work -> work.toMillis() / 1000.0)
-                .sum();
-    }
-
     /** Lists errors and warnings of the page, and addresses outside of this computer that it asked for. */
     List<String> complaints() {
         return List.copyOf(complaints);
@@ -347,51 +284,15 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
     }
 
     private JsonObject call(String method, JsonObject parameters) {
-        return send(method, parameters)
+        return tools.send(session, method, parameters)
                 .orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS)
                 .join();
     }
 
-    private synchronized CompletableFuture<JsonObject> send(String method, JsonObject parameters) {
-        int id = lastCall.incrementAndGet();
-        JsonObject message = new JsonObject();
-        message.addProperty("id", id);
-        message.addProperty("method", method);
-        message.add("params", parameters);
-        if (!session.isEmpty()) {
-            message.addProperty("sessionId", session);
-        }
-        CompletableFuture<JsonObject> answer = new CompletableFuture<>();
-        calls.put(id, answer);
-        socket.sendText(message.toString(), true).join();
-        return answer;
-    }
-
-    @Override
-    public CompletionStage<?> onText(WebSocket webSocket, CharSequence data, boolean last) {
-        text.append(data);
-        if (last) {
-            receive(JsonParser.parseString(text.toString()).getAsJsonObject());
-            text.setLength(0);
-        }
-        webSocket.request(1);
-        return CompletableFuture.completedFuture(null);
-    }
-
-    private void receive(JsonObject message) {
-        CompletableFuture<JsonObject> call =
-                message.has("id") ? calls.remove(message.get("id").getAsInt()) : null;
-        if (call != null && message.has("result")) {
-            call.complete(message.getAsJsonObject("result"));
-        } else if (call != null) {
-            call.completeExceptionally(new AssertionError(message.toString()));
-        } else if (message.has("sessionId")
-                && message.get("sessionId").getAsString().equals(session)) {
-            receiveEvent(message);
-        }
-    }
-
     private void receiveEvent(JsonObject message) {
+        if (!message.has("sessionId") || !message.get("sessionId").getAsString().equals(session)) {
+            return;
+        }
         JsonObject parameters = message.getAsJsonObject("params");
         switch (message.get("method").getAsString()) {
             case "Runtime.exceptionThrown" ->
@@ -436,20 +337,13 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
         }
     }
 
+    /** Returns how long processors have worked for the browser with all its processes. */
+    double processorSeconds() {
+        return process.processorSeconds();
+    }
+
     @Override
     public void close() {
-        process.descendants().forEach(ProcessHandle::destroyForcibly);
-        process.destroyForcibly();
-        try {
-            process.waitFor(10, TimeUnit.SECONDS);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-        try (Stream<Path> files = Files.walk(profile)) {
-            files.sorted(Comparator.reverseOrder())
-                    .forEach(file -> file.toFile().delete());
-        } catch (IOException | UncheckedIOException e) {
-            // The system's folder for temporary files is emptied by the system.
-        }
+        process.close();
     }
 }
