@@ -37,7 +37,7 @@ final class BrowserProcess implements AutoCloseable {
                 "--headless=new",
                 "--no-sandbox",
                 "--disable-dev-shm-usage",
-                "--disable-gpu", // a pretended graphics card takes more work than putting pages together without one
+                "--disable-gpu", // without a graphics card, pretending one takes most of the time
                 "--enable-unsafe-swiftshader",
                 "--remote-debugging-port=0",
                 "--no-first-run",
