@@ -58,7 +58,7 @@ class StudioPageTest {
     private void openStudioWithRobot() {
         simulation.withRobot();
         openStudio();
-        browser.await("studio.state.scene.robots.length === 1 && studio.state.frame"
+        browser.await("studio.desk.scene?.robots.length === 1 && studio.state.frame"
                 + " && !document.querySelector('#toggle').disabled");
     }
 
@@ -113,7 +113,7 @@ class StudioPageTest {
     void keysFollowTheNextRobot() {
         simulation.withRobot().withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 5, 1, 0, 180, Posture.STANDING);
         openStudio();
-        browser.await("studio.state.scene.robots.length === 2");
+        browser.await("studio.desk.scene?.robots.length === 2");
 
         browser.press("n");
 
