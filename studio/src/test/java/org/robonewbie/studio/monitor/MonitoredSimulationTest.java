@@ -106,12 +106,19 @@ class MonitoredSimulationTest implements SimulationObserver {
     }
 
     private WorldSnapshot await(Predicate<WorldSnapshot> condition) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(120);
         WorldSnapshot snapshot = seen.poll(120, TimeUnit.SECONDS);
         while (snapshot != null && !condition.test(snapshot)) {
-            snapshot = seen.poll(120, TimeUnit.SECONDS);
+            snapshot = seen.poll(end - System.nanoTime(), TimeUnit.NANOSECONDS);
         }
         assertThat(snapshot).as("what should be seen").isNotNull();
         return snapshot;
+    }
+
+    /** Waits until the robot has come to its place; what is ordered for it before that is lost or undone. */
+    private void awaitRobotAtItsPlace() throws InterruptedException {
+        await(now -> !now.robots().isEmpty()
+                && now.robots().get(0).body().position().distanceTo(new Vector3(-1, 0.5, 0.4)) < 0.2);
     }
 
     @Test
@@ -133,7 +140,7 @@ class MonitoredSimulationTest implements SimulationObserver {
 
     @Test
     void trainerOrdersGoThroughThePort() throws InterruptedException {
-        await(now -> !now.robots().isEmpty());
+        awaitRobotAtItsPlace();
 
         watched.order(new Order.PlaceRobot(new PlayerNumber(TeamSide.LEFT, 7), new Vector3(2, 1, 0.4), 90));
         watched.order(new Order.MoveBall(new Vector3(-2, 1, 0.042), Vector3.ZERO));
@@ -154,7 +161,7 @@ class MonitoredSimulationTest implements SimulationObserver {
 
     @Test
     void goalsAreReported() throws InterruptedException {
-        await(now -> !now.robots().isEmpty());
+        awaitRobotAtItsPlace();
         watched.order(new Order.DropBall());
         await(now -> now.playMode() == PlayMode.PLAY_ON);
 
