@@ -3,7 +3,6 @@ package org.robonewbie.studio;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
-import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
@@ -27,6 +26,7 @@ final class PuppetDesk {
     static final String TEAM = "Puppets";
 
     private static final int PLAYERS = 11;
+    private static final long CYCLES_TO_LINE_UP = 10;
     private static final double METRES_TO_BALL = 0.4;
     private static final double METRES_BETWEEN = 0.5;
 
@@ -34,7 +34,8 @@ final class PuppetDesk {
     private final Optional<PuppetProvider> provider =
             ServiceLoader.load(PuppetProvider.class).findFirst();
     private final Map<PlayerNumber, Puppet> puppets = new ConcurrentHashMap<>();
-    private final Set<PlayerNumber> arriving = ConcurrentHashMap.newKeySet();
+    /** Puppets on their way, and since which cycle each has been in the game. */
+    private final Map<PlayerNumber, Long> arriving = new ConcurrentHashMap<>();
 
     PuppetDesk(SimulationControl simulation) {
         this.simulation = simulation;
@@ -62,7 +63,7 @@ final class PuppetDesk {
             PlayerNumber player = new PlayerNumber(side, number);
             if (!puppets.containsKey(player) && find(now, player).isEmpty()) {
                 start(player, teamName(now, side), RobotType.TYPE_0);
-                arriving.add(player);
+                arriving.put(player, Long.MAX_VALUE);
                 return;
             }
         }
@@ -70,12 +71,15 @@ final class PuppetDesk {
                 "This team has eleven robots already. Take one away, or choose the other team.");
     }
 
-    /** Puts puppets that have just joined behind the ball, where they can kick it at once. */
+    /** Puts puppets behind the ball, where they can kick it at once, as soon as they have taken their places in the line-up. */
     void place(WorldSnapshot now) {
-        for (PlayerNumber player : arriving) {
+        for (PlayerNumber player : arriving.keySet()) {
             find(now, player).ifPresent(robot -> {
-                arriving.remove(player);
-                simulation.order(new Order.PlaceRobot(player, behindBall(robot, now), headingOf(player)));
+                long joined = arriving.merge(player, now.cycle(), Math::min);
+                if (now.cycle() - joined >= CYCLES_TO_LINE_UP) {
+                    arriving.remove(player);
+                    simulation.order(new Order.PlaceRobot(player, behindBall(robot, now), headingOf(player)));
+                }
             });
         }
     }

@@ -101,7 +101,7 @@ class MotionFilesPageTest {
 
     @Test
     void postureOfARecordedMomentBecomesAKeyframe() {
-        browser.visit(studio.address() + "&quality=lowest&theme=light#replay");
+        browser.visit(studio.address() + "&quality=lowest&theme=light#replay/game");
         browser.await("studio.replay?.file?.isWhole && studio.cursor.recorded && !studio.replay.stale");
         browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");
         browser.await("studio.replay.state.index === studio.replay.state.count - 1 && !studio.replay.stale");
