@@ -6,12 +6,15 @@ import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.eclipse.jetty.websocket.api.Callback;
 import org.eclipse.jetty.websocket.api.Session;
 import org.eclipse.jetty.websocket.api.StatusCode;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.AgentMessages;
@@ -32,6 +35,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
 
     private final LiveFeed feed;
     private final Deque<String> heard = new ArrayDeque<>();
+    private final Map<String, TelemetryMessage> pictures = new LinkedHashMap<>();
     private final Deque<AgentMessages> talk = new ArrayDeque<>();
     private final Deque<String> news = new ArrayDeque<>();
     private volatile String watched = "";
@@ -92,13 +96,19 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         }
     }
 
-    /** Keeps what the watched robot tells until the page is ready for it. Called by the feed's thread only. */
+    /**
+     * Keeps all that the watched robot tells, and the newest picture that each other robot draws, until the page is ready for
+     * it. Called by the feed's thread only.
+     */
     void hear(TelemetryMessage message) {
-        if (watches(TelemetryHistory.key(message.team(), message.number()))) {
+        String robot = TelemetryHistory.key(message.team(), message.number());
+        if (watches(robot)) {
             heard.add(TelemetryLine.write(message));
             if (heard.size() > MOST_LINES) {
                 heard.remove();
             }
+        } else if (message.item() instanceof TelemetryItem.Picture) {
+            pictures.put(robot, message);
         }
     }
 
@@ -125,6 +135,9 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         JsonArray lines = new JsonArray();
         heard.forEach(lines::add);
         heard.clear();
+        JsonArray drawings = new JsonArray();
+        pictures.values().forEach(picture -> drawings.add(TelemetryLine.write(picture)));
+        pictures.clear();
         JsonArray exchanged = new JsonArray();
         for (AgentMessages messages : talk) {
             JsonArray one = new JsonArray();
@@ -138,6 +151,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         json.addProperty("kind", "telemetry");
         json.addProperty("robot", watched);
         json.add("lines", lines);
+        json.add("drawings", drawings);
         json.add("messages", exchanged);
         return json.toString();
     }
@@ -162,7 +176,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         }
         texts.addAll(news);
         news.clear();
-        if (!heard.isEmpty() || !talk.isEmpty()) {
+        if (!heard.isEmpty() || !talk.isEmpty() || !pictures.isEmpty()) {
             texts.add(thoughts());
         }
         send(session, texts, frame);

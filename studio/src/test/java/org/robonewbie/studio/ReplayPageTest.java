@@ -57,6 +57,7 @@ class ReplayPageTest {
         Files.writeString(recorded.resolve("game.notes"), """
                 {"seconds":1,"robot":"Blue Newbies 1","level":"INFO","text":"I see the ball"}
                 {"seconds":2,"robot":"Blue Newbies 1","level":"WARNING","text":"the joint is too fast"}
+                {"drawn":"draw\\t1.0\\tAda\\t1\\tcircle\\tcyan\\t1.0\\t0.0\\t-0.5\\t0.4\\ttext\\tcyan\\t1.0\\t0.0\\t-0.5\\tball <here>"}
                 """);
     }
 
@@ -202,7 +203,7 @@ class ReplayPageTest {
         browser.drawSharply();
         visit();
         String page = browser.evaluate("import('./replay/standalone.js').then(({ standalonePage }) =>"
-                        + " standalonePage(studio.replay.file.packed, studio.replay.models, 'game'))")
+                        + " standalonePage(studio.replay.file, studio.replay.models))")
                 .getAsString();
         Path file = Files.writeString(place.resolve("game.html"), page);
 
@@ -217,6 +218,12 @@ class ReplayPageTest {
         assertThat(number("document.querySelector('#replay').getBoundingClientRect().bottom"))
                 .isLessThanOrEqualTo(768);
         assertThat(grassIn(browser.screenshot())).isGreaterThan(0.15);
+        String line = "document.querySelector('.replay-line').getBoundingClientRect()";
+        double x = number(line + ".x + 14 + 75 / (player.replay.count - 1) * (" + line + ".width - 28)");
+        browser.mouse("mousePressed", x, number(line + ".y + 28"));
+        browser.mouse("mouseReleased", x, number(line + ".y + 28"));
+        browser.await("player.view.drawings.texts.children[0]?.name === 'ball <here>'"
+                + " && !document.querySelector('#drawings').hidden");
         assertThat(browser.complaints()).allMatch(text -> text.contains("file:"));
     }
 
@@ -233,6 +240,24 @@ class ReplayPageTest {
 
     private static boolean isGreen(Color colour) {
         return colour.getGreen() > Math.max(colour.getRed(), colour.getBlue()) + 25;
+    }
+
+    @Test
+    void whatARobotDrewIsOnTheGroundUntilASecondLater() {
+        visit();
+        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'Home').act()");
+        browser.await(STATE + ".index === 0 && !studio.view.drawings.group.visible");
+
+        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'Page down').act()");
+
+        browser.await("studio.view.drawings.texts.children[0]?.name === 'ball <here>'");
+        browser.await("studio.view.drawings.shapes.geometry.getAttribute('position').count === 48 * 6");
+        browser.press("d");
+        browser.await("!studio.view.drawings.group.visible");
+        browser.press("d");
+        browser.await("studio.view.drawings.group.visible");
+        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'Page down').act()");
+        browser.await("!studio.view.drawings.group.visible");
     }
 
     @Test

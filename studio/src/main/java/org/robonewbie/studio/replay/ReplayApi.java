@@ -32,7 +32,7 @@ import org.robonewbie.simulator.monitor.RecordedLog;
  * GET /api/recordings/NAME?from=N     its bytes from the N-th on, at most four million at once
  * GET /api/cards/NAME                 its teams, score, length and events, and where everybody is at its end
  * GET /api/log/NAME                   the recording as the log of a SimSpark server, packed with gzip
- * GET /api/notes/NAME                 what robots wrote into their logs meanwhile, one line of JSON each
+ * GET /api/notes/NAME                 what robots logged and drew meanwhile, one line of JSON each
  * GET /api/models                     the bodies of all robot types
  * </pre>
  */

@@ -5,6 +5,7 @@ import { chooserFor, openView } from './field/open-view.js';
 import { Connection } from './live/connection.js';
 import { Session } from './live/session.js';
 import { CoursePanel } from './panels/course-panel.js';
+import { DrawingDesk } from './panels/drawing-desk.js';
 import { byId } from './panels/elements.js';
 import { watchFreeSpace } from './panels/free-space.js';
 import { FIELD_MOUSE, fieldDeeds, listenToKeys } from './panels/keys.js';
@@ -59,6 +60,7 @@ export class Studio {
     this.connection = new Connection(address, this.session);
     this.time = timeActions(() => this.state, this.send);
     this.rooms = this.#makeRooms();
+    this.drawings = new DrawingDesk(this.view, this.touch);
     this.drawTimeLine = timeLinePanel(this.cursor, this.touch);
     this.room = roomsPanel((entered) => this.#enter(entered));
   }
@@ -160,11 +162,11 @@ export class Studio {
   }
 
   #listen() {
-    const field = { deeds: this.#fieldDeeds(), mouse: FIELD_MOUSE };
-    const timeDeeds = timeLineDeeds(this.cursor, this.touch);
+    const field = { deeds: [...this.#fieldDeeds(), this.drawings.deed], mouse: FIELD_MOUSE };
     listenToKeys(() => {
       const keys = this.rooms.keys(this.room(), field);
-      return this.room() === 'replay' ? keys : { ...keys, deeds: [...keys.deeds, ...timeDeeds] };
+      const more = this.room() === 'replay' ? [this.drawings.deed] : timeLineDeeds(this.cursor, this.touch);
+      return { ...keys, deeds: [...keys.deeds, ...more] };
     });
     const setTheme = this.#touching((/** @type {'light' | 'dark'} */ theme) => {
       this.view.setTheme(theme);
@@ -181,13 +183,12 @@ export class Studio {
 
   #fieldDeeds() {
     const { desk } = this;
-    const next = () => desk.choose((desk.chosen + 1) % Math.max(1, this.state.scene?.robots.length ?? 1));
     return fieldDeeds(
       {
         turn: this.#touching((/** @type {number} */ right, /** @type {number} */ up) => desk.turn(right, up)),
         zoom: this.#touching((/** @type {number} */ factor) => desk.zoom(factor)),
         camera: (index) => this.#chooseCamera(CAMERAS[index].mode),
-        next: this.#touching(next),
+        next: this.#touching(() => desk.choose((desk.chosen + 1) % Math.max(1, this.state.scene?.robots.length ?? 1))),
       },
       this.time,
       this.send,
@@ -273,6 +274,7 @@ export class Studio {
     if (picture && picture.robots.length === scene?.robots.length) {
       view.update(picture);
     }
+    this.drawings.show(session.shown, session.drawings);
     session.stale = desk.update(view.crowd.poses, seconds, view.ball.position.toArray());
     view.light.shine(desk.shown.target, view.camera.position);
     view.draw();

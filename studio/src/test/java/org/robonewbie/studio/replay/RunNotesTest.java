@@ -5,9 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.telemetry.Drawing;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.file.RecordingShelf;
@@ -59,6 +62,33 @@ class RunNotesTest {
         }
 
         assertThat(RunNotes.read(recording)).hasLineCount(2000).contains("line 1999");
+    }
+
+    @Test
+    void tenPicturesOfEachRobotPerSecondAreKeptUpToAnAmount() throws IOException {
+        Path recording = recording();
+        RunNotes notes = notes();
+
+        for (int cycle = 0; cycle < 50; cycle++) {
+            notes.keep(drawn(4, cycle, "here"));
+            notes.keep(drawn(5, cycle, "there"));
+        }
+
+        assertThat(RunNotes.read(recording))
+                .hasLineCount(20)
+                .startsWith("{\"drawn\":\"draw\\t0.0\\tBlue\\t4\\ttext\\tred\\t0.0\\t0.0\\t0.0\\there\"}");
+        for (int cycle = 50; cycle < 1050; cycle += 5) {
+            notes.keep(drawn(4, cycle, "x".repeat(50_000)));
+        }
+        assertThat(RunNotes.read(recording).length()).isBetween(3_900_000, 4_001_000);
+    }
+
+    private static TelemetryMessage drawn(int number, int cycle, String text) {
+        return new TelemetryMessage(
+                "Blue",
+                number,
+                cycle / 50.0,
+                new TelemetryItem.Picture(List.of(new Drawing.Text(Vector3.ZERO, text, "red"))));
     }
 
     @Test

@@ -1,6 +1,7 @@
 /** The picture of the field: owns the three.js scene and draws it; what is drawn comes from outside. */
 import * as THREE from 'three';
 import { ball, BALL_RADIUS, ballShape } from './ball.js';
+import { FieldDrawings } from './drawings.js';
 import { Light, PALETTES, roomReflections } from './light.js';
 import { pitch } from './pitch.js';
 import { RobotCrowd } from './robot-crowd.js';
@@ -35,9 +36,10 @@ export class FieldView {
     this.light = new Light(this.scene);
     this.crowd = new RobotCrowd();
     this.softShadows = new SoftShadows();
+    this.drawings = new FieldDrawings();
     this.ball = ball();
     this.ball.visible = false;
-    this.scene.add(this.crowd.group, this.softShadows.group, this.ball);
+    this.scene.add(this.crowd.group, this.softShadows.group, this.drawings.group, this.ball);
     this.palette = PALETTES.light;
     this.realShadows = false;
     /** @type {Scene | undefined} */

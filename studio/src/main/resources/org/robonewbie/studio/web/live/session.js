@@ -1,4 +1,5 @@
 /** What this page knows of the running simulation: news and frames come in, what is to be shown goes out. No picture here. */
+import { DrawingMemory } from '../state/robot/drawing-memory.js';
 import { Smoothing } from '../state/smoothing.js';
 import {
   initialState,
@@ -33,6 +34,8 @@ export class Session {
     this.state = initialState(hasToken);
     this.cursor = new TimeCursor();
     this.smoothing = new Smoothing();
+    /** What robots of the running simulation have drawn. */
+    this.drawn = new DrawingMemory();
     /** Whether the picture must be drawn again. */
     this.stale = true;
     /** Whether the simulator waits to hear that its frame was seen. */
@@ -48,6 +51,11 @@ export class Session {
     return this.cursor.shown(this.state);
   }
 
+  /** What robots have drawn at the moments around the shown one. */
+  get drawings() {
+    return this.cursor.recorded?.drawings ?? this.drawn;
+  }
+
   get teams() {
     return this.state.scene?.teams ?? { left: '', right: '' };
   }
@@ -56,6 +64,7 @@ export class Session {
     this.#set(withConnection(this.state));
     this.audience.begun();
     this.cursor.restart();
+    this.drawn = new DrawingMemory();
     this.smoothing.clear();
   }
 
@@ -75,6 +84,7 @@ export class Session {
     if (news.kind === 'scene') {
       this.#set(withScene(this.state, news));
     } else if (news.kind === 'telemetry') {
+      this.drawn.hear([...news.lines, ...news.drawings]);
       this.audience.telemetry(news);
     } else if (news.kind === 'event') {
       this.audience.happened(news.text, this.teams);

@@ -3,10 +3,12 @@ import { CameraDesk } from '../field/camera-desk.js';
 import { FieldView } from '../field/field-view.js';
 import { Hand } from '../field/hand.js';
 import { button, byId, element, setText } from '../panels/elements.js';
+import { DrawingDesk } from '../panels/drawing-desk.js';
 import { scoreBoardPanel } from '../panels/score-board.js';
 import { QUALITIES, QualityChooser, qualityRange } from '../state/quality.js';
 import { RecordingReader } from '../state/replay/recording-reader.js';
 import { advanced, atMoment, BEGINNING, frameOf, MOMENTS_PER_SECOND, sceneOf } from '../state/replay/replay-state.js';
+import { DrawingMemory } from '../state/robot/drawing-memory.js';
 import { initialState, withConnection, withScene, withFrame } from '../state/studio-state.js';
 import { ReplayLine } from './replay-line.js';
 import { unpack } from './unpack.js';
@@ -33,6 +35,11 @@ new Hand(view, desk, {
   changed: () => {
     stale = true;
   },
+});
+const drawings = new DrawingMemory(Infinity);
+drawings.hear(JSON.parse(byId('pictures').textContent ?? '[]'));
+const layers = new DrawingDesk(view, () => {
+  stale = true;
 });
 const board = scoreBoardPanel();
 const play = button('', '', () => {
@@ -81,6 +88,7 @@ function draw(now, seconds) {
   }
   state = withFrame(withScene(state, scene), frameOf(moment, scene), now);
   view.update(/** @type {any} */ (state.frame));
+  layers.show(state, drawings);
   stale = desk.update(view.crowd.poses, seconds, view.ball.position.toArray());
   view.light.shine(desk.shown.target, view.camera.position);
   view.draw();

@@ -1,6 +1,7 @@
 /** Fetches recordings from the studio's server and unpacks them while they come; a run that goes on is followed. */
-import { notesOf } from '../state/replay/notes.js';
+import { notesOf, picturesOf } from '../state/replay/notes.js';
 import { RecordingReader } from '../state/replay/recording-reader.js';
+import { DrawingMemory } from '../state/robot/drawing-memory.js';
 
 /**
  * @typedef {object} RecordingEntry
@@ -53,7 +54,7 @@ export async function loadLog(token, name) {
   return (await ask(token, `log/${encodeURIComponent(name)}`)).blob();
 }
 
-/** @param {string} token @param {string} name @returns {Promise<string>} what robots wrote into their logs, one line of JSON each */
+/** @param {string} token @param {string} name @returns {Promise<string>} what robots logged and drew, one line of JSON each */
 async function loadNotes(token, name) {
   return (await ask(token, `notes/${encodeURIComponent(name)}`)).text();
 }
@@ -73,6 +74,9 @@ export class RecordingFile {
     this.reader = new RecordingReader((type) => models[type].hinges.length);
     /** @type {import('../state/replay/recording-reader.js').RecordedEvent[]} lines of logs */
     this.notes = [];
+    /** @type {string[]} lines of telemetry with what robots drew */
+    this.pictures = [];
+    this.drawings = new DrawingMemory(Infinity);
     this.read = 0;
     /** @type {Uint8Array[]} the packed bytes as they came */
     this.packed = [];
@@ -90,12 +94,20 @@ export class RecordingFile {
     for (let size = await this.#fetchMore(); size > 0 && this.open; size = await this.#fetchMore()) {
       this.grown();
     }
-    this.notes = notesOf(await loadNotes(this.token, this.name), this.reader.moments[0]?.cycle ?? 0);
+    this.#note(await loadNotes(this.token, this.name));
     this.isWhole = true;
     this.grown();
     if (follows && this.open) {
       this.timer = window.setTimeout(() => this.load(true).catch(() => {}), FOLLOW_MILLISECONDS);
     }
+  }
+
+  /** @param {string} lines what robots logged and drew */
+  #note(lines) {
+    this.notes = notesOf(lines, this.reader.moments[0]?.cycle ?? 0);
+    const pictures = picturesOf(lines);
+    this.drawings.hear(pictures.slice(this.pictures.length));
+    this.pictures = pictures;
   }
 
   /** All that the time line marks. */

@@ -137,7 +137,8 @@ class ReplayRoom {
     }
     const scene = this.#sceneAt(moment, this.file.reader.header);
     const seen = this.comparison.picture({ scene, frame: frameOf(moment, scene) }, this.state.index);
-    return { ...seen, name: this.file.name, reader: this.file.reader, running: this.isRunning };
+    const { name, reader, drawings } = this.file;
+    return { ...seen, name, reader, drawings, running: this.isRunning };
   }
 
   /**
@@ -246,7 +247,8 @@ class ReplayRoom {
 
   async #page() {
     const { standalonePage } = await import('./standalone.js');
-    return standalonePage(this.file?.packed ?? [], this.models, this.file?.name ?? '');
+    const { packed = [], name = '', pictures = [] } = this.file ?? {};
+    return standalonePage({ packed, name, pictures }, this.models);
   }
 
   /** @param {string} ending of the file @param {() => Promise<string | Blob>} make */

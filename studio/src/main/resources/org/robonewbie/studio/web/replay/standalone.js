@@ -5,18 +5,20 @@ import { unpack } from './unpack.js';
 
 const SCRIPT = /^(import|export)([^'"]*?from\s*|\s*)(['"])(\.{1,2}\/[^'"]+|three)\3/gm;
 const START = 'replay/player.js';
-const STYLES = ['theme.css', 'layout.css', 'replay.css'];
+const STYLES = ['theme.css', 'layout.css', 'replay.css', 'drawings.css'];
 
 /** The page has no bar above its picture, so the picture takes the first row and all of the height. */
 const WHOLE_PAGE = 'body { grid-template-rows: minmax(0, 1fr); }';
 
 /**
- * @param {Uint8Array[]} packed the recording as it is on the disk
+ * @param {object} run
+ * @param {Uint8Array[]} run.packed the recording as it is on the disk
+ * @param {string} run.name
+ * @param {string[]} run.pictures lines of telemetry with what robots drew
  * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
- * @param {string} name
  * @returns {Promise<string>}
  */
-export async function standalonePage(packed, models, name) {
+export async function standalonePage({ packed, name, pictures }, models) {
   /** @type {Map<string, string>} */
   const scripts = new Map();
   await collect(START, scripts);
@@ -35,8 +37,9 @@ export async function standalonePage(packed, models, name) {
 <style>${styles}
 ${WHOLE_PAGE}</style>
 <script type="importmap">${JSON.stringify({ imports })}</script></head>
-<body><main id="field-room"><div id="stage"></div><section id="score-board" class="panel"></section><section id="replay" class="panel"></section></main>
+<body><main id="field-room"><div id="stage"></div><section id="score-board" class="panel"></section><section id="drawings" class="panel" hidden></section><section id="replay" class="panel"></section></main>
 <script type="application/json" id="models">${JSON.stringify(models)}</script>
+<script type="application/json" id="pictures">${JSON.stringify(pictures).replaceAll('<', '\\u003c')}</script>
 <script type="text/plain" id="recording">${recording}</script>
 <script type="module">import 'studio/${START}';</script></body></html>`;
 }

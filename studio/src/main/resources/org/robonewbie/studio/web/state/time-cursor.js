@@ -15,6 +15,7 @@ import { LiveHistory } from './live-history.js';
  * @property {Scene} scene
  * @property {Frame} frame
  * @property {RecordingReader} reader the whole recording
+ * @property {import('./robot/drawing-memory.js').DrawingMemory} drawings what robots have drawn meanwhile
  * @property {boolean} running whether it is the recording of the running simulation
  *
  * @typedef {object} Shown

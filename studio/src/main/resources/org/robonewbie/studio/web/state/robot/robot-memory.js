@@ -102,7 +102,7 @@ export class RobotMemory {
  * @param {T} item
  * @param {number} most
  */
-function keep(list, item, most) {
+export function keep(list, item, most) {
   list.push(item);
   if (list.length > most * 1.1) {
     list.splice(0, list.length - most);
@@ -124,6 +124,6 @@ function countUntil(list, seconds) {
 }
 
 /** @template {{seconds: number}} T @param {T[]} list @param {number} seconds @returns {T | undefined} */
-function latest(list, seconds) {
+export function latest(list, seconds) {
   return list[countUntil(list, seconds) - 1];
 }

@@ -1,0 +1,117 @@
+/** What robots draw, on the ground of the picture: one mesh for all shapes, and a sprite for each text. */
+import * as THREE from 'three';
+import { isDrawable, onGround, trianglesOf } from '../state/drawing-shapes.js';
+
+/**
+ * @typedef {import('../state/drawing-shapes.js').Stand} Stand
+ * @typedef {{stand: Stand, drawing: import('../state/robot/telemetry.js').Drawing}} Placed
+ */
+
+/** Above lines of the pitch and soft shadows. */
+const HEIGHT = 0.012;
+
+/** Height of a text as part of the picture's height. */
+const TEXT_SCALE = 0.021;
+const FONT_PIXELS = 44;
+const MOST_TEXTS = 300;
+const CODE = /^#([0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})$/i;
+
+export class FieldDrawings {
+  /** Texts that are shown, by colour and words. @type {Map<string, THREE.SpriteMaterial>} */
+  #looks = new Map();
+
+  constructor() {
+    const material = new THREE.MeshBasicMaterial({ vertexColors: true, side: THREE.DoubleSide, toneMapped: false });
+    this.shapes = new THREE.Mesh(new THREE.BufferGeometry(), material);
+    this.shapes.frustumCulled = false;
+    this.texts = new THREE.Group();
+    this.group = new THREE.Group();
+    this.group.name = 'drawings';
+    this.group.add(this.shapes, this.texts);
+    this.show([]);
+  }
+
+  /** @param {Placed[]} placed all that is to be seen now */
+  show(placed) {
+    const drawable = placed.filter(({ drawing }) => isDrawable(drawing));
+    this.group.visible = drawable.length > 0;
+    this.#fill(drawable);
+    this.#write(drawable.filter(({ drawing }) => drawing.shape === 'text').slice(0, MOST_TEXTS));
+  }
+
+  /** @param {Placed[]} placed */
+  #fill(placed) {
+    const [places, colours] = [/** @type {number[]} */ ([]), /** @type {number[]} */ ([])];
+    for (const { stand, drawing } of placed) {
+      const corners = trianglesOf(stand, drawing);
+      const paint = new THREE.Color(knownColour(drawing.colour)).toArray();
+      for (let i = 0; i < corners.length; i += 2) {
+        places.push(corners[i], corners[i + 1], HEIGHT);
+        colours.push(...paint);
+      }
+    }
+    this.shapes.geometry.dispose();
+    this.shapes.geometry = new THREE.BufferGeometry();
+    this.shapes.geometry.setAttribute('position', new THREE.Float32BufferAttribute(places, 3));
+    this.shapes.geometry.setAttribute('color', new THREE.Float32BufferAttribute(colours, 3));
+    this.shapes.visible = places.length > 0;
+  }
+
+  /** @param {Placed[]} placed texts */
+  #write(placed) {
+    const before = this.#looks;
+    this.#looks = new Map();
+    this.texts.clear();
+    for (const { stand, drawing } of placed) {
+      const key = `${drawing.colour}\n${drawing.text}`;
+      const look = this.#looks.get(key) ?? before.get(key) ?? textLook(drawing.text, knownColour(drawing.colour));
+      this.#looks.set(key, look);
+      before.delete(key);
+      const [x, y] = onGround(stand, drawing.place);
+      this.texts.add(textSprite(look, x, y, drawing.text));
+    }
+    for (const gone of before.values()) {
+      gone.map?.dispose();
+      gone.dispose();
+    }
+  }
+}
+
+/** @param {string} colour as an agent names it @returns {string} one that can be drawn */
+function knownColour(colour) {
+  if (CODE.test(colour)) {
+    return colour.slice(0, colour.length < 6 ? 4 : 7);
+  }
+  const name = colour.toLowerCase();
+  return name in THREE.Color.NAMES ? name : 'magenta';
+}
+
+/** @param {THREE.SpriteMaterial} look @param {number} x @param {number} y @param {string} text */
+function textSprite(look, x, y, text) {
+  const sprite = new THREE.Sprite(look);
+  sprite.center.set(0.5, 0);
+  sprite.position.set(x, y, HEIGHT);
+  sprite.scale.set(TEXT_SCALE * look.userData.aspect, TEXT_SCALE, 1);
+  sprite.renderOrder = 2;
+  sprite.name = text;
+  return sprite;
+}
+
+/** A text with a dark edge, so that it is read on grass and lines alike. @param {string} text @param {string} colour */
+function textLook(text, colour) {
+  const canvas = document.createElement('canvas');
+  const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+  const font = `600 ${FONT_PIXELS}px system-ui, sans-serif`;
+  pen.font = font;
+  canvas.width = Math.min(2048, Math.ceil(pen.measureText(text).width) + 16);
+  canvas.height = FONT_PIXELS + 16;
+  Object.assign(pen, { font, textBaseline: 'middle', lineJoin: 'round', lineWidth: 8, fillStyle: colour });
+  pen.strokeStyle = 'rgb(0 0 0 / 65%)';
+  pen.strokeText(text, 8, canvas.height / 2, 2032);
+  pen.fillText(text, 8, canvas.height / 2, 2032);
+  const map = new THREE.CanvasTexture(canvas);
+  map.colorSpace = THREE.SRGBColorSpace;
+  const look = new THREE.SpriteMaterial({ map, sizeAttenuation: false, depthTest: false, toneMapped: false });
+  look.userData.aspect = canvas.width / canvas.height;
+  return look;
+}

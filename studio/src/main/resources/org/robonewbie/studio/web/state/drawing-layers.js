@@ -1,0 +1,41 @@
+/**
+ * Which drawings are shown: all, those of one robot, or one kind of them. A layer is off if it or what it belongs to is off.
+ * Pure.
+ */
+
+/** The layer to which all others belong. */
+export const ALL_DRAWINGS = '';
+
+/** Kinds of drawings and how a list names them, in the order in which they are listed. */
+export const KINDS = { circle: 'Circles', line: 'Lines', point: 'Points', text: 'Texts' };
+
+/** @param {string} robot its key @param {string} kind @returns {string} */
+export function layerOf(robot, kind) {
+  return `${robot}\t${kind}`;
+}
+
+export class DrawingLayers {
+  /** @param {Iterable<string>} off layers */
+  constructor(off = []) {
+    this.off = new Set(off);
+  }
+
+  /** @param {string} layer */
+  isOn(layer) {
+    return !this.off.has(layer);
+  }
+
+  /** @param {string} layer @param {boolean} on */
+  set(layer, on) {
+    if (on) {
+      this.off.delete(layer);
+    } else {
+      this.off.add(layer);
+    }
+  }
+
+  /** @param {string} robot its key @param {string} kind */
+  shows(robot, kind) {
+    return [ALL_DRAWINGS, robot, layerOf(robot, kind)].every((layer) => this.isOn(layer));
+  }
+}
