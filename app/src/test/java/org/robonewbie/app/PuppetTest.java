@@ -127,12 +127,14 @@ class PuppetTest {
         return snapshot.robots().get(0).body().position().x();
     }
 
+    /** Adds a puppet and waits until it stands behind the ball. */
     private WorldSnapshot addPuppet() throws InterruptedException {
         awaitSightOfTheStudio();
         order("{'do':'addPuppet','side':'left'}");
-        long born = await(now -> now.robots().size() == 1 && now.robots().get(0).number() == 1)
+        long there = await(now -> now.robots().size() == 1
+                        && Math.abs(x(now) - now.ballPosition().x() + 0.4) < 0.1)
                 .cycle();
-        return await(now -> now.cycle() > born + 100);
+        return await(now -> now.cycle() > there + 100);
     }
 
     @Test
