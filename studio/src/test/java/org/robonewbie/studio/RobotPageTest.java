@@ -157,6 +157,7 @@ class RobotPageTest {
         }
         browser.await("studio.robot.plots.rows[3]?.plot?.series.length === 3");
         browser.await("studio.robot.plots.rows[3].plot.data[2].length > 10");
+        browser.await("studio.robot.plots.moment.seconds > 1"); // no curve shows less than a second
 
         browser.click("#hold-curves");
         browser.await("studio.robot.plots.rows[3].plot.scales.x.max === studio.robot.plots.heldAt");
