@@ -45,12 +45,14 @@ const board = scoreBoardPanel();
 const play = button('', '', () => {
   const isOver = replay.index >= replay.count - 1;
   replay = { ...(isOver ? atMoment(replay, 0) : replay), playing: !replay.playing };
+  stale = true;
 });
 play.className = 'primary';
 const reading = element('span', { class: 'seconds' });
 const place = element('div', { class: 'replay-line' });
 const line = new ReplayLine(place, (index) => {
   replay = { ...atMoment(replay, index), playing: false };
+  stale = true;
 });
 byId('replay').append(place, element('div', { class: 'replay-bar' }, play, reading));
 addEventListener('resize', () => {
