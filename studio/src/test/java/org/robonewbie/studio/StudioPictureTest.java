@@ -26,7 +26,7 @@ class StudioPictureTest {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 720;
     private static final String VIEW = "studio.desk.jumpTo({target: [-3.3, 0.12, 0.27], azimuthDegrees: -29,"
-            + " elevationDegrees: 9.5, distance: 1.68})";
+            + " elevationDegrees: 9.5, distance: 1.68}); studio.touch()";
 
     @Test
     void fieldIsWorthAPicture() throws IOException {
