@@ -25,5 +25,10 @@ export default [
     },
   },
   { files: ['src/main/**/*.js'], languageOptions: { globals: globals.browser } },
-  { files: ['src/test/**/*.js', '*.js'], languageOptions: { globals: globals.node } },
+  {
+    files: ['src/test/**/*.js', 'src/vendor/*.js', '*.js'],
+    ignores: ['src/test/tools/fuzz-page.js'],
+    languageOptions: { globals: globals.node },
+  },
+  { files: ['src/test/tools/fuzz-page.js'], languageOptions: { globals: globals.browser } },
 ];

@@ -3,9 +3,28 @@
 import gymnasium
 import numpy as np
 
-from robonewbie.simulator import RESET, STEP, Connection
+from robonewbie.picture import draw
+from robonewbie.simulator import RESET, STEP, Connection, RoboNewbieError
 
 _SEEDS = 2**62
+RENDER_MODES = ["rgb_array"]
+
+
+class EpisodeSeeds:
+    """Draws the seeds of episodes, for each of several robots from a chance of its own."""
+
+    def __init__(self, robots):
+        self._randoms = [np.random.default_rng() for _ in range(robots)]
+
+    def begin(self, seeds):
+        """Seeds each chance; ``None`` lets one go on."""
+        for i, seed in enumerate(seeds):
+            if seed is not None:
+                self._randoms[i] = np.random.default_rng(seed)
+
+    def draw(self, wanted):
+        """Returns a seed for each robot that is wanted, 0 for the others."""
+        return np.array([r.integers(_SEEDS) if w else 0 for r, w in zip(self._randoms, wanted)], dtype=np.int64)
 
 
 def spaces_of(description):
@@ -17,21 +36,39 @@ def spaces_of(description):
     return observation, action
 
 
+def checked_render_mode(mode):
+    """Refuses a way to render that does not exist."""
+    if mode is not None and mode not in RENDER_MODES:
+        raise ValueError(f'There is no render_mode "{mode}". There are: {", ".join(RENDER_MODES)}, or leave it out.')
+    return mode
+
+
 class RoboNewbieEnv(gymnasium.Env):
     """A task for one robot; one step is a cycle of 20 ms.
 
-    ``observation_names``, ``observation_units`` and ``action_names`` tell what the numbers are. An action is, for each joint,
-    the angle to go to: -1 to 1 times ``range_degrees`` from the first posture. ``reward`` is the name of a measure such as
-    ``"energy"``; without it the task decides what it pays.
+    ``observation_names``, ``observation_units`` and ``action_names`` say what the numbers are. An action is, for each joint,
+    the angle to go to: -1 to 1 times ``range_degrees`` from the first posture.
+
+    ``reward`` is the name of a measure such as ``"energy"``; without it the task decides what it pays. ``options`` change the
+    episodes: ``x``, ``y`` (metres), ``heading`` (degrees), ``ball_x``, ``ball_y``, ``push`` (newtons by which pushes once per
+    second get harder) and ``delay`` (cycles until an action acts). Each is a number, or a pair (low, high) from which each
+    episode draws its own. ``reset(options={...})`` changes the episode that begins.
+
+    ``info`` is the true state. For a task of your own, override ``observe``, ``pay`` and ``is_over``:
+
+    >>> class Crouch(RoboNewbieEnv):
+    ...     def pay(self, reward, truth):
+    ...         return -truth["height"]
     """
 
-    metadata = {"render_modes": []}
+    metadata = {"render_modes": RENDER_MODES, "render_fps": 50}
 
-    def __init__(self, task="Walk", reward="", render_mode=None):
-        if render_mode is not None:
-            raise ValueError(f"There is no render_mode \"{render_mode}\"; leave it out.")
-        self.render_mode = None
-        self._connection = Connection(task, 1, reward)
+    def __init__(self, task="Walk", reward="", render_mode=None, **options):
+        self.render_mode = checked_render_mode(render_mode)
+        self._made_of = {"task": task, "reward": reward, "render_mode": render_mode, **options}
+        self._options = options
+        self._changed = False
+        self._connection = Connection(task, 1, reward, options)
         description = self._connection.description
         self.observation_space, self.action_space = spaces_of(description)
         self.observation_names = [entry["name"] for entry in description["observation"]]
@@ -39,15 +76,61 @@ class RoboNewbieEnv(gymnasium.Env):
         self.action_names = description["action"]
         self.range_degrees = description["rangeDegrees"]
 
+    def observe(self, observation, truth):
+        """Returns what a learner sees: what the robot senses, unless a subclass chooses from it or from the true state."""
+        return observation
+
+    def pay(self, reward, truth):
+        """Returns the reward of a step: what the task pays, unless a subclass decides."""
+        return reward
+
+    def is_over(self, over, truth):
+        """Returns whether the episode has ended: when the task says so, unless a subclass decides."""
+        return over
+
     def reset(self, *, seed=None, options=None):
         super().reset(seed=seed)
+        if options or self._changed:
+            self._connection.change({**self._options, **(options or {})})
+            self._changed = bool(options)
         episode = int(self.np_random.integers(_SEEDS))
         observation, _, _ = self._connection.act(RESET, episode, 0)
-        return observation[0], {}
+        truth = self._truth()
+        return self.observe(observation[0], truth), truth
 
     def step(self, action):
+        action = np.asarray(action, dtype=float)
+        if action.shape != self.action_space.shape:
+            raise RoboNewbieError(
+                f"The action has the shape {action.shape} instead of {self.action_space.shape}: one number for each of "
+                f"{', '.join(self.action_names)}."
+            )
         observation, reward, over = self._connection.act(STEP, 0, action)
-        return observation[0], float(reward[0]), bool(over[0]), False, {}
+        truth = self._truth()
+        return (
+            self.observe(observation[0], truth),
+            float(self.pay(float(reward[0]), truth)),
+            bool(self.is_over(bool(over[0]), truth)),
+            False,
+            truth,
+        )
+
+    def _truth(self):
+        truth = {name: float(value) for name, value in zip(self._connection.truth_names, self._connection.truth[0])}
+        for name in ("fallen", "is_success"):
+            truth[name] = bool(truth[name])
+        return truth
+
+    def render(self):
+        """Returns a picture as an array of 360 x 480 x 3 bytes if ``render_mode`` is ``"rgb_array"``."""
+        return draw(self._connection.picture(0)) if self.render_mode == "rgb_array" else None
 
     def close(self):
         self._connection.close()
+
+    def __getstate__(self):
+        """A pickled environment is made again by the process that reads it."""
+        return self._made_of
+
+    def __setstate__(self, made_of):
+        self.__init__(**made_of)

@@ -1,19 +1,33 @@
 """Finds and starts the simulator, and talks to it. The messages are described in docs/gym-protocol.md."""
 
 import atexit
+import contextlib
 import json
 import os
+import re
 import shutil
 import socket
 import struct
 import subprocess
+import tempfile
 import threading
+import uuid
 from pathlib import Path
 
 import numpy as np
 
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None
+
 SKIP, STEP, RESET = 0, 1, 2
 _START_SECONDS = 600  # the first start builds the program
+_PATIENCE_SECONDS = 60
+_OLDEST_JAVA = 17
+_HOW_TO_GET_JAVA = (
+    "Install Java 17 or newer, for example from https://adoptium.net, and if it is installed already, set JAVA_HOME to its folder."
+)
 
 
 class RoboNewbieError(RuntimeError):
@@ -37,7 +51,10 @@ def _command():
                 f"The environment variable ROBONEWBIE is \"{wanted}\", where there is no program. "
                 "Set it to the folder of RoboNewbie, its launcher or robonewbie.jar."
             )
-        return [_java(), "-XX:+UseParallelGC", "-jar", str(path)] if path.suffix == ".jar" else [str(path)]
+        return _command_for_jar(path) if path.suffix == ".jar" else [str(path)]
+    jar = Path(__file__).with_name("robonewbie.jar")
+    if jar.is_file():
+        return _command_for_jar(jar)
     home = Path(__file__).with_name("home.txt")
     folders = [Path(home.read_text(encoding="utf-8"))] if home.is_file() else []
     folders += [*Path(__file__).resolve().parents, Path.cwd(), *Path.cwd().parents]
@@ -50,11 +67,20 @@ def _command():
     )
 
 
+def _command_for_jar(jar):
+    return [_java(), "-XX:+UseParallelGC", "-jar", str(jar)]
+
+
 def _java():
     home = os.environ.get("JAVA_HOME")
     java = shutil.which("java", path=str(Path(home, "bin")) if home else None) or shutil.which("java")
     if not java:
-        raise RoboNewbieError("Java was not found. Install a JDK 17 or newer, for example from https://adoptium.net")
+        raise RoboNewbieError(f"Java was not found. {_HOW_TO_GET_JAVA}")
+    told = subprocess.run([java, "-version"], capture_output=True, text=True).stderr
+    version = re.search(r'version "(?:1\.)?(\d+)', told)
+    if not version or int(version.group(1)) < _OLDEST_JAVA:
+        found = version.group(1) if version else "does not start"
+        raise RoboNewbieError(f"Java {_OLDEST_JAVA} or newer is needed. Found: {java} ({found}). {_HOW_TO_GET_JAVA}")
     return java
 
 
@@ -84,9 +110,6 @@ class _Process:
             )
         watchdog.cancel()
 
-    def is_running(self):
-        return self.process.poll() is None
-
     def stop(self):
         try:
             self.process.stdin.close()
@@ -101,30 +124,58 @@ _process = None
 _owner = None
 _lock = threading.Lock()
 
+# The processes of a program find the simulator that one of them has started by this file, which its name is inherited for.
+_meeting_place = os.environ.setdefault(
+    "ROBONEWBIE_MEETING_PLACE", str(Path(tempfile.gettempdir(), f"robonewbie-{uuid.uuid4().hex}"))
+)
 
-def _running_process():
-    """One simulator is enough for all environments; after a fork the child starts its own."""
+
+@contextlib.contextmanager
+def _one_at_a_time():
+    """Lets one thread of one process look for the simulator, or start it."""
+    with _lock, open(_meeting_place + ".lock", "w", encoding="ascii") as file:
+        if fcntl:
+            fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def _connect():
+    """Connects to the simulator of this program, which is started if it does not run."""
     global _process, _owner
-    with _lock:
-        if _process is None or _owner != os.getpid() or not _process.is_running():
+    with _one_at_a_time():
+        try:
+            port = int(Path(_meeting_place).read_text(encoding="ascii"))
+            return socket.create_connection(("127.0.0.1", port), timeout=_PATIENCE_SECONDS)
+        except (OSError, ValueError):
             _process, _owner = _Process(), os.getpid()
-        return _process
+            Path(_meeting_place).write_text(str(_process.port), encoding="ascii")
+            return socket.create_connection(("127.0.0.1", _process.port), timeout=_PATIENCE_SECONDS)
 
 
 @atexit.register
 def _stop():
     if _process is not None and _owner == os.getpid():
         _process.stop()
+        for file in (_meeting_place, _meeting_place + ".lock"):
+            Path(file).unlink(missing_ok=True)
+
+
+def _lines(options):
+    """Writes options as the simulator reads them; a pair is a range."""
+    return [
+        f"{name}={float(value[0])!r}..{float(value[1])!r}" if isinstance(value, (tuple, list)) else f"{name}={float(value)!r}"
+        for name, value in options.items()
+    ]
 
 
 class Connection:
     """Some environments of one task in the simulator."""
 
-    def __init__(self, task, count, reward=""):
-        self._socket = socket.create_connection(("127.0.0.1", _running_process().port))
+    def __init__(self, task, count, reward="", options=None):
+        self._socket = _connect()
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         try:
-            order = f"{task}\nreward={reward}" if reward else task
+            order = "\n".join([task, f"reward={reward}", *_lines(options or {})])
             self.description = json.loads(self._ask(b"M" + struct.pack("<i", count) + order.encode("utf-8")))
         except RoboNewbieError:
             self.close()
@@ -133,9 +184,16 @@ class Connection:
             count,
             dtype=[("what", "u1"), ("seed", "<i8"), ("action", "<f8", (len(self.description["action"]),))],
         )
+        self.truth_names = self.description["truth"]
         self._answer = np.dtype(
-            [("observation", "<f8", (len(self.description["observation"]),)), ("reward", "<f8"), ("over", "?")]
+            [
+                ("observation", "<f8", (len(self.description["observation"]),)),
+                ("reward", "<f8"),
+                ("truth", "<f8", (len(self.truth_names),)),
+                ("over", "?"),
+            ]
         )
+        self.truth = np.zeros((count, len(self.truth_names)))
 
     def act(self, what, seeds, actions):
         """Lets environments step, begin anew or wait; gives observations, rewards and whether they are over."""
@@ -143,13 +201,30 @@ class Connection:
         self._orders["seed"] = seeds
         self._orders["action"] = actions
         answer = np.frombuffer(self._ask(b"A" + self._orders.tobytes()), dtype=self._answer)
+        self.truth = answer["truth"]
         return answer["observation"].astype(np.float32), answer["reward"].copy(), answer["over"].copy()
 
+    def change(self, options):
+        """Changes the episodes that begin from now on."""
+        self._ask(b"C" + "\n".join(_lines(options)).encode("utf-8"))
+
+    def picture(self, index):
+        """Gives the places of limbs and ball in one environment."""
+        return json.loads(self._ask(b"P" + struct.pack("<i", index)))
+
     def _ask(self, message):
+        if self._socket.fileno() < 0:
+            raise RoboNewbieError("The environment was closed. Make it again.")
         try:
             self._socket.sendall(struct.pack("<i", len(message)) + message)
             (length,) = struct.unpack("<i", self._receive(4))
             reply = self._receive(length)
+        except TimeoutError as silent:
+            self.close()
+            raise RoboNewbieError(
+                f"The simulator has not answered for {_PATIENCE_SECONDS} s. Is it stopped, or the computer overloaded? "
+                "Make the environment again."
+            ) from silent
         except OSError as broken:
             raise RoboNewbieError(
                 f"The connection to the simulator broke ({broken}). Make the environment again."

@@ -4,57 +4,68 @@ import gymnasium
 import numpy as np
 from gymnasium.vector.utils import batch_space
 
-from robonewbie.environment import _SEEDS, spaces_of
+from robonewbie.environment import RENDER_MODES, EpisodeSeeds, checked_render_mode, spaces_of
+from robonewbie.picture import draw
 from robonewbie.simulator import RESET, STEP, Connection
 
 
 class RoboNewbieVectorEnv(gymnasium.vector.VectorEnv):
     """Robots in worlds of their own. An episode that is over begins anew in the next step, whose action does not count."""
 
-    metadata = {"render_modes": [], "autoreset_mode": gymnasium.vector.AutoresetMode.NEXT_STEP}
+    metadata = {"render_modes": RENDER_MODES, "render_fps": 50, "autoreset_mode": gymnasium.vector.AutoresetMode.NEXT_STEP}
 
-    def __init__(self, task="Walk", num_envs=1, max_episode_steps=None, reward="", render_mode=None):
-        if render_mode is not None:
-            raise ValueError(f"There is no render_mode \"{render_mode}\"; leave it out.")
-        self.render_mode = None
+    def __init__(self, task="Walk", num_envs=1, max_episode_steps=None, reward="", render_mode=None, **options):
+        self.render_mode = checked_render_mode(render_mode)
         self.num_envs = num_envs
-        self._connection = Connection(task, num_envs, reward)
+        self._options = options
+        self._changed = False
+        self._connection = Connection(task, num_envs, reward, options)
         description = self._connection.description
         self._longest = max_episode_steps or description["longestCycles"]
         self.single_observation_space, self.single_action_space = spaces_of(description)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
         self.observation_names = [entry["name"] for entry in description["observation"]]
-        self._randoms = [np.random.default_rng() for _ in range(num_envs)]
+        self._episodes = EpisodeSeeds(num_envs)
         self._steps = np.zeros(num_envs, dtype=int)
         self._done = np.ones(num_envs, dtype=bool)
 
     def reset(self, *, seed=None, options=None):
         if seed is not None:
-            seeds = [seed + i for i in range(self.num_envs)] if np.isscalar(seed) else seed
-            for i, own in enumerate(seeds):
-                if own is not None:
-                    self._randoms[i] = np.random.default_rng(own)
-        observation, _, _ = self._connection.act(RESET, self._episodes(), 0)
+            self._episodes.begin([seed + i for i in range(self.num_envs)] if np.isscalar(seed) else seed)
+        if options or self._changed:
+            self._connection.change({**self._options, **(options or {})})
+            self._changed = bool(options)
+        self._done[:] = True
+        observation, _, _ = self._connection.act(RESET, self._episodes.draw(self._done), 0)
         self._steps[:] = 0
         self._done[:] = False
-        return observation, {}
+        return observation, self._truth()
 
     def step(self, actions):
         fresh = self._done.copy()
         observation, reward, over = self._connection.act(
-            np.where(fresh, RESET, STEP), np.where(fresh, self._episodes(fresh), 0), actions
+            np.where(fresh, RESET, STEP), self._episodes.draw(fresh), actions
         )
         reward[fresh] = 0
         over[fresh] = False
         self._steps = np.where(fresh, 0, self._steps + 1)
         truncated = (self._steps >= self._longest) & ~over
         self._done = over | truncated
-        return observation, reward, over, truncated, {}
+        return observation, reward, over, truncated, self._truth()
 
-    def _episodes(self, which=None):
-        wanted = np.ones(self.num_envs, dtype=bool) if which is None else which
-        return np.array([r.integers(_SEEDS) if w else 0 for r, w in zip(self._randoms, wanted)], dtype=np.int64)
+    def _truth(self):
+        truth = {}
+        for name, values in zip(self._connection.truth_names, self._connection.truth.T):
+            truth[name] = values.astype(bool) if name in ("fallen", "is_success") else values
+            truth["_" + name] = np.ones(self.num_envs, dtype=bool)
+        return truth
+
+    def render(self):
+        """Returns a picture of each robot if ``render_mode`` is ``"rgb_array"``."""
+        if self.render_mode != "rgb_array":
+            return None
+        return tuple(draw(self._connection.picture(i)) for i in range(self.num_envs))
 
     def close_extras(self, **kwargs):
         self._connection.close()

@@ -1,10 +1,14 @@
 """Run with: python -m unittest discover -s python/tests"""
 
 import os
+import pickle
+import signal
 import subprocess
 import sys
+import tempfile
 import unittest
 import warnings
+from pathlib import Path
 from unittest import mock
 
 import gymnasium
@@ -23,7 +27,7 @@ class EnvironmentTest(unittest.TestCase):
             with self.subTest(task), warnings.catch_warnings():
                 warnings.simplefilter("error")
                 env = gymnasium.make(f"RoboNewbie/{task}-v1")
-                check_env(env.unwrapped, skip_render_check=True)
+                check_env(env.unwrapped)
                 env.close()
 
     def test_same_seed_gives_the_same_episode(self):
@@ -100,6 +104,88 @@ class EnvironmentTest(unittest.TestCase):
             gymnasium.make("RoboNewbie/Walk-v1", reward="joy")
 
 
+    def test_info_is_the_true_state(self):
+        env = gymnasium.make("RoboNewbie/Kick-v1")
+        _, info = env.reset(seed=1)
+        self.assertAlmostEqual(info["x"], -2, delta=0.05)
+        self.assertAlmostEqual(info["ball_x"], -1.81, delta=0.02)
+        self.assertIs(info["fallen"], False)
+        self.assertIs(info["is_success"], False)
+        env.close()
+
+    def test_options_change_episodes_and_draw_from_ranges(self):
+        env = gymnasium.make("RoboNewbie/Walk-v1", heading=(30, 60), ball_x=2)
+        headings = [env.reset(seed=seed)[1]["heading"] for seed in range(5)]
+        self.assertTrue(all(29 < heading < 61 for heading in headings))
+        self.assertGreater(np.ptp(headings), 3)
+        self.assertAlmostEqual(env.reset(seed=0)[1]["heading"], headings[0], delta=1e-9)
+        self.assertEqual(env.reset(options={"ball_x": 1})[1]["ball_x"], 1)
+        self.assertEqual(env.reset()[1]["ball_x"], 2)
+        env.close()
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, '"bal_x". Did you mean ball_x?'):
+            gymnasium.make("RoboNewbie/Walk-v1", bal_x=1)
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, "range with the smaller number first"):
+            gymnasium.make("RoboNewbie/Walk-v1", x=(1, -1))
+
+    def test_delayed_action_acts_later(self):
+        def angle_after(delay, steps):
+            env = gymnasium.make("RoboNewbie/Reach-v1", delay=delay)
+            env.reset(seed=1)
+            for _ in range(steps):
+                observation, *_ = env.step(np.ones(4, dtype=np.float32))
+            index = env.unwrapped.observation_names.index("joint.LEFT_SHOULDER_PITCH")
+            env.close()
+            return observation[index]
+
+        self.assertAlmostEqual(angle_after(0, 4), angle_after(3, 7), delta=0.05)
+        self.assertLess(angle_after(3, 4), angle_after(0, 4) - 5)
+
+    def test_subclass_pays_what_it_wants(self):
+        class Crouch(robonewbie.RoboNewbieEnv):
+            def pay(self, reward, truth):
+                return -truth["height"]
+
+            def is_over(self, over, truth):
+                return over or truth["height"] < 0.3
+
+        env = Crouch("Stand", push=0)
+        env.reset(seed=1)
+        bend = np.array([1.0 if name.endswith("KNEE_PITCH") else 0.0 for name in env.action_names])
+        rows = [env.step(-bend) for _ in range(40)]
+        self.assertAlmostEqual(rows[0][1], -rows[0][4]["height"])
+        self.assertTrue(any(row[2] and not row[4]["fallen"] for row in rows))
+        env.close()
+
+    def test_picture_shows_the_robot_on_the_grass(self):
+        env = gymnasium.make("RoboNewbie/Walk-v1", render_mode="rgb_array")
+        env.reset(seed=1)
+        picture = env.render()
+        self.assertEqual((picture.shape, picture.dtype), ((360, 480, 3), np.uint8))
+        middle = picture[120:240, 180:300].astype(int)
+        shirt = (middle[..., 0] > middle[..., 1] + 40) & (middle[..., 0] > middle[..., 2] + 40)
+        self.assertGreater(shirt.mean(), 0.02)
+        self.assertGreater((picture[..., 1] > picture[..., 0]).mean(), 0.5)
+        env.close()
+        with self.assertRaisesRegex(ValueError, "There are: rgb_array"):
+            robonewbie.RoboNewbieEnv("Walk", render_mode="ansi")
+
+    def test_pickled_environment_is_made_again(self):
+        env = robonewbie.RoboNewbieEnv("Walk", heading=(0, 40))
+        copy = pickle.loads(pickle.dumps(env))
+        self.assertEqual(copy.reset(seed=3)[1], env.reset(seed=3)[1])
+        env.close()
+        copy.close()
+
+    def test_wrong_shape_and_closed_environment_are_told(self):
+        env = robonewbie.RoboNewbieEnv("Reach")
+        env.reset(seed=1)
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, "one number for each of LEFT_SHOULDER_PITCH"):
+            env.step(np.zeros(3))
+        env.close()
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, "closed. Make it again"):
+            env.step(np.zeros(4))
+
+
 class VectorTest(unittest.TestCase):
     def test_many_robots_do_the_same_as_each_alone(self):
         many = gymnasium.make_vec("RoboNewbie/Stand-v1", num_envs=4)
@@ -137,6 +223,41 @@ class VectorTest(unittest.TestCase):
 
 
 class ProcessTest(unittest.TestCase):
+    def test_processes_of_a_program_share_one_simulator(self):
+        program = (
+            "import multiprocessing, robonewbie\n"
+            "def port(_):\n"
+            "    env = robonewbie.RoboNewbieEnv('Reach')\n"
+            "    number = env._connection._socket.getpeername()[1]\n"
+            "    env.close()\n"
+            "    return number\n"
+            "if __name__ == '__main__':\n"
+            "    ports = {port(0)}\n"
+            "    with multiprocessing.get_context('spawn').Pool(2) as pool:\n"
+            "        ports.update(pool.map(port, [1, 2]))\n"
+            "    print(len(ports))\n"
+        )
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "program.py")
+            file.write_text(program, encoding="utf-8")
+            done = subprocess.run(
+                [sys.executable, str(file)], stdout=subprocess.PIPE, text=True, check=True, env=_environment_of_a_program()
+            )
+        self.assertEqual(done.stdout.strip(), "1")
+
+    def test_stopped_simulator_is_told_and_does_not_hang(self):
+        with mock.patch.object(simulator, "_PATIENCE_SECONDS", 1):
+            env = robonewbie.RoboNewbieEnv("Reach")
+        env.reset(seed=1)
+        process = simulator._process.process
+        os.killpg(process.pid, signal.SIGSTOP)
+        try:
+            with self.assertRaisesRegex(robonewbie.RoboNewbieError, "has not answered"):
+                for _ in range(1000):  # the signal may come a little later
+                    env.step(np.zeros(4))
+        finally:
+            os.killpg(process.pid, signal.SIGCONT)
+
     def test_simulator_ends_when_python_is_killed(self):
         program = (
             "import os, robonewbie, robonewbie.simulator as s\n"
@@ -144,7 +265,9 @@ class ProcessTest(unittest.TestCase):
             "print(s._process.process.pid, flush=True)\n"
             "os.kill(os.getpid(), 9)\n"
         )
-        killed = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True, check=False)
+        killed = subprocess.run(
+            [sys.executable, "-c", program], stdout=subprocess.PIPE, text=True, check=False, env=_environment_of_a_program()
+        )
         self.assertTrue(_ends(int(killed.stdout)))
 
     def test_missing_program_and_missing_java_are_told(self):
@@ -152,8 +275,24 @@ class ProcessTest(unittest.TestCase):
             with self.assertRaisesRegex(robonewbie.RoboNewbieError, "Set it to the folder"):
                 simulator._command()
         with mock.patch.dict(os.environ, {"ROBONEWBIE": __file__, "PATH": "", "JAVA_HOME": "/nowhere"}):
-            with self.assertRaisesRegex(robonewbie.RoboNewbieError, "Install a JDK 17"):
+            with self.assertRaisesRegex(robonewbie.RoboNewbieError, "Install Java 17 or newer"):
                 simulator._java()
+
+    @unittest.skipIf(os.name == "nt", "needs a shell script in the place of Java")
+    def test_java_that_is_too_old_is_told(self):
+        with tempfile.TemporaryDirectory() as home:
+            java = Path(home, "bin", "java")
+            java.parent.mkdir()
+            java.write_text("#!/bin/sh\necho 'openjdk version \"1.8.0_401\"' >&2\n", encoding="utf-8")
+            java.chmod(0o755)
+            with mock.patch.dict(os.environ, {"JAVA_HOME": home}):
+                with self.assertRaisesRegex(robonewbie.RoboNewbieError, r"Java 17 or newer is needed. Found: .* \(8\)"):
+                    simulator._java()
+
+
+def _environment_of_a_program():
+    """The environment of a program that shares no simulator with this one."""
+    return {name: text for name, text in os.environ.items() if name != "ROBONEWBIE_MEETING_PLACE"}
 
 
 def _ends(process):

@@ -7,6 +7,7 @@ const WEB = '../../main/resources/org/robonewbie/studio/web/state/motion';
 const { balanceOf, hull } = await import(`${WEB}/balance.js`);
 const { bodyOf, linkIndex, placed, pointOf, posesOf } = await import(`${WEB}/body.js`);
 const { bodyMarks, jointMarks } = await import(`${WEB}/checks.js`);
+const { judgeDisk } = await import(`${WEB}/disk.js`);
 const { collisionsOf } = await import(`${WEB}/collisions.js`);
 const { deleted, duplicated, mirroredMotion, pasted, copied, shifted, timed, turned } = await import(`${WEB}/edits.js`);
 const {
@@ -15,7 +16,6 @@ const {
   framesOf,
   initialEditor,
   isUnsaved,
-  judgeDisk,
   played,
   posed,
   selected,

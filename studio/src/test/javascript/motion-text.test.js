@@ -26,7 +26,6 @@ import {
   textOf,
 } from '../../main/resources/org/robonewbie/studio/web/state/motion/motion-text.js';
 import { postureAt, timesOf } from '../../main/resources/org/robonewbie/studio/web/state/motion/timing.js';
-import { readWebots, writeWebots } from '../../main/resources/org/robonewbie/studio/web/state/motion/webots.js';
 
 const ANGLES = Array.from({ length: 22 }, (_, i) => i / 4).join(' ');
 const FILE = `// author: Ada\r\n500 ${ANGLES}  // first\r\n\r\nnonsense\r\n300\t${ANGLES.replace('0.25', '0.250')}`;
@@ -109,32 +108,6 @@ test('a joint moves evenly from keyframe to keyframe', () => {
   assert.equal(postureAt(frames, new Array(22).fill(-10), 250)[0], -5);
   assert.equal(postureAt(frames, new Array(22).fill(-10), 650)[0], 5);
   assert.equal(postureAt(frames, new Array(22).fill(-10), 900)[0], 10);
-});
-
-test('a motion survives the way to Webots and back', () => {
-  const frames = keyframesOf(parse(FILE));
-  const back = readWebots(writeWebots(frames));
-  assert.deepEqual(
-    back.map(({ millis }) => millis),
-    [500, 300],
-  );
-  back.forEach(({ degrees }, i) =>
-    degrees.forEach((angle, k) => assert.ok(Math.abs(angle - frames[i].degrees[k]) < 1e-4)),
-  );
-  assert.throws(() => readWebots('hello'), /no Webots motion/);
-  assert.throws(() => readWebots('#WEBOTS_MOTION,V1.0,HeadYaw\n1,Pose1,0\n'), /Line 2 .* expected a time such as/);
-});
-
-test('Webots files with some joints only, in their own order, are read', () => {
-  const frames = readWebots(
-    '#WEBOTS_MOTION,V1.0,HeadPitch,HeadYaw{S}\r\n00:00:120,Pose1,0.1,*\r\n00:01:120,Pose2,0,-1.5707963\r\n',
-  );
-  assert.deepEqual(
-    frames.map(({ millis }) => millis),
-    [120, 1000],
-  );
-  assert.ok(Math.abs(frames[0].degrees[1] - 5.7296) < 1e-3);
-  assert.equal(frames[1].degrees[0], -90);
 });
 
 test('the page understands and changes files exactly as the robot does', (context) => {

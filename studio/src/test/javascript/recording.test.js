@@ -4,18 +4,22 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { gunzipSync } from 'node:zlib';
 import { RecordingReader } from '../../main/resources/org/robonewbie/studio/web/state/replay/recording-reader.js';
-import { withoutCommands } from '../../main/resources/org/robonewbie/studio/web/state/replay/recording-source.js';
+import { CommandedSpeeds } from '../../main/resources/org/robonewbie/studio/web/state/replay/commanded-speeds.js';
+import { RecordedRun } from '../../main/resources/org/robonewbie/studio/web/state/replay/recorded-run.js';
+import { RecordingWriter } from '../../main/resources/org/robonewbie/studio/web/state/replay/recording-writer.js';
 import {
   advanced,
   atMoment,
   BEGINNING,
-  csvOf,
+  evenly,
   frameOf,
   looped,
   neighbourEvent,
+  placeOf,
   sceneOf,
   stepped,
 } from '../../main/resources/org/robonewbie/studio/web/state/replay/replay-state.js';
+import { tableHead, tableRows } from '../../main/resources/org/robonewbie/studio/web/state/replay/table.js';
 
 const folder = process.env.STUDIO_FRAME_FOLDER ?? '';
 const skip = existsSync(join(folder, 'run.rec')) ? false : 'run by Maven';
@@ -43,29 +47,102 @@ test('a recording is understood as by the reader in Java, however its bytes come
     });
     assert.equal(sceneOf(reader.moments[0], reader.header, models, 1).field.length, 12);
     assert.deepEqual([...new Set(reader.events.map(({ kind }) => kind))].sort(), ['fall', 'goal', 'playmode']);
-    assert.equal(csvOf(reader.moments, models).split('\n')[0].split(',').length, 8 + 3 + 22);
+    const robots = reader.moments.at(-1)?.robots ?? [];
+    const columns = tableHead(robots, models).split(',').length;
+    assert.equal(columns, 8 + 3 + 22);
+    const rows = tableRows(reader.moments, robots, models).trim().split('\n');
+    assert.equal(rows.length, reader.moments.filter((moment) => moment.robots === robots).length);
+    assert.equal(rows[0].split(',').length, columns);
   }
 });
 
-test('without its commands a recording shows the same, also where it ends in the middle', { skip }, () => {
-  const bytes = gunzipSync(read('run.rec'));
-  const readAll = (/** @type {Uint8Array} */ content) => {
-    const reader = new RecordingReader(() => 22);
-    reader.push(content);
-    return reader;
-  };
-  for (const whole of [bytes, bytes.subarray(0, bytes.length - 10)]) {
-    const before = readAll(whole);
-    const left = Buffer.concat(withoutCommands(whole));
-    const after = readAll(left);
-    assert.ok(left.length < whole.length);
-    assert.ok(before.moments.at(-1)?.speeds.size === 1 && after.moments.at(-1)?.speeds.size === 0);
-    assert.deepEqual(
-      after.moments.map(({ numbers, gameTime }) => [gameTime, ...numbers]),
-      before.moments.map(({ numbers, gameTime }) => [gameTime, ...numbers]),
-    );
-    assert.deepEqual(after.events, before.events);
+/** @param {Uint8Array} content */
+function readAll(content) {
+  const reader = new RecordingReader(() => 22);
+  reader.push(content);
+  return reader;
+}
+
+test('what is written again shows the same, without commands', { skip }, () => {
+  const before = readAll(gunzipSync(read('run.rec')));
+  const writer = new RecordingWriter(before.header, () => 22);
+
+  before.moments.forEach((moment, i) =>
+    writer.write(
+      moment,
+      before.events.filter(({ index, kind }) => index === i && kind !== 'fall'),
+    ),
+  );
+
+  const after = readAll(writer.bytes);
+  assert.ok(before.moments.at(-1)?.speeds.size === 1 && after.moments.at(-1)?.speeds.size === 0);
+  const content = (/** @type {RecordingReader} */ { moments }) =>
+    moments.map(({ cycle, gameTime, game, robots, numbers }) => [cycle, gameTime, game, robots, ...numbers]);
+  assert.deepEqual(content(after), content(before));
+  assert.deepEqual(after.events, before.events);
+  assert.deepEqual(after.header, before.header);
+});
+
+test('a recording that was thinned out plays as long as before', { skip }, () => {
+  const before = readAll(gunzipSync(read('run.rec')));
+  const writer = new RecordingWriter(before.header, () => 22);
+  before.moments
+    .filter((_, i) => i % 4 === 0)
+    .forEach((moment, i) => writer.write(moment, i === 10 ? [{ index: 0, kind: 'goal', text: 'left Ada' }] : []));
+
+  const after = readAll(writer.bytes);
+  const { moments, events } = evenly(after.moments, after.events);
+
+  assert.ok(Math.abs(moments.length - before.moments.length) < 4);
+  assert.equal(moments[41].cycle, before.moments[40].cycle);
+  assert.equal(events.find(({ kind }) => kind === 'goal')?.index, 40);
+});
+
+test('the address names a recording and a moment', () => {
+  assert.deepEqual(placeOf('#replay/2026-11-22%2003-04-05@12.5'), { name: '2026-11-22 03-04-05', seconds: 12.5 });
+  assert.deepEqual(placeOf('#replay/me@home'), { name: 'me@home', seconds: undefined });
+  assert.deepEqual(placeOf('#replay'), { name: '', seconds: undefined });
+});
+
+test('pieces are fetched when they are wanted, and forgotten when there are many', async () => {
+  const empty = new RecordingWriter({}, () => 22);
+  const game = { playMode: 'PlayOn', half: 1, scoreLeft: 0, scoreRight: 0, left: '', right: '' };
+  const numbers = new Int32Array(7);
+  for (let cycle = 0; cycle < 10; cycle++) {
+    empty.write({ cycle, gameTime: 0, game, robots: [], speeds: new CommandedSpeeds(), numbers }, []);
   }
+  const all = empty.bytes;
+  const begin = 'RoboNewbie recording\n'.length + 1;
+  /** @type {string[]} */
+  const asked = [];
+  let news = 0;
+  const run = new RecordedRun(
+    () => 22,
+    async (piece, known) => {
+      asked.push(`${piece} ${known}`);
+      return all.subarray(Math.min(all.length, (piece === 0 ? 0 : begin) + known));
+    },
+    () => news++,
+  );
+  run.grow({ count: 1000, whole: true, events: [], pieces: Array.from({ length: 100 }, (_, i) => 10 * i) });
+
+  assert.equal(run.at(995), undefined);
+  assert.equal((await run.ready(995))?.cycle, 5);
+  assert.equal(news > 0, true);
+  await run.ready(985);
+  assert.deepEqual(
+    run.around(990, 4).map(({ cycle }) => cycle),
+    [6, 7, 8, 9, 0, 1, 2, 3, 4],
+  );
+  assert.equal(asked.length <= 3, true, 'neighbours only');
+  let moments = 0;
+  for await (const piece of run.all(5, 994)) {
+    moments += piece.length;
+  }
+  assert.equal(moments, 990);
+  const before = asked.length;
+  await run.ready(5);
+  assert.equal(asked.length > before, true, 'the first piece was forgotten');
 });
 
 test('something else is refused in plain words', () => {

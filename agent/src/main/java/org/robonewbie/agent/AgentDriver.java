@@ -73,7 +73,7 @@ public final class AgentDriver {
     public void play(AgentLink link, Options options) throws IOException {
         agent.begin(options);
         LinkPort wire = new LinkPort(link, agent.clockwork().senses().buffer());
-        new StartDialogue(wire, agent.clockwork(), options).run();
+        new StartDialogue(wire, agent.clockwork(), options).run(() -> {});
         agent.run(new Session(agent.clockwork(), wire, options.seconds(), CycleWatch.NONE));
     }
 

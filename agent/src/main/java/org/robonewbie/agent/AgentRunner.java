@@ -3,6 +3,7 @@ package org.robonewbie.agent;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -14,6 +15,7 @@ import org.robonewbie.agent.cycle.Session;
 import org.robonewbie.agent.running.LogPrinter;
 import org.robonewbie.agent.running.PunctualPort;
 import org.robonewbie.agent.running.SideBySide;
+import org.robonewbie.agent.running.SilenceNotice;
 import org.robonewbie.agent.running.SimulatorConnection;
 import org.robonewbie.agent.running.Watchdog;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -39,16 +41,25 @@ final class AgentRunner {
         List<Options> options = agents.stream()
                 .map(agent -> agent.defaults().overriddenBy(args.toArray(String[]::new)))
                 .toList();
-        try (SimulatorConnection simulator = open(options.get(0), agents.size())) {
+        options.forEach(Options::checkWords);
+        try (SimulatorConnection simulator = open(options.get(0), agents.size(), nameOf(agents.get(0)))) {
             return new AgentRunner(simulator).runAll(agents, options);
         }
     }
 
+    private static String nameOf(Agent agent) {
+        return agent.getClass().getSimpleName();
+    }
+
     /** Opens the connection that the options ask for, and says so. */
-    static SimulatorConnection open(Options options, int robots) {
+    static SimulatorConnection open(Options options, int robots, String agent) {
         try {
-            SimulatorConnection simulator = SimulatorConnection.open(SimulatorChoice.of(options, robots));
+            SimulatorConnection simulator = SimulatorConnection.open(SimulatorChoice.of(options, robots, agent));
             System.out.println(simulator.description());
+            if (options.isTruth() && !simulator.endsByItself()) {
+                System.err.println(
+                        "--truth has no effect here: the simulator that runs already decides whether it tells the truth.");
+            }
             return simulator;
         } catch (IOException unreachable) {
             throw new StartUpException(String.valueOf(unreachable.getMessage()));
@@ -61,7 +72,9 @@ final class AgentRunner {
             throws IOException {
         robot.telemetry().publishTo(simulator.telemetry());
         LinkPort port = new LinkPort(link, robot.senses().buffer());
-        new StartDialogue(port, robot, options).run();
+        try (SilenceNotice notice = SilenceNotice.of(simulator.place())) {
+            new StartDialogue(port, robot, options).run(notice::close);
+        }
         OptionalDouble life = simulator.endsByItself() ? OptionalDouble.empty() : options.seconds();
         return new Session(robot, new PunctualPort(port, robot, watch::slowPlace, System::nanoTime), life, watch);
     }
@@ -106,7 +119,11 @@ final class AgentRunner {
                 Watchdog watchdog = Watchdog.start(agent.clockwork().mistakes(), giveUp(options));
                 Session session = join(agent.clockwork(), simulator, link, options, watchdog)) {
             agent.run(session);
-            code = agent.hasFailed() || session.isBroken() ? 1 : 0;
+            if (options.isHeadless()) {
+                sayWhatHappened(agent.clockwork());
+            }
+            boolean failed = agent.hasFailed() || session.isBroken();
+            code = failed || agent.clockwork().mistakes().isSerious() ? 1 : 0;
         } catch (StartUpException refused) {
             System.err.println(refused.getMessage());
             code = 2;
@@ -115,6 +132,16 @@ final class AgentRunner {
             code = 2;
         }
         exitCode.accumulateAndGet(code, Math::max);
+    }
+
+    /** A run without pictures and without a log would end without a word. */
+    private static void sayWhatHappened(Clockwork robot) {
+        if (robot.log().lines().isEmpty() && robot.mistakes().reported().isEmpty()) {
+            System.out.printf(
+                    Locale.ROOT,
+                    "The robot has played until %.1f s, without a mistake. log.info(\"...\") in think() shows what it thinks.%n",
+                    robot.senses().seconds());
+        }
     }
 
     private static Optional<Runnable> giveUp(Options options) {

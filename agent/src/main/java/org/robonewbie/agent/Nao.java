@@ -54,6 +54,7 @@ public final class Nao extends Robot implements AutoCloseable {
                 System.out.println(Options.help());
                 System.exit(0);
             }
+            options.checkWords();
             return connect(options);
         } catch (StartUpException wrong) {
             System.err.println(wrong.getMessage());
@@ -70,7 +71,7 @@ public final class Nao extends Robot implements AutoCloseable {
      * @throws StartUpException if there is no such simulator or it refuses the robot
      */
     public static Nao connect(Options options) {
-        return join(options, AgentRunner.open(options, 1));
+        return join(options, AgentRunner.open(options, 1, ""));
     }
 
     /** Brings a robot into the game of a simulator that belongs to this robot alone. */

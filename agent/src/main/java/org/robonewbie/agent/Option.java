@@ -24,7 +24,7 @@ enum Option {
     SECONDS("T", "end after so many simulated seconds", Values::positive),
     HEADLESS("", "no studio", Values::flag),
     NO_BROWSER("", "studio, but do not open a browser", Values::flag),
-    TRUTH("", "let the camera also tell the true places of robot and ball (own simulator)", Values::flag),
+    TRUTH("", "let the camera also report the true places of robot and ball (own simulator)", Values::flag),
     REPORT("FILE", "write the true results as JSON (own simulator)", Values::text),
     RECORD("FILE", "record the run (own simulator)", Values::text),
     WAIT_FOR("N", "hold the first cycle until N robots are in (own simulator)", Values.wholeNumber(1, 22)),

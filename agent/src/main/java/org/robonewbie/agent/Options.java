@@ -26,19 +26,23 @@ import org.robonewbie.agent.running.Surroundings;
 public final class Options {
 
     private static final String DEFAULT_TEAM = "RoboNewbie";
+    private static final int MOST_X = 20;
+    private static final int MOST_Y = 15;
 
     private final Map<Option, OptionSource.Value> values;
     private final List<String> arguments;
+    private final boolean takesWords;
 
-    Options(Map<Option, OptionSource.Value> values, List<String> arguments) {
+    Options(Map<Option, OptionSource.Value> values, List<String> arguments, boolean takesWords) {
         this.values = values;
         this.arguments = List.copyOf(arguments);
+        this.takesWords = takesWords;
         SimulatorChoice.check(this);
     }
 
     /** {@return options that are all left open} */
     public static Options none() {
-        return new Options(new EnumMap<>(Option.class), List.of());
+        return new Options(new EnumMap<>(Option.class), List.of(), false);
     }
 
     /**
@@ -74,7 +78,7 @@ public final class Options {
             throw new StartUpException("The file " + file + " cannot be read: " + unreadable.getMessage());
         }
         merged.putAll(OptionSource.ofArguments(args, others));
-        Options result = new Options(merged, others);
+        Options result = new Options(merged, others, takesWords);
         return isPlaceOfAnother(result) ? result.withoutPose() : result;
     }
 
@@ -90,7 +94,7 @@ public final class Options {
         Map<Option, OptionSource.Value> changed = new EnumMap<>(Option.class);
         changed.putAll(values);
         changed.remove(Option.POSE);
-        return new Options(changed, arguments);
+        return new Options(changed, arguments, takesWords);
     }
 
     /** {@return the help: one line for each option} */
@@ -98,6 +102,24 @@ public final class Options {
         return Arrays.stream(Option.values()).map(Option::helpLine).collect(Collectors.joining("\n"))
                 + "\nEach option can also stand in robonewbie.properties (such as host=192.168.0.7) or in the environment"
                 + " (such as ROBONEWBIE_HOST).";
+    }
+
+    /**
+     * Lets the program take words that are not options, such as the name of a file. Without this they are refused.
+     *
+     * @return these options, open for words
+     */
+    public Options withWords() {
+        return new Options(values, arguments, true);
+    }
+
+    /** Refuses words that the program does not take. */
+    void checkWords() {
+        if (!takesWords && !arguments.isEmpty()) {
+            throw new StartUpException("\"" + arguments.get(0)
+                    + "\" means nothing to this program. Options begin with --, such as --seconds 5; --help lists them. A program"
+                    + " that takes words says so in defaults(): Options.none().withWords().");
+        }
     }
 
     /**
@@ -158,7 +180,7 @@ public final class Options {
         Map<Option, OptionSource.Value> changed = new EnumMap<>(Option.class);
         changed.putAll(values);
         changed.put(option, OptionSource.PROGRAM.value(option, value));
-        return new Options(changed, arguments);
+        return new Options(changed, arguments, takesWords);
     }
 
     /** {@return the name of the server's computer; empty if the user leaves it open} */
@@ -265,6 +287,10 @@ public final class Options {
     private static StartPose parsePose(String text) {
         double[] numbers =
                 Arrays.stream(text.split(",")).mapToDouble(Double::parseDouble).toArray();
+        if (Math.abs(numbers[0]) > MOST_X || Math.abs(numbers[1]) > MOST_Y) {
+            throw new StartUpException("--pose " + text + " is far outside of every pitch: x is at most " + MOST_X
+                    + " m from the centre, y " + MOST_Y + " m; your own half has negative x, such as --pose -2,1,90.");
+        }
         return new StartPose(numbers[0], numbers[1], numbers[2]);
     }
 }

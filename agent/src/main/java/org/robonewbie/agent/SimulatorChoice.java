@@ -29,12 +29,12 @@ final class SimulatorChoice {
     }
 
     /** Chooses the simulator; one of the program's own holds its clock until all robots are in. */
-    static WantedSimulator of(Options options, int robots) {
+    static WantedSimulator of(Options options, int robots, String agent) {
         WantedSimulator.Kind kind = kind(options);
         int usualPort = kind == WantedSimulator.Kind.OWN ? 0 : USUAL_PORT;
         int port = options.port().orElse(usualPort);
         String host = kind == WantedSimulator.Kind.SERVER ? options.host().orElse(THIS_COMPUTER) : THIS_COMPUTER;
-        return new WantedSimulator(kind, host, port, request(options, port, robots));
+        return new WantedSimulator(kind, host, port, request(options, port, robots, agent));
     }
 
     private static WantedSimulator.Kind kind(Options options) {
@@ -46,7 +46,7 @@ final class SimulatorChoice {
         return own > server ? WantedSimulator.Kind.OWN : WantedSimulator.Kind.SERVER;
     }
 
-    private static SimulatorRequest request(Options options, int port, int robots) {
+    private static SimulatorRequest request(Options options, int port, int robots, String agent) {
         return new SimulatorRequest(
                 port,
                 options.seed(),
@@ -57,6 +57,7 @@ final class SimulatorChoice {
                 options.isTruth(),
                 options.report(),
                 options.record(),
-                Math.max(robots, options.waitFor()));
+                Math.max(robots, options.waitFor()),
+                agent);
     }
 }

@@ -32,10 +32,16 @@ final class StartDialogue {
         this.options = options;
     }
 
-    void run() throws IOException {
+    /**
+     * Runs the dialogue.
+     *
+     * @param atFirstMessage what to do when the simulator has answered
+     */
+    void run(Runnable atFirstMessage) throws IOException {
         robot.senses().setTeam(options.team());
         answer(Optional.of(createRobot()));
         receive();
+        atFirstMessage.run();
         answer(Optional.of(new JoinTeam(options.number(), options.team())));
         waitForNumber();
         StartPose pose =

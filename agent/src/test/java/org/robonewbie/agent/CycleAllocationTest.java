@@ -27,7 +27,7 @@ import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 /** Counts what cycles allocate beyond the perceptions, which are made beforehand here: at most 4 KB. */
 class CycleAllocationTest {
 
-    private static final int ROUNDS = 40;
+    private static final int ROUNDS = 200;
     private static final int CYCLES = 2000;
 
     private static final double MOST_BYTES = 4096;
@@ -61,7 +61,7 @@ class CycleAllocationTest {
         assertThat(robot.walk().isWalking()).isTrue();
     }
 
-    /** The least of some rounds, since Java allocates more until it has compiled everything. */
+    /** The least of some rounds, since Java allocates more until it has compiled everything, which takes long beside other work. */
     private double bytesPerCycle(Runnable think) {
         com.sun.management.ThreadMXBean threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         long self = Thread.currentThread().getId();

@@ -1,6 +1,7 @@
 package org.robonewbie.agent;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
@@ -103,12 +104,12 @@ class OptionsTest {
 
     @Test
     void startsAnOwnSimulatorForASeedAndJoinsANamedHost() {
-        assertThat(SimulatorChoice.of(read("--seed", "1"), 1).kind()).isEqualTo(Kind.OWN);
-        assertThat(SimulatorChoice.of(read("--fast"), 1).kind()).isEqualTo(Kind.OWN);
-        assertThat(SimulatorChoice.of(read("--host", "there"), 1).kind()).isEqualTo(Kind.SERVER);
-        assertThat(SimulatorChoice.of(read("--host", "there"), 1).host()).isEqualTo("there");
-        assertThat(SimulatorChoice.of(read("--seconds", "3"), 1).kind()).isEqualTo(Kind.ANY);
-        assertThat(SimulatorChoice.of(read(), 1).port()).isEqualTo(3100);
+        assertThat(SimulatorChoice.of(read("--seed", "1"), 1, "Ada").kind()).isEqualTo(Kind.OWN);
+        assertThat(SimulatorChoice.of(read("--fast"), 1, "Ada").kind()).isEqualTo(Kind.OWN);
+        assertThat(SimulatorChoice.of(read("--host", "there"), 1, "Ada").kind()).isEqualTo(Kind.SERVER);
+        assertThat(SimulatorChoice.of(read("--host", "there"), 1, "Ada").host()).isEqualTo("there");
+        assertThat(SimulatorChoice.of(read("--seconds", "3"), 1, "Ada").kind()).isEqualTo(Kind.ANY);
+        assertThat(SimulatorChoice.of(read(), 1, "Ada").port()).isEqualTo(3100);
     }
 
     @Test
@@ -117,7 +118,7 @@ class OptionsTest {
 
         Options options = read("--seed", "1");
 
-        assertThat(SimulatorChoice.of(options, 1).kind()).isEqualTo(Kind.OWN);
+        assertThat(SimulatorChoice.of(options, 1, "Ada").kind()).isEqualTo(Kind.OWN);
     }
 
     @Test
@@ -126,6 +127,24 @@ class OptionsTest {
                 .hasMessage(
                         "--seed needs a simulator of its own, but --host there asks for another one: leave one of the two"
                                 + " out.");
+    }
+
+    @Test
+    void wordsThatMeanNothingAreRefusedUnlessTheProgramTakesWords() {
+        Options surplus = Options.of("--seconds", "5", "foo");
+
+        assertThatThrownBy(surplus::checkWords)
+                .isInstanceOf(StartUpException.class)
+                .hasMessageStartingWith("\"foo\" means nothing to this program. Options begin with --");
+        assertThatCode(() -> Options.none().withWords().overriddenBy("foo").checkWords())
+                .doesNotThrowAnyException();
+    }
+
+    @Test
+    void placeFarOutsideOfEveryPitchIsRefused() {
+        assertThatThrownBy(() -> Options.of("--pose", "50,2,0").pose())
+                .isInstanceOf(StartUpException.class)
+                .hasMessageContaining("--pose 50,2,0 is far outside of every pitch");
     }
 
     @Test

@@ -1,6 +1,7 @@
 package org.robonewbie.agent;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.util.List;
@@ -67,6 +68,36 @@ class PunctualityTest {
         assertThat(robot.mistakes().reported()).isEmpty();
     }
 
+    @Test
+    void robotThatLivesInThePastIsToldHowFarAndCatchesUp() throws IOException {
+        thinkTooLong(1500);
+
+        assertThat(port.message().seconds().orElseThrow()).isEqualTo(3.5, within(1e-9));
+        assertThat(robot.mistakes().reported())
+                .singleElement()
+                .asString()
+                .contains("The robot lived 1.5 s in the past")
+                .contains("skips 74 of them", "Slow.java:7");
+    }
+
+    @Test
+    void robotThatIsOnlyALittleLateSkipsNothing() throws IOException {
+        thinkTooLong(100);
+
+        assertThat(port.message().seconds().orElseThrow()).isEqualTo(2.02, within(1e-9));
+        assertThat(robot.mistakes().reported()).isEmpty();
+    }
+
+    /** At 2 s thinks for so long, while the server goes on, and receives the next message. */
+    private void thinkTooLong(int milliseconds) throws IOException {
+        server.newestSeconds = 2;
+        server.seconds = 2;
+        port.receive();
+        server.newestSeconds = 2 + milliseconds / 1000.0;
+        server.nanoseconds += TimeUnit.MILLISECONDS.toNanos(milliseconds);
+        port.receive();
+    }
+
     private void cycle(double seconds, int milliseconds) throws IOException {
         server.seconds = seconds;
         port.receive();
@@ -81,9 +112,12 @@ class PunctualityTest {
         private double seconds;
         private long nanoseconds;
         private boolean hasGoneOn = true;
+        private double newestSeconds = Double.NaN;
 
         @Override
         public boolean receive(MessageBuffer message) {
+            boolean first = Double.isNaN(newestSeconds) || seconds == newestSeconds;
+            seconds = first ? seconds : seconds + 0.02;
             message.clear();
             new PerceptorMessageWriter(message)
                     .write(Messages.standing().at(seconds).build());
@@ -92,7 +126,7 @@ class PunctualityTest {
 
         @Override
         public boolean isMessageWaiting() {
-            return hasGoneOn;
+            return Double.isNaN(newestSeconds) ? hasGoneOn : seconds < newestSeconds - 0.01;
         }
 
         @Override

@@ -35,6 +35,7 @@ class ArchitectureTest {
 
     private static final JavaClasses HOUSE = new ClassFileImporter()
             .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+            .withImportOption(location -> !location.contains("-tests.jar"))
             .importPackages("org.robonewbie");
 
     /** The modules that must run where there is nothing but Java's basic classes, such as in a page of the browser. */

@@ -30,6 +30,8 @@ class DocumentationTest {
     private static final Pattern BLOCK = Pattern.compile("(?ms)^```(\\w+)\\R(.*?)^```");
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#]+)(#[^)]*)?\\)");
     private static final Pattern PUBLIC_CLASS = Pattern.compile("public (?:final )?class (\\w+)");
+    private static final Pattern REFERENCE = Pattern.compile("(?:src|href)=\"([^\"]+)\"");
+    private static final Pattern SLIDE_CODE = Pattern.compile("(?s)<pre>(.*?)</pre>");
     private static final int MOST_LINES_OF_FIRST_PROGRAM = 12;
 
     @TempDir
@@ -37,6 +39,12 @@ class DocumentationTest {
 
     static Stream<Path> pages() {
         return Project.pages().stream();
+    }
+
+    static Stream<Path> slides() throws IOException {
+        try (Stream<Path> files = Files.list(Project.ROOT.resolve("docs/lectures/slides"))) {
+            return files.filter(file -> file.toString().endsWith(".html")).toList().stream();
+        }
     }
 
     @ParameterizedTest
@@ -67,6 +75,21 @@ class DocumentationTest {
                 .toList();
 
         assertThat(broken).as(page.toString()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @MethodSource("slides")
+    void slidesHavePicturesAndCommandsThatExist(Path slides) {
+        String text = Project.read(slides);
+
+        assertThat(REFERENCE.matcher(text).results().map(match -> match.group(1)))
+                .allMatch(target -> Files.exists(slides.resolveSibling(target)));
+        SLIDE_CODE
+                .matcher(text)
+                .results()
+                .map(code -> code.group(1).replaceAll("\\\\\\R *", ""))
+                .filter(code -> code.startsWith("./robonewbie"))
+                .forEach(DocumentationTest::checkCommand);
     }
 
     @Test
@@ -110,6 +133,7 @@ class DocumentationTest {
         String notice = Project.read(Project.ROOT.resolve("NOTICE"));
         Pattern forTests =
                 Pattern.compile("robonewbie.*|junit.*|assertj.*|archunit.*|opentest4j.*|apiguardian.*|byte-buddy.*"
+                        + "|japicmp.*|javassist.*|guava.*|failureaccess.*|listenablefuture.*|j2objc.*"
                         + "|surefire.*|jspecify.*|error_prone_annotations.*|classes|test-classes");
 
         List<String> libraries = Arrays.stream(

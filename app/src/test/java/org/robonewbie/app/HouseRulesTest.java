@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
@@ -15,6 +16,7 @@ class HouseRulesTest {
     private static final int MOST_LINES_OF_JAVA = 400;
     private static final int MOST_LINES_OF_JAVASCRIPT = 300;
     private static final int MOST_LINES_OF_STYLE = 320;
+    private static final int MOST_HOMONYMS = 3;
     private static final Pattern EMPTY_NAME = Pattern.compile(".*(Util|Utils|Manager|Helper|Impl)\\.(java|js)");
 
     /** Sleeping, spinning, and loops that look at the clock and do nothing else. */
@@ -57,6 +59,17 @@ class HouseRulesTest {
                                 .matcher(file.getFileName().toString())
                                 .matches()))
                 .isEmpty();
+    }
+
+    @Test
+    void hardlyTwoClassesShareAName() {
+        List<String> names = Project.productSources(".java").stream()
+                .map(file -> file.getFileName().toString())
+                .filter(name -> !name.equals("package-info.java"))
+                .toList();
+
+        assertThat(names.stream().filter(name -> Collections.frequency(names, name) > 1))
+                .hasSizeLessThanOrEqualTo(2 * MOST_HOMONYMS);
     }
 
     @Test

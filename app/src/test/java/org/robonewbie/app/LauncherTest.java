@@ -25,6 +25,8 @@ import org.junit.jupiter.api.io.TempDir;
 @Tag("slow")
 class LauncherTest {
 
+    private static final String BUILD = "app/src/launcher/java/Build.java";
+
     private static final List<String> TOOLS = List.of(
             "sh",
             "dirname",
@@ -63,6 +65,8 @@ class LauncherTest {
             Files.createSymbolicLink(tools.resolve(tool), find(tool));
         }
         Files.copy(Project.ROOT.resolve("robonewbie"), home.resolve("robonewbie"));
+        Files.createDirectories(home.resolve(BUILD).getParent());
+        Files.copy(Project.ROOT.resolve(BUILD), home.resolve(BUILD));
         write(home.resolve("pom.xml"), "<project/>");
         write(home.resolve("app/src/main/java/Main.java"), "class Main {}");
         maven("mkdir -p app/target; echo jar >app/target/robonewbie.jar; echo '[INFO] BUILD SUCCESS'");
@@ -90,12 +94,13 @@ class LauncherTest {
 
     @Test
     void programThatLiesReadyIsRunWithoutBuilding() throws Exception {
-        write(home.resolve("lib/robonewbie.jar"), "jar");
+        String release = "maven/org/robonewbie/robonewbie/2.0.0/robonewbie-2.0.0.jar";
+        write(home.resolve(release), "jar");
 
         Ended start = start("--help");
 
         assertThat(start.err()).isEmpty();
-        assertThat(start.out()).contains("lib/robonewbie.jar");
+        assertThat(start.out()).contains(release);
         assertThat(temporaryFolder.resolve("builds.txt")).doesNotExist();
     }
 
@@ -202,12 +207,35 @@ class LauncherTest {
     }
 
     @Test
-    void lockOfAKilledBuildIsTakenOver() throws Exception {
-        Process dead = new ProcessBuilder("true").start();
-        dead.waitFor();
-        write(home.resolve("app/target/launch/lock/process"), Long.toString(dead.pid()));
+    void lockOfAKilledBuildIsFree() throws Exception {
+        write(home.resolve("app/target/launch/lock"), "");
 
         assertThat(start("--help").exitCode()).isEqualTo(7);
+    }
+
+    @Test
+    void javaBesideTheProgramIsTakenFirst() throws Exception {
+        Path own = home.resolve("runtime");
+        java(own, "25");
+        write(own.resolve("release"), "JAVA_RUNTIME_VERSION=\"25.0.3+9-LTS\"\n");
+        write(home.resolve("maven/org/robonewbie/robonewbie/2.0.0/robonewbie-2.0.0.jar"), "jar");
+        java(jdk, "1.8.0_401");
+
+        Ended start = start("--help");
+
+        assertThat(start.exitCode()).isEqualTo(7);
+        assertThat(start.out()).contains("robonewbie-2.0.0-25.0.3+9-LTS.jsa");
+    }
+
+    @Test
+    void archiveOfClassesIsUsedWhenItIsThere() throws Exception {
+        start("--help");
+        write(home.resolve("app/target/launch/robonewbie-17.0.15.jsa"), "classes");
+
+        Ended second = start("--help");
+
+        assertThat(second.out())
+                .contains("<-XX:SharedArchiveFile=" + home.toRealPath() + "/app/target/launch/robonewbie-17.0.15.jsa>");
     }
 
     @Test
@@ -216,9 +244,9 @@ class LauncherTest {
 
         Ended start = start("--help");
 
-        assertThat(start.exitCode()).isEqualTo(130);
+        assertThat(start.exitCode()).isEqualTo(128 + 15);
         assertThat(start.err()).contains("The build was stopped.");
-        assertThat(home.resolve("app/target/launch/lock")).doesNotExist();
+        assertThat(home.resolve("app/target/launch/robonewbie.jar")).doesNotExist();
     }
 
     @Test
@@ -256,18 +284,18 @@ class LauncherTest {
         return new Ended(exitCode, out, Files.readString(begun.errors()));
     }
 
-    /** A Java that tells its version, its home, and else its arguments; it ends with 7. */
+    /** A Java that tells its version, runs the build with a real Java, and else tells its arguments; it ends with 7. */
     private static void java(Path folder, String version) throws IOException {
         executable(folder.resolve("bin/javac"), "exit 1");
         executable(folder.resolve("bin/java"), """
                 case "$1" in
                   -version) echo 'openjdk version "%s" 2025-04-15' >&2; exit 0 ;;
-                  -XshowSettings*) echo '    java.home = %s' >&2; exit 0 ;;
+                  *Build.java) exec '%s/bin/java' -XX:TieredStopAtLevel=1 "$@" ;;
                 esac
                 echo "in $PWD"
                 for argument in "$@"; do echo "<$argument>"; done
                 exit 7
-                """.formatted(version, folder));
+                """.formatted(version, System.getProperty("java.home")));
     }
 
     /** A Maven that counts how often it is called and then does what the test wants. */

@@ -1,3 +1,7 @@
-/** Experiments on Apache Spark. Read {@link org.robonewbie.cluster.SparkEngine} first, then docs/cluster.md. */
+/**
+ * Experiments on Apache Spark. Read {@link org.robonewbie.cluster.SparkEngine} first, then docs/cluster.md.
+ *
+ * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.cluster;

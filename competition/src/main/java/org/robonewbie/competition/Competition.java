@@ -25,6 +25,7 @@ import org.robonewbie.competition.result.TableFiles;
 import org.robonewbie.competition.team.Fingerprint;
 import org.robonewbie.competition.team.ProgramFinder;
 import org.robonewbie.competition.team.TeamEntry;
+import org.robonewbie.competition.team.TeamProcess;
 import org.robonewbie.competition.team.TeamProgram;
 import org.robonewbie.competition.trial.ChallengePlayer;
 import org.robonewbie.competition.trial.TrialPlayer;
@@ -64,8 +65,10 @@ public final class Competition {
 
     private TrialPlayer player(Map<String, TeamProgram> programs) {
         return contest instanceof ChallengeContest challenges
-                ? new ChallengePlayer(challenges.challenge(), programs, settings.limits(), settings.spectators())
-                : new TrialRunner((JudgedContest) contest, programs, settings.limits(), settings.spectators());
+                ? new ChallengePlayer(
+                        challenges.challenge(), programs, settings.limits(), settings.fence(), settings.spectators())
+                : new TrialRunner(
+                        (JudgedContest) contest, programs, settings.limits(), settings.fence(), settings.spectators());
     }
 
     /**
@@ -90,9 +93,21 @@ public final class Competition {
                 trials.shutdownNow();
             }
             Table table = contest.table(names(), folder);
-            new TableFiles(folder, teams).write(table, settings.seed());
+            folder.repair().forEach(out::println);
+            new TableFiles(folder, teams).write(table, settings.seed(), notes());
             return table;
         }
+    }
+
+    /** How far the result can be trusted. */
+    private List<String> notes() {
+        if (settings.fence().isUp()) {
+            return List.of("Programs were fenced in by bubblewrap; each team had a port that no other one can reach.");
+        }
+        String connections = TeamProcess.knowsConnections()
+                ? "Whose connection came to the port of a team was checked."
+                : "Whose connection came to the port of a team was not checked, since this system does not tell.";
+        return List.of("Programs were not fenced in (" + settings.fence().absence() + ").", connections);
     }
 
     private List<String> names() {
@@ -183,7 +198,8 @@ public final class Competition {
                 .add(trial.entrants().toString())
                 .add(trial.ball().toString())
                 .add(trial.parameters().assignments().toString())
-                .add(settings.limits().toString());
+                .add(settings.limits().toString())
+                .add(settings.fence().isUp() ? "fenced in" : "");
         for (Entrant entrant : trial.entrants()) {
             TeamProgram program = programs.get(entrant.team());
             all.add(program == null ? "" : program.fingerprint());

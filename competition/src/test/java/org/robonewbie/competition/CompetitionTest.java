@@ -60,15 +60,15 @@ class CompetitionTest {
     private static void checkBadPrograms(Table table) {
         assertThat(table.rows()).hasSize(10);
         assertThat(table.rows().subList(0, 5))
-                .extracting(row -> row.cells().get(2))
+                .extracting(row -> row.cells().get(3))
                 .containsOnly("played to the end");
         assertThat(table.rows().subList(5, 10))
                 .extracting(row ->
-                        row.rank() + " " + row.team() + ": " + row.cells().get(2))
+                        row.rank() + " " + row.team() + ": " + row.cells().get(3))
                 .containsExactly(
                         "6 Crasher: its program ended before the trial was over",
                         "6 Killed: its program ended before the trial was over",
-                        "6 Hanger: its program ended before the trial was over",
+                        "6 Hanger: its program kept the world waiting and was taken out",
                         "6 Eater: its program needed more memory than is allowed",
                         "6 Leaver: its program ended before the trial was over");
     }

@@ -15,6 +15,7 @@ import org.robonewbie.competition.programs.Crashes;
 import org.robonewbie.competition.programs.EatsMemory;
 import org.robonewbie.competition.programs.Hangs;
 import org.robonewbie.competition.programs.IsKilled;
+import org.robonewbie.competition.team.Fence;
 import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamList;
@@ -25,7 +26,7 @@ final class TenTeams {
 
     private static final String EXAMPLES = "org.robonewbie.examples.";
     private static final double SECONDS = 6;
-    private static final Limits LIMITS = new Limits(256, 120, 60, 120, 600);
+    private static final Limits LIMITS = new Limits(256, 120, 8, 120, 600);
 
     private TenTeams() {}
 
@@ -38,8 +39,8 @@ final class TenTeams {
         List<TeamEntry> teams = TeamList.parse(lines());
         Map<String, Long> seeds = new TreeMap<>();
         teams.forEach(team -> team.seed().ifPresent(seed -> seeds.put(team.name(), seed)));
-        CompetitionSettings settings =
-                new CompetitionSettings(1, results, Path.of(""), Map.of(), 2, LIMITS, Spectators.NOBODY);
+        CompetitionSettings settings = new CompetitionSettings(
+                1, results, Path.of(""), Map.of(), 2, LIMITS, Fence.none("not wanted"), Spectators.NOBODY);
         return new Competition(Contests.scoring(new Conditions(1, false, seeds), SECONDS), teams, settings, out).hold();
     }
 

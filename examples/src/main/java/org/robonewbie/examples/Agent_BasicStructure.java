@@ -16,6 +16,8 @@ import org.robonewbie.nao.Joint;
  */
 public final class Agent_BasicStructure extends Agent {
 
+    private double angleBefore;
+
     /** Creates the agent. */
     public Agent_BasicStructure() {}
 
@@ -37,8 +39,9 @@ public final class Agent_BasicStructure extends Agent {
     protected void think() {
         double angle = nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH); // degrees
         nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, angle < 30 ? 60 : 0); // degrees per second
-        if (angle < 30) {
+        if (angle != angleBefore) { // until the arm rests
             log.info("left shoulder pitch %.2f degrees", angle);
         }
+        angleBefore = angle;
     }
 }

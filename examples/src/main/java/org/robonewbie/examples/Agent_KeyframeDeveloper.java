@@ -39,7 +39,7 @@ public final class Agent_KeyframeDeveloper extends Agent {
 
     @Override
     protected Options defaults() {
-        return Options.none().withPose(-1, 0, 0);
+        return Options.none().withWords().withPose(-1, 0, 0);
     }
 
     @Override

@@ -22,7 +22,7 @@ import org.robonewbie.nao.PlayMode;
 public class Agent_SimpleSoccer extends Agent {
 
     private static final double STRAIGHT_AHEAD_DEGREES = 2;
-    private static final double FAR_METRES = 0.7;
+    private static final double FAR_METRES = 0.54;
     private static final double MEMORY_SECONDS = LookAround.ROUND_SECONDS + 0.2;
     private static final int MANY_STEPS = 25;
 

@@ -13,7 +13,7 @@ import org.robonewbie.agent.perception.FieldItem;
 public class Agent_SimpleWalkToBall extends Agent {
 
     private static final double AHEAD_DEGREES = 15;
-    private static final double NEAR_METRES = 0.65;
+    private static final double NEAR_METRES = 0.47;
 
     /** Creates the agent. */
     public Agent_SimpleWalkToBall() {}

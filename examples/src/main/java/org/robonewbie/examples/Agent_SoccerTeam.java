@@ -56,7 +56,7 @@ public final class Agent_SoccerTeam extends Agent_SimpleSoccer {
 
     @Override
     protected Options defaults() {
-        return Options.none().withNumber(number);
+        return Options.none().withWords().withNumber(number);
     }
 
     @Override

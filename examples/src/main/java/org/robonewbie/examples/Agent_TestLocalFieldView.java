@@ -46,6 +46,7 @@ public final class Agent_TestLocalFieldView extends Agent {
     @Override
     protected Options defaults() {
         return Options.none()
+                .withWords()
                 .withTeam("teamA")
                 .withPose(-1, 0.7, -60)
                 .withSeconds(5)

@@ -156,6 +156,11 @@ class ExamplesTest {
     }
 
     @Test
+    void ownWorldModelPlaysItsTimeAndDrawsWithoutAMistake() {
+        Agent_OwnWorldModel.main(fast("6"));
+    }
+
+    @Test
     void twoBehavioursMoveHeadAndArmAtTheSameTime() throws Exception {
         Agent_TwoBehaviours.main(fast("4.5"));
 

@@ -13,6 +13,7 @@ import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import student.DivideByZero;
 import student.EndlessLoop;
+import student.MissingMotion;
 import student.Patient;
 
 /** What a whole program does when something goes wrong. */
@@ -99,6 +100,21 @@ class MistakesTest {
     }
 
     @Test
+    void aMissingMotionIsReportedOnceAndTheRunEndsWithExitCode1() throws Exception {
+        try (ChildProgram program = run(MissingMotion.class, "--headless", "--seed", "1", "--fast", "--seconds", "2")) {
+            int exitCode = program.exitCode();
+
+            assertThat(exitCode).isEqualTo(1);
+            assertThat(program.lines())
+                    .filteredOn(line -> line.contains("wawe"))
+                    .singleElement()
+                    .asString()
+                    .contains("wave")
+                    .contains("(MissingMotion.java:");
+        }
+    }
+
+    @Test
     void aBrokenMotionFileIsReportedWithItsLineAndTheRobotGoesOn() throws Exception {
         Files.createDirectories(folder.resolve("motions"));
         Files.writeString(folder.resolve("motions/my-motion.txt"), "// mine\n500 1 2 three\n");
@@ -107,7 +123,7 @@ class MistakesTest {
                 run(Agent_KeyframeDeveloper.class, "--headless", "--seed", "1", "--fast", "--seconds", "10")) {
             int exitCode = program.exitCode();
 
-            assertThat(exitCode).isZero();
+            assertThat(exitCode).isEqualTo(1);
             assertThat(program.lines())
                     .filteredOn(line -> line.contains("my-motion"))
                     .singleElement()

@@ -15,10 +15,13 @@ import org.robonewbie.exercises.task.GoalkeeperTask;
 import org.robonewbie.exercises.task.KickTask;
 import org.robonewbie.exercises.task.PassingTask;
 import org.robonewbie.exercises.task.RaiseArmsTask;
+import org.robonewbie.exercises.task.RollingBallTask;
 import org.robonewbie.exercises.task.ScoreAGoalTask;
 import org.robonewbie.exercises.task.SmoothMotionTask;
 import org.robonewbie.exercises.task.StopAt30Task;
+import org.robonewbie.exercises.task.TeamEyesTask;
 import org.robonewbie.exercises.task.TwoBehavioursTask;
+import org.robonewbie.exercises.task.UnseenBallTask;
 import org.robonewbie.exercises.task.WhereAmITask;
 
 /** All exercises in the order of the course. */
@@ -67,7 +70,7 @@ public final class Exercises {
                     "BallDirection",
                     "How exact is the view?",
                     60,
-                    "Tell the ball's direction to 0.4°, however the head turns.",
+                    "Tell the ball's direction to 0.5°, however head and body lean.",
                     12,
                     BallDirectionTask::new),
             new Exercise(
@@ -85,7 +88,7 @@ public final class Exercises {
                     "MyDance",
                     "Dance",
                     60,
-                    "Dance with at least six joints and stay on your feet.",
+                    "Dance with at least three limbs to the beat of the ball, on the spot.",
                     15,
                     DanceTask::new),
             new Exercise(
@@ -94,7 +97,7 @@ public final class Exercises {
                     "GetUp",
                     "Get up",
                     30,
-                    "Get up from the back and from the front within 12 s.",
+                    "Say how you lie, get up within 12 s, and say when you stand.",
                     13,
                     GetUpTask::new),
             new Exercise(
@@ -121,7 +124,7 @@ public final class Exercises {
                     "AroundTheBall",
                     "Once around the ball",
                     90,
-                    "Walk once around the ball without touching it.",
+                    "Walk once around the ball without touching it, within 0.9 m.",
                     90,
                     AroundTheBallTask::new),
             new Exercise(
@@ -130,7 +133,7 @@ public final class Exercises {
                     "Kick",
                     "A kick of your own",
                     120,
-                    "Kick the ball 2 m or more and stay on your feet.",
+                    "Kick the ball 2 m or more with a kick of your own, and stay on your feet.",
                     12,
                     KickTask::new),
             new Exercise(
@@ -148,8 +151,8 @@ public final class Exercises {
                     "Goalkeeper",
                     "Goalkeeper",
                     90,
-                    "Keep a shot out of the goal.",
-                    9,
+                    "Keep two shots out of the goal, one on each side.",
+                    26,
                     GoalkeeperTask::new),
             new Exercise(
                     15,
@@ -166,7 +169,7 @@ public final class Exercises {
                     "FasterWalk",
                     "Learn to walk faster",
                     120,
-                    "Learn to walk 4 m in 10 s, straight and without a fall.",
+                    "Learn to walk 6.3 m in 10 s, straight and without a fall.",
                     10,
                     FasterWalkTask::new),
             new Exercise(
@@ -175,9 +178,36 @@ public final class Exercises {
                     "ScoreAGoal",
                     "Score a goal",
                     240,
-                    "Score a goal within 3 minutes.",
+                    "Score a goal past a wall of robots within 3 minutes.",
                     180,
-                    ScoreAGoalTask::new));
+                    ScoreAGoalTask::new),
+            new Exercise(
+                    18,
+                    "unseen-ball",
+                    "UnseenBall",
+                    "Keep in mind what you do not see",
+                    60,
+                    "Turn away from the ball and go on saying where it is.",
+                    14,
+                    UnseenBallTask::new),
+            new Exercise(
+                    19,
+                    "rolling-ball",
+                    "RollingBall",
+                    "A model of the ball",
+                    90,
+                    "Say where the ball is when it has rolled out of sight.",
+                    15,
+                    RollingBallTask::new),
+            new Exercise(
+                    20,
+                    "team-eyes",
+                    "TeamEyes",
+                    "Eyes of a team",
+                    45,
+                    "Raise the arm on the side of a ball that only your team mate sees.",
+                    24,
+                    TeamEyesTask::new));
 
     private Exercises() {}
 

@@ -63,6 +63,21 @@ public record Grade(String exercise, List<SeededScore> trials) {
         return new Grade(printed.exercise, printed.trials);
     }
 
+    /**
+     * Translates the hints; what was measured stays as it is.
+     *
+     * @param language the language of the hints
+     * @return the same grade with hints in this language
+     */
+    public Grade in(Language language) {
+        return new Grade(
+                exercise,
+                trials.stream()
+                        .map(trial ->
+                                new SeededScore(trial.seed(), trial.score().in(language)))
+                        .toList());
+    }
+
     /** Returns the grade in words. */
     @Override
     public String toString() {

@@ -15,18 +15,11 @@ import java.util.stream.LongStream;
 import org.robonewbie.agent.Agent;
 
 /**
- * Grades solutions of exercises in this process, on the truth of the simulated world. The same grader works behind {@code
- * robonewbie grade} and in tests.
- *
- * <p>A program that throws or never returns fails its trial and nothing else. What counts against a
- * program is the time of the processor that it uses and the time that it sleeps: neither a debugger nor a busy computer makes it
- * late.
+ * Grades solutions of exercises in this process, on the truth of the simulated world, for tests. A program that throws or never
+ * returns fails its trial and nothing else, see {@link Patience}. {@code robonewbie grade} judges in the same way a program that runs
+ * in another process.
  */
 public final class Grader {
-
-    private static final int TICK_MILLISECONDS = 20;
-    private static final double TICK_SECONDS = TICK_MILLISECONDS / 1000.0;
-    private static final double SECONDS_OF_PATIENCE = 4;
 
     private final int tasksAtOnce;
 
@@ -71,8 +64,8 @@ public final class Grader {
         List<GradedTrial> trials = new ArrayList<>();
         List<Future<Score>> scores = new ArrayList<>();
         for (long seed : seeds) {
-            GradedTrial trial =
-                    new GradedTrial(exercise, student, seed, scores.isEmpty() ? recording : Optional.empty());
+            GradedTrial trial = new GradedTrial(
+                    exercise, student, seed, scores.isEmpty() ? recording : Optional.empty(), new Patience());
             trials.add(trial);
             scores.add(threads.submit(trial));
         }
@@ -86,20 +79,11 @@ public final class Grader {
 
     /** Waits for a score as long as the trial makes progress. */
     private static Score await(GradedTrial trial, Future<Score> score) {
-        long progress = 0;
-        double workedBefore = 0;
-        int ticksAsleep = 0;
-        while (trial.processorSeconds() - workedBefore + ticksAsleep * TICK_SECONDS < SECONDS_OF_PATIENCE) {
+        while (!trial.patience().isExhausted()) {
             try {
-                return score.get(TICK_MILLISECONDS, TimeUnit.MILLISECONDS);
+                return score.get(Patience.TICK_MILLISECONDS, TimeUnit.MILLISECONDS);
             } catch (TimeoutException notYet) {
-                if (trial.progress() != progress) {
-                    progress = trial.progress();
-                    workedBefore = trial.processorSeconds();
-                    ticksAsleep = 0;
-                } else if (progress == 0 || trial.isWaiting()) {
-                    ticksAsleep++;
-                }
+                trial.patience().tick();
             } catch (ExecutionException exhausted) {
                 return Score.failed(
                         0, "The program ended with " + exhausted.getCause() + ".", "Does it keep too much?");
@@ -108,18 +92,7 @@ public final class Grader {
                 return Score.failed(0, "The grading was stopped.", "");
             }
         }
-        return stuck(trial);
-    }
-
-    private static Score stuck(GradedTrial trial) {
-        if (trial.progress() == 0) {
-            return Score.failed(0, "Not tried, since the trials before did not end.", "");
-        }
-        String place = trial.place().map(line -> "; it is in " + line).orElse("");
-        return Score.failed(
-                0,
-                "think() has not returned for " + Math.round(SECONDS_OF_PATIENCE) + " s" + place + ".",
-                "think() is called 50 times per second and must return at once. Is there an endless loop?");
+        return trial.patience().hasBegun() ? trial.patience().score() : Score.notTried();
     }
 
     private static Thread daemon(Runnable work) {

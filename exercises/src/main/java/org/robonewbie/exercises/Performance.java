@@ -43,7 +43,7 @@ public final class Performance {
         } catch (AbsentProgramException absent) {
             return Score.failed(0, String.valueOf(absent.getMessage()), MEND);
         } catch (IOException | RuntimeException | Error mistake) {
-            return broken(mistake);
+            return ofMistake(mistake);
         }
     }
 
@@ -65,8 +65,14 @@ public final class Performance {
         return task.score();
     }
 
-    private static Score broken(Throwable mistake) {
-        String place = GradedTrial.place(mistake.getStackTrace())
+    /**
+     * Returns the score of a program that has thrown something.
+     *
+     * @param mistake what it has thrown
+     * @return the score, with the line of the program
+     */
+    public static Score ofMistake(Throwable mistake) {
+        String place = Patience.place(mistake.getStackTrace())
                 .map(line -> " in " + line)
                 .orElse("");
         return Score.failed(0, "The program ended with " + mistake + place + ".", MEND);

@@ -1,5 +1,7 @@
 package org.robonewbie.exercises;
 
+import org.robonewbie.agent.log.MinusZero;
+
 /**
  * How one trial of an exercise ended.
  *
@@ -12,6 +14,11 @@ public record Score(boolean passed, int points, String finding, String hint) {
 
     /** The points of a perfect trial. */
     public static final int MOST_POINTS = 10;
+
+    /** Writes a small number that was rounded to minus zero as zero. */
+    public Score {
+        finding = MinusZero.removed(finding);
+    }
 
     /**
      * Returns the score of a solved task.
@@ -46,5 +53,20 @@ public record Score(boolean passed, int points, String finding, String hint) {
     public static Score failed(double points, String finding, String hint) {
         int limited = (int) Math.max(0, Math.min(MOST_POINTS - 1, points));
         return new Score(false, limited, finding, hint);
+    }
+
+    /** {@return the score of a trial that was not begun, since a program is stuck in those before} */
+    public static Score notTried() {
+        return failed(0, "Not tried, since the trials before did not end.", "");
+    }
+
+    /**
+     * Translates the hint.
+     *
+     * @param language the language of the hint
+     * @return the same score with the hint in this language
+     */
+    public Score in(Language language) {
+        return new Score(passed, points, finding, language.hint(hint));
     }
 }

@@ -53,6 +53,7 @@ class ExercisesTest {
         Grade grade = new Grader().grade(exercise, StartCodes.of(exercise), seeds);
 
         assertThat(grade.passed()).as(grade.toString()).isFalse();
+        assertThat(grade.points()).as(grade.toString()).isLessThanOrEqualTo(3);
         assertThat(grade.toString()).contains("Hint: ").doesNotContain("The program ended with");
     }
 

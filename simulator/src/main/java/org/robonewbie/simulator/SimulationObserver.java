@@ -38,6 +38,9 @@ public interface SimulationObserver {
      */
     default void told(String sentence) {}
 
+    /** Is told that from now on another simulation is watched than before; called from any thread. */
+    default void anotherBegins() {}
+
     /**
      * Returns whether the messages of a robot's agent are wanted; called in each cycle on the simulation's thread.
      *

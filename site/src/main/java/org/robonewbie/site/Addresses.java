@@ -23,7 +23,7 @@ final class Addresses {
         this.root = root;
     }
 
-    /** The address of a page, a picture, or of a page that shows a source file or lists a folder. */
+    /** The address of a page, a picture, of an API page, or of a page that shows a source file or lists a folder. */
     String of(Path file) {
         String path = name(file);
         if (path.startsWith(DOCS)) {
@@ -31,6 +31,9 @@ final class Addresses {
         }
         if (path.endsWith(".md")) {
             return plain(path.replaceFirst("\\.md$", ".html"));
+        }
+        if (ApiPages.isPackageOfApi(file)) {
+            return ApiPages.addressOf(path);
         }
         return "files/" + plain(path) + (Files.isDirectory(file) ? "/index.html" : ".html");
     }

@@ -30,7 +30,7 @@ final class Links {
         this.articles = articles;
     }
 
-    /** Pictures that pages show. */
+    /** Pictures that pages show, and slides, which are pages already. */
     List<Path> pictures() {
         return List.copyOf(pictures);
     }
@@ -89,10 +89,10 @@ final class Links {
     }
 
     private void collect(Path target) {
-        if (articles.containsKey(target)) {
+        if (articles.containsKey(target) || ApiPages.isPackageOfApi(target)) {
             return;
         }
-        if (target.toString().matches(".*\\.(png|svg)")) {
+        if (target.toString().matches(".*\\.(png|svg|html|css)")) {
             pictures.add(target);
         } else {
             files.add(target);

@@ -98,6 +98,7 @@ final class Navigation {
         String folder = first.address().replaceFirst("index\\.html$", "");
         return articles.values().stream()
                 .filter(article -> article.address().startsWith(folder) && article != first)
+                .filter(article -> article.address().indexOf('/', folder.length()) < 0)
                 .sorted(Comparator.comparing(Article::address))
                 .toList();
     }

@@ -1,12 +1,14 @@
 package org.robonewbie.site;
 
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /** What all pages have around their text: name, version, search, list of pages, and the way to the pages before and after. */
 final class PageFrame {
 
     private static final String START = "index.html";
+    private static final Pattern WORKSHEET = Pattern.compile("exercises/(de/)?\\d.*");
 
     private final String template;
     private final String version;
@@ -46,6 +48,8 @@ final class PageFrame {
     private String fill(String address, String title, String html, String contents, String neighbours) {
         String top = Addresses.relative(address, START).replaceFirst("index\\.html$", "");
         return template.replace("{{title}}", escape(title))
+                .replace("{{language}}", address.contains("/de/") ? "de" : "en")
+                .replace("{{kind}}", WORKSHEET.matcher(address).matches() ? " class=\"worksheet\"" : "")
                 .replace("{{version}}", escape(version))
                 .replace("{{top}}", top)
                 .replace("{{navigation}}", list(address))

@@ -19,7 +19,7 @@ import java.util.stream.Stream;
  */
 public final class SiteBuilder {
 
-    private static final List<String> ASSETS = List.of("site.css", "site.js");
+    private static final List<String> ASSETS = List.of("site.css", "print.css", "site.js");
 
     private final Path root;
     private final String version;
@@ -40,11 +40,16 @@ public final class SiteBuilder {
     /**
      * Builds the site.
      *
-     * @param arguments folder of the project, folder of the site, version
+     * @param arguments folder of the project, folder of the site, version; one more if API pages are wanted
      * @throws IOException if a file cannot be read or written
      */
     public static void main(String[] arguments) throws IOException {
-        new SiteBuilder(Path.of(arguments[0]), arguments[2]).build(Path.of(arguments[1]));
+        Path root = Path.of(arguments[0]).toAbsolutePath().normalize();
+        Path site = Path.of(arguments[1]);
+        new SiteBuilder(root, arguments[2]).build(site);
+        if (arguments.length > 3) {
+            new ApiPages(root, arguments[2]).build(site);
+        }
     }
 
     /**

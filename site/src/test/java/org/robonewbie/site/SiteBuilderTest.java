@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -93,8 +94,9 @@ class SiteBuilderTest {
     @Test
     void siteOfThisProjectIsWhole() throws IOException {
         build(projectRoot());
-
         List<Path> pages = files(".html");
+        new ApiPages(projectRoot(), "1.2.3").build(site);
+
         assertThat(pages).hasSizeGreaterThan(60);
         for (Path page : pages) {
             assertThat(missingFiles(page)).as(page.toString()).isEmpty();
@@ -106,17 +108,36 @@ class SiteBuilderTest {
         build(projectRoot());
 
         Set<String> listed = new HashSet<>();
+        List<Path> framed = new ArrayList<>(); // slides and cards are shown and printed without the list
         for (Path page : files(".html")) {
+            if (Files.readString(page).contains("<nav aria-label=\"Pages\">")) {
+                framed.add(page);
+            }
+        }
+        for (Path page : framed) {
             String list = Files.readString(page).replaceFirst("(?s).*?<nav aria-label=\"Pages\">(.*?)</nav>.*", "$1");
             references(list)
                     .map(address -> nameOf(page.resolveSibling(address)))
                     .forEach(listed::add);
         }
-        List<String> pages = files(".html").stream()
+        List<String> pages = framed.stream()
                 .map(this::nameOf)
                 .filter(name -> !name.startsWith("files/") && !name.equals("index.html"))
                 .toList();
         assertThat(listed).containsAll(pages);
+    }
+
+    @Test
+    void slidesCardAndWorksheetsAreReadyForPaper() throws IOException {
+        build(projectRoot());
+
+        assertThat(site.resolve("lectures/slides/1-robots.html")).exists();
+        assertThat(site.resolve("lectures/slides/slides.css")).exists();
+        assertThat(site.resolve("teaching/api-card.html")).exists();
+        assertThat(site.resolve("print.css")).content().contains("A4", ".worksheet");
+        assertThat(site.resolve("exercises/12-kick.html")).content().contains("class=\"worksheet\"", "lang=\"en\"");
+        assertThat(site.resolve("exercises/de/12-kick.html")).content().contains("class=\"worksheet\"", "lang=\"de\"");
+        assertThat(site.resolve("exercises/index.html")).content().doesNotContain("class=\"worksheet\"");
     }
 
     @Test

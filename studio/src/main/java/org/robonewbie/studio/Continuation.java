@@ -51,6 +51,10 @@ final class Continuation implements LivingWorld {
         }
         awaitRobots(moment.state());
         stage.simulation().order(new Order.Pause());
+        return restore(moment);
+    }
+
+    private Restored restore(KeptMoment moment) {
         OptionalInt agents = moment.exact()
                 .filter(state -> players(moment.state()).equals(players(stage.now())))
                 .map(state -> answer(
@@ -61,6 +65,29 @@ final class Continuation implements LivingWorld {
             stage.simulation().restore(moment.before(), moment.state());
         }
         return new Restored(agents.isPresent(), agents.orElse(0));
+    }
+
+    /** Keeps the present moment. */
+    KeptMoment keep() {
+        Optional<WorldState> exact = save();
+        return new KeptMoment(now(), now(), exact);
+    }
+
+    /**
+     * Goes on from a moment; the clock goes on if it was going. Puppets stand in for robots that have left only if that is wanted.
+     * Returns what people should know of it; empty if the world is as it was to the bit.
+     */
+    String goBackTo(KeptMoment moment, boolean withAbsent) {
+        boolean wasGoing = !stage.now().paused();
+        if (withAbsent) {
+            awaitRobots(moment.state());
+        }
+        stage.simulation().order(new Order.Pause());
+        Restored restored = restore(moment);
+        if (wasGoing) {
+            stage.simulation().order(new Order.Resume());
+        }
+        return restored.exact() ? "" : "The world is nearly as it was: speeds are estimated.";
     }
 
     /** Lists who plays and in which body; a saved state gives each of them its own body again. */

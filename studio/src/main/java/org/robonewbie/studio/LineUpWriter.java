@@ -12,6 +12,7 @@ import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /** Writes a {@link LineUp} as JSON for the pages, with the bodies of all robot types that play. */
@@ -90,6 +91,26 @@ final class LineUpWriter {
         JsonObject json = new JsonObject();
         json.addProperty("kind", "event");
         json.addProperty("text", event.text());
+        return json.toString();
+    }
+
+    /** Writes what has gone wrong in the program of a robot. */
+    static String mistake(String team, int number, TelemetryItem.LogEntry line) {
+        JsonObject json = new JsonObject();
+        json.addProperty("kind", "mistake");
+        json.addProperty("team", team);
+        json.addProperty("number", number);
+        json.addProperty("level", line.level());
+        json.addProperty("text", line.text());
+        return json.toString();
+    }
+
+    /** Writes what would be undone and redone. */
+    static String deeds(Deeds.Names names) {
+        JsonObject json = new JsonObject();
+        json.addProperty("kind", "deeds");
+        json.addProperty("undo", names.undo());
+        json.addProperty("redo", names.redo());
         return json.toString();
     }
 

@@ -3,9 +3,11 @@ package org.robonewbie.studio;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Queue;
+import java.util.Set;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -14,6 +16,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.AgentMessages;
@@ -22,6 +25,7 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
+import org.robonewbie.studio.roboviz.RoboVizBoard;
 
 /**
  * Sends the latest state of the simulation to all pages, about 25 times per second.
@@ -37,15 +41,20 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
 
     private static final int MOST_THOUGHTS = 20_000;
     private static final int MOST_MESSAGES = 500;
+    private static final int MOST_MISTAKES = 500;
+    private static final Set<String> SERIOUS = Set.of("WARNING", "ERROR");
     private static final long LATEST_LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
 
     private final SimulationControl simulation;
     private final PuppetDesk puppets;
+    private final RoboVizBoard board = new RoboVizBoard();
+    private final Deeds deeds = new Deeds(this, this::told);
     private final Queue<MatchEvent> events = new ConcurrentLinkedQueue<>();
     private final Queue<String> sentences = new ConcurrentLinkedQueue<>();
     private final List<Spectator> spectators = new CopyOnWriteArrayList<>();
     private final BlockingQueue<TelemetryMessage> thoughts = new ArrayBlockingQueue<>(MOST_THOUGHTS);
     private final BlockingQueue<AgentMessages> messages = new ArrayBlockingQueue<>(MOST_MESSAGES);
+    private final Set<String> toldMistakes = new HashSet<>();
     private final TelemetryHistory memory = new TelemetryHistory();
     private final Consumer<TelemetryMessage> notes;
     private final Thread sender = new Thread(this::send, "studio-live-feed");
@@ -81,6 +90,15 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     @Override
     public SimulationControl simulation() {
         return simulation;
+    }
+
+    RoboVizBoard board() {
+        return board;
+    }
+
+    @Override
+    public Deeds deeds() {
+        return deeds;
     }
 
     @Override
@@ -145,6 +163,11 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     }
 
     @Override
+    public void anotherBegins() {
+        deeds.forget();
+    }
+
+    @Override
     public void told(String sentence) {
         sentences.add(sentence);
     }
@@ -177,6 +200,11 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         }
     }
 
+    private void handOnDeeds() {
+        Deeds.Names names = deeds.names();
+        spectators.forEach(spectator -> spectator.tellDeeds(names));
+    }
+
     private void handOnThoughts() {
         List<TelemetryMessage> news = new ArrayList<>();
         thoughts.drainTo(news);
@@ -184,9 +212,20 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         for (TelemetryMessage message : news) {
             memory.keep(message);
             notes.accept(message);
+            handOnMistake(message);
             spectators.forEach(spectator -> spectator.hear(message));
         }
         handOnMessages();
+    }
+
+    /** What goes wrong in a program is told to all pages, whichever robot they watch; the same only once. */
+    private void handOnMistake(TelemetryMessage message) {
+        if (message.item() instanceof TelemetryItem.LogEntry line && SERIOUS.contains(line.level())) {
+            String json = LineUpWriter.mistake(message.team(), message.number(), line);
+            if (toldMistakes.size() < MOST_MISTAKES && toldMistakes.add(json)) {
+                spectators.forEach(spectator -> spectator.tell(json));
+            }
+        }
     }
 
     private void handOnMessages() {
@@ -214,6 +253,8 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
             handOnThoughts();
             handOnEvents();
             handOnSentences();
+            handOnDeeds();
+            spectators.forEach(spectator -> spectator.tellDrawings(board));
             WorldSnapshot snapshot = latest;
             if (snapshot != null && !spectators.isEmpty()) {
                 write(snapshot);
@@ -246,6 +287,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         simulation.removeObserver(this);
         open = false;
         puppets.close();
+        deeds.close();
         LockSupport.unpark(sender);
         spectators.forEach(Spectator::sayGoodbye);
     }

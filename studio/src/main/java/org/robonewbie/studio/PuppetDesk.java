@@ -53,18 +53,18 @@ final class PuppetDesk {
     }
 
     /**
-     * Adds a puppet with the first free number of a team.
+     * Adds a puppet with the first free number of a team, and returns which one it is.
      *
      * @throws IllegalStateException if that is not possible; the message says why
      */
-    synchronized void add(TeamSide wanted, WorldSnapshot now) {
+    synchronized PlayerNumber add(TeamSide wanted, WorldSnapshot now) {
         TeamSide side = now.teamLeft().isEmpty() ? TeamSide.LEFT : wanted;
         for (int number = 1; number <= PLAYERS; number++) {
             PlayerNumber player = new PlayerNumber(side, number);
             if (!puppets.containsKey(player) && find(now, player).isEmpty()) {
                 start(player, teamName(now, side), RobotType.TYPE_0);
                 arriving.put(player, Long.MAX_VALUE);
-                return;
+                return player;
             }
         }
         throw new IllegalStateException(

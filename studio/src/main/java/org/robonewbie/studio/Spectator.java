@@ -9,6 +9,7 @@ import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.eclipse.jetty.websocket.api.Callback;
 import org.eclipse.jetty.websocket.api.Session;
@@ -18,6 +19,7 @@ import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.AgentMessages;
+import org.robonewbie.studio.roboviz.RoboVizBoard;
 
 /**
  * A page that watches the simulation.
@@ -41,6 +43,8 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
     private volatile String watched = "";
     private volatile boolean begins;
     private long toldCycle = -1;
+    private Optional<Deeds.Names> toldDeeds = Optional.empty();
+    private int toldBoard;
     private volatile boolean ready;
     private int sentScene = -1;
     private @Nullable ByteBuffer sentFrame;
@@ -131,6 +135,23 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         }
     }
 
+    /** Passes on what would be undone and redone, if the page does not know it yet. Called by the feed's thread only. */
+    void tellDeeds(Deeds.Names names) {
+        if (!toldDeeds.equals(Optional.of(names))) {
+            toldDeeds = Optional.of(names);
+            tell(LineUpWriter.deeds(names));
+        }
+    }
+
+    /** Keeps the sets of drawings that have changed since the page has got its last frame. Called by the feed's thread only. */
+    void tellDrawings(RoboVizBoard board) {
+        int revision = board.revision();
+        if (ready && revision > toldBoard) {
+            board.since(toldBoard).ifPresent(this::tell);
+            toldBoard = revision;
+        }
+    }
+
     private String thoughts() {
         JsonArray lines = new JsonArray();
         heard.forEach(lines::add);
@@ -161,7 +182,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
      * by the feed's thread only.
      */
     void offer(int sceneRevision, String sceneJson, ByteBuffer frame) {
-        boolean repeated = frame.equals(sentFrame);
+        boolean repeated = frame.equals(sentFrame) && news.isEmpty();
         if (!ready || (repeated && System.nanoTime() - sentNanos < REPEAT_NANOS)) {
             return;
         }

@@ -9,6 +9,9 @@ interface Stage {
     /** The running simulation. */
     SimulationControl simulation();
 
+    /** What people do to the world, so that it can be undone. */
+    Deeds deeds();
+
     /** The robots that are steered by hand. */
     PuppetDesk puppets();
 

@@ -1,6 +1,7 @@
 package org.robonewbie.studio;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.robonewbie.simulator.file.RecordingShelf;
 
@@ -10,10 +11,15 @@ import org.robonewbie.simulator.file.RecordingShelf;
  * @param motions where motion files are read and written; it need not exist
  * @param scenes where saved scenes are read and written; it need not exist
  * @param recordings where recordings are read; empty if nothing is recorded
+ * @param projects folders of the project in which there may be recordings, the project itself first
  * @param openedRecording a recording that was opened by its name, wherever it is
  */
 public record StudioFolders(
-        Path motions, Path scenes, Optional<RecordingShelf> recordings, Optional<Path> openedRecording) {
+        Path motions,
+        Path scenes,
+        Optional<RecordingShelf> recordings,
+        List<Path> projects,
+        Optional<Path> openedRecording) {
 
     private static final String SCENES = "scenes";
 
@@ -24,7 +30,7 @@ public record StudioFolders(
      * @param recordings where recordings are read; empty if nothing is recorded
      */
     public StudioFolders(Path motions, Optional<RecordingShelf> recordings) {
-        this(motions, motions.resolveSibling(SCENES), recordings, Optional.empty());
+        this(motions, motions.resolveSibling(SCENES), recordings, List.of(), Optional.empty());
     }
 
     /**
@@ -34,15 +40,18 @@ public record StudioFolders(
      * @return the same folders with this recording
      */
     public StudioFolders withRecording(Path recording) {
-        return new StudioFolders(motions, scenes, recordings, Optional.of(recording));
+        return new StudioFolders(motions, scenes, recordings, projects, Optional.of(recording));
     }
 
     /**
      * Returns the folders of a program that runs in its project.
      *
-     * @return {@code motions} in the working directory, where agents look for motions too, and the user's recordings
+     * @return {@code motions} in the working directory, where agents look for motions too, the user's recordings, and
+     *     those in the working directory and its folder {@code recordings}
      */
     public static StudioFolders ofWorkingDirectory() {
-        return new StudioFolders(Path.of("motions"), RecordingShelf.ofUser());
+        List<Path> projects = List.of(Path.of(""), Path.of("recordings"));
+        return new StudioFolders(
+                Path.of("motions"), Path.of(SCENES), RecordingShelf.ofUser(), projects, Optional.empty());
     }
 }

@@ -33,7 +33,7 @@ interface StudioRequest {
     }
 
     /**
-     * Gives orders to the world.
+     * Gives orders to the clock of the world.
      *
      * @param orders the orders, carried out in this order
      */
@@ -50,6 +50,41 @@ interface StudioRequest {
     }
 
     /**
+     * Changes the world, which can be undone.
+     *
+     * @param name what is done, such as "ball moved"
+     * @param gesture number of the drag that it belongs to, 0 if it is none
+     * @param orders the orders, carried out in this order
+     */
+    record Change(String name, long gesture, List<Order> orders) implements StudioRequest {
+
+        Change(String name, Order... orders) {
+            this(name, 0, List.of(orders));
+        }
+
+        @Override
+        public void applyTo(Stage stage) {
+            stage.deeds().change(name, gesture, () -> orders.forEach(stage.simulation()::order));
+        }
+    }
+
+    /** Takes the last change back, or does it again. */
+    enum History implements StudioRequest {
+        UNDO {
+            @Override
+            public void applyTo(Stage stage) {
+                stage.deeds().undo();
+            }
+        },
+        REDO {
+            @Override
+            public void applyTo(Stage stage) {
+                stage.deeds().redo();
+            }
+        }
+    }
+
+    /**
      * Adds a robot that is steered by hand.
      *
      * @param side its team; the first robot of all plays on the left
@@ -57,7 +92,8 @@ interface StudioRequest {
     record AddPuppet(TeamSide side) implements StudioRequest {
         @Override
         public void applyTo(Stage stage) {
-            stage.puppets().add(side, stage.now());
+            PlayerNumber player = stage.puppets().add(side, stage.now());
+            stage.deeds().puppetAdded(player);
         }
     }
 
@@ -69,7 +105,7 @@ interface StudioRequest {
     record RemovePuppet(PlayerNumber player) implements StudioRequest {
         @Override
         public void applyTo(Stage stage) {
-            stage.puppets().remove(player);
+            stage.deeds().removePuppet(player);
         }
     }
 }

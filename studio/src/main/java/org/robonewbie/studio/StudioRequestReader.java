@@ -5,7 +5,9 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
@@ -24,7 +26,9 @@ final class StudioRequestReader {
     private static final double FASTEST = 100;
     private static final int MAX_CYCLES = 50_000;
     private static final double REACH_METRES = 50;
+    private static final double FASTEST_METRES_PER_SECOND = 20;
     private static final int PLAYERS = 11;
+    private static final double MOST_GESTURES = 1e15;
     private static final Order BALL_TO_CENTRE = new Order.MoveBall(new Vector3(0, 0, 0.042), Vector3.ZERO);
 
     private final JsonObject json;
@@ -57,12 +61,15 @@ final class StudioRequestReader {
             case "resume" -> order(new Order.Resume());
             case "step" -> order(new Order.Step((int) number("cycles", 1, MAX_CYCLES)));
             case "speed" -> order(new Order.SetSpeed(speed()));
-            case "reset" -> order(new Order.Reset());
-            case "placeBall" -> order(new Order.MoveBall(position(), Vector3.ZERO));
-            case "placeRobot" -> order(new Order.PlaceRobot(player(), position(), number("headingDegrees", -360, 360)));
-            case "kickOff" -> new StudioRequest.Orders(new Order.KickOff(side()), BALL_TO_CENTRE);
-            case "dropBall" -> order(new Order.DropBall());
-            case "playMode" -> order(new Order.ChangePlayMode(playMode()));
+            case "undo" -> StudioRequest.History.UNDO;
+            case "redo" -> StudioRequest.History.REDO;
+            case "reset" -> new StudioRequest.Change("reset", new Order.Reset());
+            case "placeBall" -> dragged("ball moved", new Order.MoveBall(position(), Vector3.ZERO));
+            case "throwBall" -> dragged("ball thrown", new Order.MoveBall(Optional.empty(), Optional.of(velocity())));
+            case "placeRobot" -> placedRobot();
+            case "kickOff" -> new StudioRequest.Change("kick-off", new Order.KickOff(side()), BALL_TO_CENTRE);
+            case "dropBall" -> new StudioRequest.Change("ball dropped", new Order.DropBall());
+            case "playMode" -> new StudioRequest.Change("play mode changed", new Order.ChangePlayMode(playMode()));
             case "addPuppet" -> new StudioRequest.AddPuppet(side());
             case "removePuppet" -> new StudioRequest.RemovePuppet(player());
             case "walk" ->
@@ -76,6 +83,17 @@ final class StudioRequestReader {
                 throw new IllegalArgumentException(
                         "The studio does not know the command \"" + name + "\". Load the page again.");
         };
+    }
+
+    private StudioRequest placedRobot() {
+        Order order = new Order.PlaceRobot(player(), position(), number("headingDegrees", -360, 360));
+        return dragged(text("turn").equals("true") ? "robot turned" : "robot moved", order);
+    }
+
+    /** All orders of one drag of the mouse have its number. */
+    private StudioRequest dragged(String name, Order order) {
+        long gesture = json.has("gesture") ? (long) number("gesture", 0, MOST_GESTURES) : 0;
+        return new StudioRequest.Change(name, gesture, List.of(order));
     }
 
     private static StudioRequest order(Order order) {
@@ -108,6 +126,13 @@ final class StudioRequestReader {
                 number("x", -REACH_METRES, REACH_METRES),
                 number("y", -REACH_METRES, REACH_METRES),
                 number("z", 0, REACH_METRES));
+    }
+
+    private Vector3 velocity() {
+        return new Vector3(
+                number("x", -FASTEST_METRES_PER_SECOND, FASTEST_METRES_PER_SECOND),
+                number("y", -FASTEST_METRES_PER_SECOND, FASTEST_METRES_PER_SECOND),
+                number("z", -FASTEST_METRES_PER_SECOND, FASTEST_METRES_PER_SECOND));
     }
 
     private TeamSide side() {

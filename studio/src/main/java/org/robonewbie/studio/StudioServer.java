@@ -20,8 +20,11 @@ import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.studio.course.Course;
 import org.robonewbie.studio.course.CourseApi;
 import org.robonewbie.studio.motion.MotionApi;
+import org.robonewbie.studio.program.ProgramApi;
+import org.robonewbie.studio.program.Workshop;
 import org.robonewbie.studio.replay.ReplayApi;
 import org.robonewbie.studio.replay.RunNotes;
+import org.robonewbie.studio.roboviz.RoboVizBoard;
 import org.robonewbie.studio.scene.SceneApi;
 import org.robonewbie.studio.search.SearchBoard;
 import org.robonewbie.studio.search.SearchSpectator;
@@ -46,11 +49,13 @@ public final class StudioServer implements Viewer.View {
 
     private final Server server;
     private final LiveFeed feed;
+    private final ProgramApi programs;
     private final URI address;
 
-    private StudioServer(Server server, LiveFeed feed, URI address) {
+    private StudioServer(Server server, LiveFeed feed, ProgramApi programs, URI address) {
         this.server = server;
         this.feed = feed;
+        this.programs = programs;
         this.address = address;
     }
 
@@ -90,14 +95,34 @@ public final class StudioServer implements Viewer.View {
             StudioFolders folders,
             Optional<SearchBoard> board)
             throws IOException {
-        return start(simulation, port, token, folders, board, Optional.empty());
+        return start(simulation, port, token, folders, board, Lessons.NONE);
     }
 
     /** Starts the studio, also with exercises. */
     static StudioServer start(
             SimulationControl simulation, int port, AccessToken token, StudioFolders folders, Course course)
             throws IOException {
-        return start(simulation, port, token, folders, Optional.empty(), Optional.of(course));
+        return start(
+                simulation, port, token, folders, Optional.empty(), new Lessons(Optional.of(course), Optional.empty()));
+    }
+
+    /** Starts the studio, also with exercises and programs. */
+    static StudioServer start(
+            SimulationControl simulation,
+            int port,
+            AccessToken token,
+            StudioFolders folders,
+            Course course,
+            Workshop workshop)
+            throws IOException {
+        Lessons lessons = new Lessons(Optional.of(course), Optional.of(workshop));
+        return start(simulation, port, token, folders, Optional.empty(), lessons);
+    }
+
+    /** What a studio offers to students, if it does. */
+    private record Lessons(Optional<Course> course, Optional<Workshop> workshop) {
+
+        private static final Lessons NONE = new Lessons(Optional.empty(), Optional.empty());
     }
 
     private static StudioServer start(
@@ -106,7 +131,7 @@ public final class StudioServer implements Viewer.View {
             AccessToken token,
             StudioFolders folders,
             Optional<SearchBoard> board,
-            Optional<Course> course)
+            Lessons lessons)
             throws IOException {
         silenceServerTalk();
         QueuedThreadPool threads = new QueuedThreadPool(MAX_THREADS, 2);
@@ -124,12 +149,14 @@ public final class StudioServer implements Viewer.View {
         AccessRule rule = new AccessRule(openPort, token);
         String policy = WebFiles.contentSecurityPolicy(openPort);
         WebFiles files = new WebFiles();
-        Handler rooms = rooms(feed, folders, course, files);
+        ProgramApi programs = new ProgramApi(lessons.workshop(), new ProgramGround(feed));
+        Handler rooms = rooms(feed, folders, new CourseApi(lessons.course()), programs, files);
         server.setHandler(new AccessGuard(rule, policy, live(server, feed, board, rooms)));
         run(server);
         feed.start();
         FirstVisit.start(files, openPort);
-        return new StudioServer(server, feed, URI.create("http://127.0.0.1:" + openPort + "/?token=" + token.text()));
+        return new StudioServer(
+                server, feed, programs, URI.create("http://127.0.0.1:" + openPort + "/?token=" + token.text()));
     }
 
     private static void silenceServerTalk() {
@@ -151,11 +178,13 @@ public final class StudioServer implements Viewer.View {
         return live;
     }
 
-    private static Handler rooms(LiveFeed feed, StudioFolders folders, Optional<Course> course, WebFiles files) {
+    private static Handler rooms(
+            LiveFeed feed, StudioFolders folders, CourseApi course, ProgramApi programs, WebFiles files) {
         MotionApi motionRoom = new MotionApi(folders.motions(), LineUpWriter.model(NaoModel.of(RobotType.TYPE_0)));
-        ReplayApi replayRoom = new ReplayApi(folders.recordings(), folders.openedRecording(), LineUpWriter.allModels());
-        SceneApi sceneRoom = new SceneApi(folders.scenes(), new Continuation(feed), replayRoom::recording);
-        return new Handler.Sequence(new CourseApi(course), sceneRoom, replayRoom, motionRoom, files);
+        ReplayApi replayRoom = new ReplayApi(
+                folders.recordings(), folders.projects(), folders.openedRecording(), LineUpWriter.allModels());
+        SceneApi sceneRoom = new SceneApi(folders.scenes(), feed.deeds(), feed.deeds()::done, replayRoom::recording);
+        return new Handler.Sequence(course, programs, sceneRoom, replayRoom, motionRoom, files);
     }
 
     private static void openPort(ServerConnector connector, int port) throws IOException {
@@ -193,6 +222,11 @@ public final class StudioServer implements Viewer.View {
         return feed;
     }
 
+    /** {@return the board for drawings in RoboViz's protocol} */
+    public RoboVizBoard drawings() {
+        return feed.board();
+    }
+
     /** The source of the pages' frames. */
     LiveFeed feed() {
         return feed;
@@ -205,6 +239,7 @@ public final class StudioServer implements Viewer.View {
 
     @Override
     public void close() {
+        programs.close();
         feed.close();
         try {
             server.stop();

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.studio.course.Course;
+import org.robonewbie.studio.program.Workshop;
 import org.robonewbie.studio.search.SearchBoard;
 
 /**
@@ -51,25 +52,27 @@ public final class StudioViewer implements Viewer {
     }
 
     /**
-     * Starts to show a simulation with exercises.
+     * Starts to show a simulation with exercises and programs.
      *
      * @param simulation what to show and steer
      * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
      * @param folders what of the disk the pages may use
      * @param course the exercises
+     * @param workshop compiles and starts programs
      * @return the open view
      * @throws IOException if the port cannot be opened
      */
-    public static View open(SimulationControl simulation, int port, StudioFolders folders, Course course)
+    public static StudioServer open(
+            SimulationControl simulation, int port, StudioFolders folders, Course course, Workshop workshop)
             throws IOException {
         AccessToken token = AccessToken.ofUser();
         try {
-            return StudioServer.start(simulation, port == 0 ? USUAL_PORT : port, token, folders, course);
+            return StudioServer.start(simulation, port == 0 ? USUAL_PORT : port, token, folders, course, workshop);
         } catch (IOException inUse) {
             if (port != 0) {
                 throw inUse;
             }
-            return StudioServer.start(simulation, 0, token, folders, course);
+            return StudioServer.start(simulation, 0, token, folders, course, workshop);
         }
     }
 

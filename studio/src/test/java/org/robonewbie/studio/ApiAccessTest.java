@@ -48,7 +48,9 @@ class ApiAccessTest {
             strings = {
                 "GET /api/notes/game",
                 "GET /api/recordings",
-                "GET /api/recordings/game",
+                "GET /api/index/game",
+                "GET /api/cards/game",
+                "GET /api/pieces/game",
                 "GET /api/log/game",
                 "GET /api/models",
                 "GET /api/robot",
@@ -56,6 +58,7 @@ class ApiAccessTest {
                 "GET /api/library/wave",
                 "GET /api/poses",
                 "GET /api/scenes",
+                "GET /api/programs",
             })
     void onlyPagesOfTheStudioAreAnswered(String order) throws IOException {
         String token = "Studio-Token: " + TOKEN.text();
@@ -82,6 +85,17 @@ class ApiAccessTest {
                 "POST /api/scenes/mine",
                 "DELETE /api/scenes/mine",
                 "POST /api/start/game?moment=1",
+                "PUT /api/recordings/game?was=other",
+                "DELETE /api/recordings/game",
+                "PUT /api/stars/game",
+                "PUT /api/bookmarks/game?seconds=1",
+                "PUT /api/programs/own/MyAgent.java",
+                "PUT /api/programs/draft/MyAgent.java",
+                "DELETE /api/programs/draft/MyAgent.java",
+                "POST /api/programs/check/MyAgent.java",
+                "POST /api/programs/complete/MyAgent.java?at=1",
+                "POST /api/programs/run/MyAgent.java?world=keep",
+                "DELETE /api/programs/run",
             })
     void nothingIsChangedForAProgramThatNamesNoOrigin(String order) throws IOException {
         assertThat(ask(order, host(), "Studio-Token: " + TOKEN.text(), "Content-Length: 0"))
@@ -96,7 +110,7 @@ class ApiAccessTest {
     @ValueSource(
             strings = {"..%2fsecret", "%2e%2e%2fsecret", "..%5csecret", "../secret", "..", "%00", "%2fetc%2fpasswd"})
     void namesOfRunsThatLeadElsewhereAreNotFound(String name) throws IOException {
-        for (String shelf : new String[] {"notes", "recordings", "log"}) {
+        for (String shelf : new String[] {"notes", "index", "cards", "pieces", "log"}) {
             assertThat(ask("GET /api/" + shelf + "/" + name, host(), "Studio-Token: " + TOKEN.text()))
                     .containsPattern("^HTTP/1.1 40[0-9]")
                     .doesNotContain("hush");

@@ -7,6 +7,7 @@ import com.google.gson.JsonPrimitive;
 import java.io.IOException;
 import java.util.Base64;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -21,6 +22,15 @@ final class Chromium implements AutoCloseable {
     /** Pixels of the screen on one pixel of the page, in both directions. */
     private static final double COARSE = 0.25;
 
+    private static final String NO_SHAPES = """
+            for (const order of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']) {
+              WebGL2RenderingContext.prototype[order] = () => undefined;
+            }
+            """;
+
+    /** Keys with which the browser itself does something. */
+    private static final Map<String, Integer> VIRTUAL_KEYS = Map.of("Tab", 9, "Enter", 13);
+
     private static final Pattern PAGE_IS_LEFT = Pattern.compile(
             "context was destroyed|Cannot find (default execution )?context|navigated or closed|Promise was collected");
 
@@ -30,6 +40,8 @@ final class Chromium implements AutoCloseable {
     private volatile CompletableFuture<Boolean> frozen = new CompletableFuture<>();
     private volatile String session = "";
     private String context = "";
+    private String undrawn = "";
+    private boolean isDrawn = true;
     private double sharpness = 1;
     private int width;
     private int height;
@@ -72,6 +84,7 @@ final class Chromium implements AutoCloseable {
 
     private void closePage() {
         session = "";
+        undrawn = "";
         if (!context.isEmpty()) {
             JsonObject left = new JsonObject();
             left.addProperty("browserContextId", context);
@@ -91,16 +104,26 @@ final class Chromium implements AutoCloseable {
         call("Emulation.setDeviceMetricsOverride", metrics);
     }
 
-    /** Draws one pixel of the screen for 16 of the page, which spares the processor; places and sizes stay as they are. */
+    /**
+     * Draws one pixel of the screen for 16 of the page, and no shape of the 3D pictures of the pages that are visited from now
+     * on: without a graphics card they take most of the time. Places and sizes stay as they are.
+     */
     void drawCoarsely() {
         sharpness = COARSE;
         resize(width, height);
+        if (undrawn.isEmpty()) {
+            undrawn = runBeforePages(NO_SHAPES);
+        }
     }
 
-    /** Draws each pixel of the page, for a picture that is worth looking at. */
+    /** Draws each pixel of the pages that are visited from now on, for pictures that are worth looking at. */
     void drawSharply() {
         sharpness = 1;
         resize(width, height);
+        if (!undrawn.isEmpty()) {
+            forgetScript(undrawn);
+            undrawn = "";
+        }
     }
 
     /** Opens an address and waits until the page before it has gone and this one is there. */
@@ -108,6 +131,7 @@ final class Chromium implements AutoCloseable {
         JsonObject place = new JsonObject();
         place.addProperty("url", address);
         evaluate("window.isLeft = true");
+        isDrawn = undrawn.isEmpty();
         boolean isOther = call("Page.navigate", place).has("loaderId");
         await((isOther ? "!window.isLeft && " : "") + "document.readyState === 'complete'");
     }
@@ -211,15 +235,21 @@ final class Chromium implements AutoCloseable {
     }
 
     void press(String key) {
+        press(key, 0);
+    }
+
+    /** Presses a key while others are held: 1 is Alt, 2 Ctrl, 8 Shift. */
+    void press(String key, int modifiers) {
         for (String type : List.of("keyDown", "keyUp")) {
             JsonObject event = new JsonObject();
             event.addProperty("type", type);
             event.addProperty("key", key);
-            if (key.equals("Tab")) {
-                event.addProperty("windowsVirtualKeyCode", 9);
+            event.addProperty("modifiers", modifiers);
+            if (VIRTUAL_KEYS.containsKey(key)) {
+                event.addProperty("windowsVirtualKeyCode", VIRTUAL_KEYS.get(key));
             }
-            if (key.length() == 1 && type.equals("keyDown")) {
-                event.addProperty("text", key);
+            if (type.equals("keyDown") && modifiers == 0 && (key.length() == 1 || key.equals("Enter"))) {
+                event.addProperty("text", key.equals("Enter") ? "\r" : key);
             }
             call("Input.dispatchKeyEvent", event);
         }
@@ -229,7 +259,7 @@ final class Chromium implements AutoCloseable {
         mouse(type, x, y, 0);
     }
 
-    /** Moves or presses the mouse while keys are held: 8 is Shift. */
+    /** Moves or presses the mouse while keys are held: 1 is Alt, 2 Ctrl, 8 Shift. */
     void mouse(String type, double x, double y, int modifiers) {
         JsonObject event = new JsonObject();
         event.addProperty("type", type);
@@ -243,8 +273,8 @@ final class Chromium implements AutoCloseable {
     }
 
     byte[] screenshot() {
-        if (sharpness < 1) {
-            throw new IllegalStateException("The picture is coarse. Call drawSharply() before visiting the page.");
+        if (sharpness < 1 || !isDrawn) {
+            throw new IllegalStateException("The page is not drawn. Call drawSharply() before visiting it.");
         }
         JsonObject form = new JsonObject();
         form.addProperty("format", "png");

@@ -64,13 +64,36 @@ class CoursePageTest {
     }
 
     @Test
-    void listShowsTitleLevelAndPoints() {
+    void listShowsTitleAndLevelAndWhatIsPassed() {
         visit();
 
         browser.await("document.querySelector('[data-exercise=kick]').innerText.replace(/\\s+/g, ' ') === "
-                + "'2 A kick challenge · 120 min · 10 points'");
+                + "'2 A kick challenge · 120 min'");
+        browser.await("document.querySelector('[data-exercise=arms]').innerText.replace(/\\s+/g, ' ') === "
+                + "'✓ 1 Raise arms first steps · 8.5 of 10 points · 2 tries · 7 min'");
+        browser.await(
+                "document.querySelector('#course-sum').innerText === '1 of 2 exercises passed, 8.5 of 20 points, 7 min'");
+        browser.await("document.querySelector('#course-badges').innerText === 'First success'");
         chooseKick();
         browser.await("document.querySelector('.lesson a').getAttribute('href') === 'docs/exercises/k.html'");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void hintsOpenOneAfterTheOtherAndThenASolution() {
+        visit();
+        chooseKick();
+
+        browser.await("document.querySelector('#course-next-hint').innerText === 'Open hint 1 of 2'");
+        browser.await("document.querySelector('#course-show-solution').disabled");
+        browser.click("#course-next-hint");
+        browser.await("document.querySelector('#course-next-hint').innerText === 'Open hint 2 of 2'");
+        browser.await("document.querySelector('#course-open-hints').innerText.trim() === 'Look first.'");
+        browser.click("#course-next-hint");
+        browser.await("document.querySelector('#course-next-hint').hidden");
+        browser.await("document.querySelector('#course-show-solution').innerText === 'Show me a solution'");
+        browser.click("#course-show-solution");
+        browser.await("document.querySelector('#course-solution').innerText.includes('class Kick')");
         assertThat(browser.complaints()).isEmpty();
     }
 

@@ -82,6 +82,7 @@ class FieldDrawingPageTest {
     @Test
     void drawingsLieOnTheGroundWhereTheRobotMeansThem() throws IOException {
         browser.drawSharply();
+        visit();
         drawBoth();
         browser.press("3");
         browser.await("studio.desk.isStill && studio.desk.mode !== 'follow' && !studio.session.stale");

@@ -137,7 +137,8 @@ class FieldPicturePageTest {
     @Test
     void robotCamerasAreNotChosenWithoutARobot() {
         open(CHEAP);
-        browser.await("studio.desk.mode === 'orbit' && studio.desk.isStill");
+        browser.await("studio.desk.mode === 'orbit' && studio.desk.isStill && studio.view.covered.bottom > 0");
+        browser.evaluate("studio.desk.zoom(0.8)");
         double distance = browser.evaluate("studio.desk.view.distance").getAsDouble();
 
         browser.press("2");

@@ -16,7 +16,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
@@ -44,6 +43,7 @@ class JavaScriptTest {
         Path node = Tool.NODE.orSkip();
         writeFrame(folder);
         writeRobot(folder);
+        TouchingLimbs.write(folder.resolve("touching.json"));
         writeRecording(folder);
         WrittenTelemetry.write(folder.resolve("telemetry.json"));
         writeMotions(Files.createDirectory(folder.resolve("motions")));
@@ -68,26 +68,16 @@ class JavaScriptTest {
 
     @Test
     void functionsAreShort(@TempDir Path folder) throws Exception {
-        requireNodeTool("typescript/bin/tsc");
+        NodeTool.require("typescript/bin/tsc");
         run(folder, List.of(Tool.NODE.orSkip().toString(), "src/test/tools/function-lengths.js"));
     }
 
     /** The command line of a tool that {@code npm install} brings, or skips the test where it is not installed. */
     private static List<String> nodeTool(String script, String... arguments) {
         Path node = Tool.NODE.orSkip();
-        Path path = requireNodeTool(script);
+        Path path = NodeTool.require(script);
         return Stream.concat(Stream.of(node.toString(), path.toString()), Stream.of(arguments))
                 .toList();
-    }
-
-    private static Path requireNodeTool(String script) {
-        Path path = Path.of("node_modules").resolve(script);
-        boolean isRequired = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;
-        if (!Files.exists(path) && !isRequired) {
-            System.out.println("SKIPPED: " + script + " is not installed; run npm install in studio first.");
-        }
-        Assumptions.assumeTrue(isRequired || Files.exists(path), script + " is not installed");
-        return path;
     }
 
     private static void run(Path folder, List<String> command) throws IOException, InterruptedException {

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonElement;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -14,8 +13,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.protocol.order.Order;
-import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.studio.search.SearchBoard;
 import org.robonewbie.studio.search.SearchTask;
 
@@ -57,10 +54,7 @@ class KeyboardPageTest {
     private Path folder;
 
     private final Chromium browser;
-    private final SmallSimulation simulation = new SmallSimulation().withRobot();
-    private final SmallSimulation pitchOfTrial = new SmallSimulation();
-    private final ShownSimulation shown = new ShownSimulation(simulation);
-    private StudioServer studio;
+    private FurnishedStudio studio;
 
     KeyboardPageTest(Chromium browser) {
         this.browser = browser;
@@ -68,21 +62,12 @@ class KeyboardPageTest {
 
     @BeforeEach
     void open() throws IOException {
-        RecordedRun.write(folder.resolve("game.rec"));
-        Files.writeString(folder.resolve("mine.txt"), "200" + " 0".repeat(22) + "\n400" + " 0".repeat(22) + "\n");
-        StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingShelf(folder, 1_000_000)));
-        studio = StudioServer.start(
-                shown, 0, AccessToken.random(), folders, new SmallCourse(simulation, pitchOfTrial, shown));
-        simulation.order(new Order.Pause());
-        simulation.start();
-        pitchOfTrial.start();
+        studio = new FurnishedStudio(folder).paused();
     }
 
     @AfterEach
     void close() {
         studio.close();
-        simulation.close();
-        pitchOfTrial.close();
     }
 
     @Test
@@ -149,7 +134,7 @@ class KeyboardPageTest {
         SearchBoard board = new SearchBoard(new SearchTask("kick", "kick-distance", "m", true, 3, "3 rounds"));
         StudioFolders folders = new StudioFolders(folder, Optional.empty());
         try (StudioServer other =
-                StudioServer.start(simulation, 0, AccessToken.random(), folders, Optional.of(board))) {
+                StudioServer.start(studio.simulation(), 0, AccessToken.random(), folders, Optional.of(board))) {
             browser.visit(SearchBoard.page(other.address()).toString());
             browser.await("search.state.task !== undefined");
 

@@ -70,6 +70,8 @@ class MotionFilesPageTest {
                 + " HTMLAnchorElement.prototype.click = function () { window.givenName = this.download; }; })()");
 
         browser.click("#export");
+        browser.await("document.querySelector('#answer').value === 'webots'");
+        browser.click("#accept");
         browser.await("window.given");
         String webots = text("window.given.text()");
         browser.evaluate("HTMLInputElement.prototype.click = function () { const choice = new DataTransfer();"

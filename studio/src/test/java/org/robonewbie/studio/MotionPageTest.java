@@ -337,7 +337,7 @@ class MotionPageTest {
         openFile("500 " + STANDING + "\n20 " + STANDING.replaceFirst("0 0 -90", "90 0 -90") + "\n");
 
         browser.await("document.querySelector('.mark.speed title')?.textContent"
-                + " === 'neck yaw turns 90° in 20 ms; its motor needs 260 ms'");
+                + " === 'neck yaw turns 90° in 20 ms; its motor needs 260 ms. Click to go there.'");
     }
 
     @Test

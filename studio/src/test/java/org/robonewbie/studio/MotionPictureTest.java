@@ -59,7 +59,7 @@ class MotionPictureTest {
             browser.click("#trial");
             browser.await(STATE + ".trial && !" + STATE + ".playing");
             browser.evaluate("studio.motion.editor.apply(state => ({...state, time: 1500}))");
-            browser.await("!studio.motion.stale");
+            browser.await("!studio.motion.stale && document.querySelector('#toast').hidden");
             save(browser, "first-motion-3.png");
 
             assertThat(browser.complaints()).isEmpty();

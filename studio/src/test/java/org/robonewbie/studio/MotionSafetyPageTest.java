@@ -107,6 +107,33 @@ class MotionSafetyPageTest {
     }
 
     @Test
+    void arrowsGoOnFromWhatIsTypedAndStayWithWhatIsNoAngle() {
+        typeYaw("12,5");
+        press("ArrowUp", false);
+        browser.await(FRAMES + "[0].degrees[0] === 13.5");
+
+        typeYaw("1e9");
+        press("ArrowUp", false);
+        browser.await("document.querySelector('#toast').textContent.startsWith('“1e9” is not an angle')");
+        assertThat(browser.evaluate(FRAMES + "[0].degrees[0]").getAsDouble()).isEqualTo(13.5);
+    }
+
+    @Test
+    void hugeNumbersOfAFileAreDrawnWithFewLines() throws IOException {
+        Files.writeString(folder.resolve("huge.txt"), "999999999 1e9" + STANDING.substring(1) + "\n");
+        browser.visit("about:blank");
+        browser.visit(studio.address() + "&quality=lowest#motion/huge");
+        browser.await("studio.motion && " + EDITOR + ".state.name === 'huge' && !studio.motion.stale");
+
+        browser.click("#timeline-curves");
+
+        browser.await("document.querySelector('.track-drawing .tick-text')");
+        assertThat(browser.evaluate("document.querySelectorAll('#motion-timeline .tick-text').length")
+                        .getAsInt())
+                .isBetween(3, 40);
+    }
+
+    @Test
     void typedAngleIsInTheFileThatIsSavedByKey() throws IOException {
         typeYaw("17");
 
@@ -168,7 +195,7 @@ class MotionSafetyPageTest {
         press("Enter", false);
 
         browser.await(
-                "document.querySelector('#toast').textContent === '“abc” is not a number; neck yaw stays as it is.'");
+                "document.querySelector('#toast').textContent === '“abc” is not an angle in degrees; neck yaw stays as it is.'");
         browser.await(YAW + ".value === '0'");
     }
 

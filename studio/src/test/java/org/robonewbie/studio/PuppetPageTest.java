@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -15,10 +14,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.monitor.FoulType;
-import org.robonewbie.simulator.Console;
-import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.server.Simulator;
-import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /** Somebody without any code: steers a robot by keys and sliders, keeps a scene and goes back to it. */
@@ -34,8 +30,7 @@ class PuppetPageTest {
     private Path folder;
 
     private final Chromium browser;
-    private Simulator simulator;
-    private StudioServer studio;
+    private SteeredField field;
 
     PuppetPageTest(Chromium browser) {
         this.browser = browser;
@@ -44,42 +39,17 @@ class PuppetPageTest {
     @BeforeEach
     void open() throws IOException {
         RecordedRun.write(folder.resolve("game.rec"));
-        simulator = Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(0)
-                        .synchronous(true)
-                        .awaitedAgents(1)
-                        .speed(2)
-                        .seed(3)
-                        .build(),
-                Console.silent());
-        StudioFolders folders =
-                new StudioFolders(folder.resolve("motions"), Optional.of(new RecordingShelf(folder, 1_000_000_000)));
-        studio = StudioServer.start(simulator.control(), 0, AccessToken.random(), folders);
-        visit();
-    }
-
-    private void visit() {
-        browser.visit(studio.address() + "&quality=lowest&theme=light");
-        browser.await("studio.state.frame && studio.view.drawCalls > 0");
+        field = new SteeredField(browser, folder);
     }
 
     @AfterEach
     void close() {
-        studio.close();
-        simulator.close();
-    }
-
-    private void addPuppet() {
-        browser.await("!document.querySelector('#puppet').hidden");
-        browser.click("#add-puppet");
-        browser.await("studio.state.scene.robots[0]?.puppet && studio.state.frame?.cycle > 80");
-        browser.await("document.querySelector('#puppet').innerText.includes('You steer Puppets 1')");
+        field.close();
     }
 
     @Test
     void keyLetsThePuppetWalkWhileItIsHeld() {
-        addPuppet();
+        field.addPuppet();
         double start = browser.evaluate("studio.state.frame.robots[0].torso[0]").getAsDouble();
 
         browser.evaluate("document.dispatchEvent(new KeyboardEvent('keydown', {key: 'w', bubbles: true}))");
@@ -98,7 +68,7 @@ class PuppetPageTest {
                         + " { robots: [] }; if (robots[0]) window.fromPlace = Math.min(fromPlace, Math.hypot(robots[0].torso[0]"
                         + " - ball[0] + 0.4, robots[0].torso[1] - ball[1])); }, 20); })()");
 
-        addPuppet();
+        field.addPuppet();
 
         browser.await("fromPlace < 0.1");
         browser.click("#puppet-joints summary");
@@ -110,16 +80,16 @@ class PuppetPageTest {
 
     @Test
     void resetFreesTheNamesOfTeamsThatHaveLeft() throws IOException {
-        addPuppet();
+        field.addPuppet();
         browser.click("#remove-puppet");
         browser.await("studio.state.scene.robots.length === 0");
 
         browser.click("#reset");
         browser.await("studio.state.scene.teams.left === ''");
-        new Stranger(simulator, "Stars").join();
-        new Stranger(simulator, "Moons").join();
+        new Stranger(field.simulator(), "Stars").join();
+        new Stranger(field.simulator(), "Moons").join();
         browser.await("studio.state.scene.teams.left === 'Stars' && studio.state.scene.teams.right === 'Moons'");
-        new Stranger(simulator, "Suns").join();
+        new Stranger(field.simulator(), "Suns").join();
         browser.await("document.querySelector('#toast').textContent.includes('a third team \"Suns\" cannot')");
     }
 
@@ -127,7 +97,7 @@ class PuppetPageTest {
     void hintNamesThePortAtWhichAgentsJoin() {
         browser.await(
                 "document.querySelector('#banner').innerText.includes('./robonewbie run Agent_BasicStructure --port "
-                        + simulator.agentPort() + "')");
+                        + field.simulator().agentPort() + "')");
     }
 
     /** A robot of somebody else, which stays until the simulator ends. */
@@ -170,7 +140,7 @@ class PuppetPageTest {
 
     @Test
     void sceneIsRenamedDeletedAndBroughtBack() {
-        addPuppet();
+        field.addPuppet();
         browser.fill("#scene-name", "Before the kick");
         browser.click("#scene-save");
         browser.await("document.querySelector('#scene-list').value === 'Before the kick'");
@@ -180,18 +150,21 @@ class PuppetPageTest {
         browser.await("document.querySelector('#scene-list').value === 'Free kick'");
         browser.click("#scene-remove");
         browser.await("document.querySelector('#scene-list').options.length === 0");
-        browser.click("#scene-undo");
+        browser.await("document.querySelector('#world-undo').title.includes('scene \"Free kick\" deleted')");
+        browser.click("#world-undo");
         browser.await("document.querySelector('#scene-list').value === 'Free kick'");
-        browser.click("#scene-undo");
+        browser.await("document.querySelector('#world-undo').title.includes('renamed')");
+        browser.click("#world-undo");
         browser.await("document.querySelector('#scene-list').value === 'Before the kick'");
+        browser.click("#world-redo");
+        browser.await("document.querySelector('#scene-list').value === 'Free kick'");
 
-        browser.await("document.querySelector('#scene-undo').disabled");
         assertThat(browser.complaints()).isEmpty();
     }
 
     @Test
     void sliderMovesAnArmAndASceneKeepsIt() {
-        addPuppet();
+        field.addPuppet();
         raiseTheArm();
         browser.fill("#scene-name", "Arm up");
         browser.click("#scene-save");
@@ -216,8 +189,8 @@ class PuppetPageTest {
     @Test
     void puppetIsWorthAPicture() throws IOException {
         browser.drawSharply();
-        visit();
-        addPuppet();
+        field.visit();
+        field.addPuppet();
         raiseTheArm();
 
         Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
@@ -241,12 +214,12 @@ class PuppetPageTest {
 
     @Test
     void foulIsToldBesideTheScore() {
-        addPuppet();
+        field.addPuppet();
         browser.evaluate("new MutationObserver(() => { window.happenings = (window.happenings ?? '')"
                 + " + document.querySelector('.happenings').innerText; })"
                 + ".observe(document.querySelector('.happenings'), {childList: true})");
 
-        studio.feed().happened(new MatchEvent.FoulCalled(FoulType.CHARGING, TeamSide.LEFT, 1));
+        field.studio().feed().happened(new MatchEvent.FoulCalled(FoulType.CHARGING, TeamSide.LEFT, 1));
 
         browser.await("window.happenings?.includes('Foul: Puppets 1 runs into an opponent')");
     }

@@ -2,7 +2,6 @@ package org.robonewbie.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.google.gson.JsonElement;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
@@ -72,6 +71,16 @@ class ReplayPageTest {
         browser.await("studio.replay?.file?.isWhole && studio.cursor.recorded && !studio.replay.stale");
     }
 
+    /** Presses a button that offers a file, and reads the file. */
+    private String given(String button, String name, String reading) {
+        browser.evaluate("(() => { const make = URL.createObjectURL; window.givenName = '';"
+                + " URL.createObjectURL = blob => { window.given = blob; return make(blob); };"
+                + " HTMLAnchorElement.prototype.click = function () { window.givenName = this.download; }; })()");
+        browser.click(button);
+        browser.await("window.givenName === '" + name + "'");
+        return browser.evaluate(reading).getAsString();
+    }
+
     private double number(String expression) {
         return browser.evaluate(expression).getAsDouble();
     }
@@ -99,7 +108,7 @@ class ReplayPageTest {
     void recordedRunIsShownWithItsEvents() {
         visit();
 
-        String kinds = browser.evaluate("studio.replay.file.reader.events.map(event => event.kind).join(' ')")
+        String kinds = browser.evaluate("studio.replay.file.run.events.map(event => event.kind).join(' ')")
                 .getAsString();
         assertThat(kinds).contains("goal").contains("fall").contains("playmode");
         browser.press("End");
@@ -162,25 +171,26 @@ class ReplayPageTest {
     void tableHasOneLineForEachCycle() {
         visit();
 
-        JsonElement lines = browser.evaluate("import('./state/replay/replay-state.js').then(({ csvOf }) =>"
-                + " csvOf(studio.replay.file.reader.moments, studio.replay.models).split('\\n').length)");
+        String table = given("#export-csv", "game.csv", "window.given.text()");
 
-        assertThat(lines.getAsInt()).isBetween(150, 250);
+        assertThat(table.lines().count()).isBetween(150L, 250L);
+        assertThat(table)
+                .startsWith("cycle,game_time_s,play_mode,score_left,score_right,ball_x_m,ball_y_m,ball_z_m,Ada_1_x_m,")
+                .contains("\n100,");
+        browser.evaluate("studio.replay.state = {...studio.replay.state, loop: [100, 149]}");
+        assertThat(given("#export-csv", "game.csv", "window.given.text()").lines())
+                .as("a head and the fifty cycles of the loop")
+                .hasSize(51);
     }
 
     @Test
     void runIsGivenAsTheLogOfASimSparkServer() {
         visit();
-        browser.evaluate("(() => { const make = URL.createObjectURL;"
-                + " URL.createObjectURL = blob => { window.given = blob; return make(blob); };"
-                + " HTMLAnchorElement.prototype.click = function () { window.givenName = this.download; }; })()");
+        String log = given(
+                "#export-log",
+                "game.log.gz",
+                "new Response(window.given.stream().pipeThrough(new DecompressionStream('gzip'))).text()");
 
-        browser.click("#export-log");
-        browser.await("window.givenName === 'game.log.gz'");
-
-        String log = browser.evaluate(
-                        "new Response(window.given.stream().pipeThrough(new DecompressionStream('gzip'))).text()")
-                .getAsString();
         assertThat(log).contains("(RSG 0 1)").contains("(RDS 0 1)").contains("FieldLength");
     }
 
@@ -202,9 +212,7 @@ class ReplayPageTest {
     void singleFilePlaysWithoutTheStudio() throws IOException {
         browser.drawSharply();
         visit();
-        String page = browser.evaluate("import('./replay/standalone.js').then(({ standalonePage }) =>"
-                        + " standalonePage(studio.replay.file, studio.replay.models))")
-                .getAsString();
+        String page = given("#export-html", "game.html", "window.given.text()");
         Path file = Files.writeString(place.resolve("game.html"), page);
 
         assertThat(Files.size(file)).isLessThan(1_500_000);
@@ -284,11 +292,12 @@ class ReplayPageTest {
                 .contains("00:04", "1 robot", "1 goal", "1 fall", "game");
         assertThat(number(card + ".querySelectorAll('circle.left, circle.ball').length"))
                 .isEqualTo(2);
+        assertThat(number(card + ".querySelector('.way.ball').points.length")).isGreaterThan(50);
 
         browser.fill("#recording-search", "oth");
         browser.evaluate("document.querySelector('#recording-search').dispatchEvent(new Event('input'))");
         browser.await(card + ".hidden && !document.querySelector('#recordings [data-recording=other]').hidden");
-        browser.click("#recordings [data-recording=other]");
+        browser.click("#recordings [data-recording=other] .open");
 
         browser.await("studio.replay.file?.isWhole && document.querySelector('#recordings').hidden");
         browser.await("document.querySelector('#recording-name').textContent === 'other'");

@@ -263,9 +263,10 @@ class RobotPageTest {
 
     @Test
     void namesInTheCameraPictureAreNotPrintedOverEachOther() {
+        browser.click("[data-panel=surroundings] .panel-title");
         String overlaps = browser.evaluate("""
                 import('./robot/camera-picture.js').then(({ cameraPicture }) => {
-                  const place = document.querySelector('#robot-thoughts');
+                  const place = document.querySelector('#robot-surroundings');
                   const player = (metres, left) => ({ name: `Blue ${metres}`, kind: 'player', team: 'Blue',
                     points: [{ name: 'head', polar: [metres, left, 0] }] });
                   cameraPicture(place)({ lines: [], things: Array.from({ length: 22 }, (_, i) => player(9 - i / 4, i)) }, 'Blue');
@@ -280,20 +281,18 @@ class RobotPageTest {
     }
 
     @Test
-    void curvesLieBesideTheRobotOnASmallScreen() {
+    void pictureCurvesJointsAndWordsAreSeenTogetherOnASmallScreen() {
         browser.resize(1024, 768);
         try {
-            browser.await("innerWidth === 1024 && !document.querySelector('#robot-curves').checkVisibility()");
+            browser.await(
+                    "innerWidth === 1024 && ['#stage canvas', '#robot-curves .plot-row', '.joint-row', '#log-tab']"
+                            + ".every(each => { const box = document.querySelector(each).getBoundingClientRect();"
+                            + " return box.width > 30 && box.left >= 0 && box.right <= 1024 && box.top >= 0 && box.top < 740; })");
 
-            browser.click("[data-shows=curves]");
+            browser.click("[data-panel=joints] .panel-title");
 
-            browser.await("document.querySelector('#robot-curves').checkVisibility()"
-                    + " && document.querySelector('#robot-curves').getBoundingClientRect().bottom <= innerHeight"
-                    + " && document.querySelector('#robot-thoughts').checkVisibility()");
-            assertThat(browser.evaluate("document.querySelector('#robot-room').scrollHeight"
-                                    + " - document.querySelector('#robot-room').clientHeight")
-                            .getAsInt())
-                    .isZero();
+            browser.await("!document.querySelector('#robot-joints').checkVisibility()"
+                    + " && document.querySelector('[data-panel=joints] .panel-title').ariaExpanded === 'false'");
         } finally {
             browser.resize(1366, 768);
         }

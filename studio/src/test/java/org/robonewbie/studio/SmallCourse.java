@@ -6,7 +6,9 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Attempt.State;
 import org.robonewbie.studio.course.Course;
+import org.robonewbie.studio.course.Help;
 import org.robonewbie.studio.course.Lesson;
+import org.robonewbie.studio.course.Standings;
 
 /** A course of two exercises on a pitch of its own, in which the test says how a trial ends. */
 final class SmallCourse implements Course {
@@ -15,6 +17,8 @@ final class SmallCourse implements Course {
     private final SimulationControl pitchOfTrial;
     private final ShownSimulation shown;
     private final List<String> programs = new CopyOnWriteArrayList<>(List.of("Other.java"));
+    private final List<String> hints = List.of("Look first.", "Then kick.");
+    private volatile int open;
     private volatile Attempt attempt = Attempt.NONE;
 
     SmallCourse(SimulationControl freePitch, SimulationControl pitchOfTrial, ShownSimulation shown) {
@@ -26,9 +30,28 @@ final class SmallCourse implements Course {
     @Override
     public List<Lesson> lessons() {
         return List.of(
-                new Lesson(1, "arms", "Raise arms", "Raise both.", "first steps", 15, 10, "docs/a.html", "Arms.java"),
                 new Lesson(
-                        2, "kick", "A kick", "Kick it.", "challenge", 120, 10, "docs/exercises/k.html", "Kick.java"));
+                        1,
+                        "arms",
+                        "Raise arms",
+                        "Raise both.",
+                        "first steps",
+                        15,
+                        10,
+                        "docs/a.html",
+                        "Arms.java",
+                        new Lesson.Standing(2, 8.5, true, 7)),
+                new Lesson(
+                        2,
+                        "kick",
+                        "A kick",
+                        "Kick it.",
+                        "challenge",
+                        120,
+                        10,
+                        "docs/exercises/k.html",
+                        "Kick.java",
+                        Lesson.Standing.NONE));
     }
 
     @Override
@@ -75,5 +98,26 @@ final class SmallCourse implements Course {
     @Override
     public Attempt attempt() {
         return attempt;
+    }
+
+    @Override
+    public Standings standings() {
+        return new Standings("1 of 2 exercises passed, 8.5 of 20 points, 7 min", List.of("First success"), "name\r\n");
+    }
+
+    @Override
+    public Help help(String exercise) {
+        return new Help(hints.subList(0, open), hints.size(), true, 2 - open);
+    }
+
+    @Override
+    public Help nextHint(String exercise) {
+        open = Math.min(open + 1, hints.size());
+        return help(exercise);
+    }
+
+    @Override
+    public String solution(String exercise) {
+        return "public class Kick extends Agent {}";
     }
 }

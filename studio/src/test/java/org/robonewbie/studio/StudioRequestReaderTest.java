@@ -3,6 +3,8 @@ package org.robonewbie.studio;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -29,18 +31,32 @@ class StudioRequestReaderTest {
         assertThat(read("{'do':'speed','factor':0.5}")).isEqualTo(orders(new Order.SetSpeed(0.5)));
         assertThat(read("{'do':'speed','factor':'fastest'}"))
                 .isEqualTo(orders(new Order.SetSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)));
-        assertThat(read("{'do':'reset'}")).isEqualTo(orders(new Order.Reset()));
+        assertThat(read("{'do':'reset'}")).isEqualTo(change("reset", new Order.Reset()));
         assertThat(read("{'do':'placeBall','x':1,'y':-2,'z':0.1}"))
-                .isEqualTo(orders(new Order.MoveBall(new Vector3(1, -2, 0.1), Vector3.ZERO)));
+                .isEqualTo(change("ball moved", new Order.MoveBall(new Vector3(1, -2, 0.1), Vector3.ZERO)));
+        assertThat(read("{'do':'throwBall','x':1,'y':-2,'z':3,'gesture':7}"))
+                .isEqualTo(new StudioRequest.Change(
+                        "ball thrown",
+                        7,
+                        List.of(new Order.MoveBall(Optional.empty(), Optional.of(new Vector3(1, -2, 3))))));
         assertThat(read("{'do':'placeRobot','side':'right','number':3,'x':1,'y':2,'z':0.4,'headingDegrees':-90}"))
-                .isEqualTo(
-                        orders(new Order.PlaceRobot(new PlayerNumber(TeamSide.RIGHT, 3), new Vector3(1, 2, 0.4), -90)));
+                .isEqualTo(change(
+                        "robot moved",
+                        new Order.PlaceRobot(new PlayerNumber(TeamSide.RIGHT, 3), new Vector3(1, 2, 0.4), -90)));
         assertThat(read("{'do':'kickOff','side':'left'}"))
-                .isEqualTo(orders(
-                        new Order.KickOff(TeamSide.LEFT), new Order.MoveBall(new Vector3(0, 0, 0.042), Vector3.ZERO)));
-        assertThat(read("{'do':'dropBall'}")).isEqualTo(orders(new Order.DropBall()));
+                .isEqualTo(change(
+                        "kick-off",
+                        new Order.KickOff(TeamSide.LEFT),
+                        new Order.MoveBall(new Vector3(0, 0, 0.042), Vector3.ZERO)));
+        assertThat(read("{'do':'dropBall'}")).isEqualTo(change("ball dropped", new Order.DropBall()));
         assertThat(read("{'do':'playMode','mode':'PlayOn'}"))
-                .isEqualTo(orders(new Order.ChangePlayMode(PlayMode.PLAY_ON)));
+                .isEqualTo(change("play mode changed", new Order.ChangePlayMode(PlayMode.PLAY_ON)));
+        assertThat(read("{'do':'undo'}")).isEqualTo(StudioRequest.History.UNDO);
+        assertThat(read("{'do':'redo'}")).isEqualTo(StudioRequest.History.REDO);
+    }
+
+    private static StudioRequest change(String name, Order... orders) {
+        return new StudioRequest.Change(name, orders);
     }
 
     private static StudioRequest orders(Order... orders) {

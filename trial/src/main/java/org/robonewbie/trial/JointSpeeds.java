@@ -26,11 +26,7 @@ final class JointSpeeds {
     }
 
     List<EffectorCommand> commands(Motors motors) {
-        double[] speeds = new double[Joint.COUNT];
-        for (Joint joint : JOINTS) {
-            speeds[joint.ordinal()] = motors.sentDegreesPerSecond(joint);
-        }
-        return commands(speeds);
+        return commands(motors.sentDegreesPerSecond());
     }
 
     List<EffectorCommand> commands(double... degreesPerSecond) {

@@ -1,7 +1,6 @@
 package org.robonewbie.trial;
 
 import java.util.List;
-import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.Motion;
@@ -23,9 +22,7 @@ final class MotionPerformer implements Performer {
 
     @Override
     public List<EffectorCommand> respond(SensorReadings readings) {
-        for (Joint joint : Joint.values()) {
-            joints.sense(joint, readings.degrees(joint));
-        }
+        readings.sense(joints);
         player.step(motors);
         motors.endCycle();
         return speeds.commands(motors);

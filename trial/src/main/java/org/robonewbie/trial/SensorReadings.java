@@ -3,6 +3,7 @@ package org.robonewbie.trial;
 import java.util.Optional;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
@@ -18,6 +19,17 @@ public interface SensorReadings {
      * @return degrees, in hundredths
      */
     double degrees(Joint joint);
+
+    /**
+     * Passes the angles of all joints on.
+     *
+     * @param joints takes the angles
+     */
+    default void sense(JointStates joints) {
+        for (Joint joint : Joint.values()) {
+            joints.sense(joint, degrees(joint));
+        }
+    }
 
     /** {@return the angular velocity of the torso in degrees per second, about SimSpark's axes: right, forward, up} */
     Vector3 gyro();

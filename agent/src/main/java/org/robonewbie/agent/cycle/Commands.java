@@ -43,7 +43,7 @@ public final class Commands {
      */
     public void setJointSpeed(Joint joint, double speed) {
         if (Double.isNaN(speed)) {
-            mistakes.report(
+            mistakes.reportSerious(
                     "speed NaN " + joint,
                     () -> "Joint speed NaN for " + joint + " is ignored. Was something divided by zero?");
             return;
@@ -73,7 +73,7 @@ public final class Commands {
      */
     public void setJointAngle(Joint joint, double degrees, double speed) {
         if (!Double.isFinite(degrees) || !(speed > 0)) {
-            mistakes.report(
+            mistakes.reportSerious(
                     "angle " + joint + (speed <= 0),
                     () -> format(
                             "Joint angle %s with speed %s for %s is ignored. %s",

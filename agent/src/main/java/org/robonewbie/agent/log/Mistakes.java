@@ -19,6 +19,7 @@ public final class Mistakes {
     private final Set<String> known = new HashSet<>();
     private final List<String> reported = new ArrayList<>();
     private double seconds;
+    private final Set<String> serious = new HashSet<>();
     private Consumer<LogLine> listener = line -> {};
 
     /**
@@ -74,6 +75,31 @@ public final class Mistakes {
             out.println(line);
             listener.accept(new LogLine(seconds, LogLevel.WARNING, what));
         }
+    }
+
+    /**
+     * Reports a mistake after which the program cannot do what it was written for, such as a motion that does not exist.
+     *
+     * @param kind what tells this mistake from others at the same place, without values that change
+     * @param text what happened, the value, and what to do
+     */
+    public synchronized void reportSerious(String kind, Supplier<String> text) {
+        serious.add(kind);
+        report(kind, text);
+    }
+
+    /**
+     * Forgives mistakes that have been put right while the program runs, such as a file that can be read now.
+     *
+     * @param kind how the kinds of these mistakes begin
+     */
+    public synchronized void forgive(String kind) {
+        serious.removeIf(each -> each.startsWith(kind));
+    }
+
+    /** {@return whether a mistake was reported, and not put right, that makes the run a failure} */
+    public synchronized boolean isSerious() {
+        return !serious.isEmpty();
     }
 
     /** {@return the reported lines, oldest first} */

@@ -120,7 +120,7 @@ public final class RunLog implements Logger {
         if (lines.size() == capacity) {
             moveOldest(Math.min(capacity, LINES_TO_MOVE));
         }
-        LogLine line = new LogLine(seconds, importance, text(format, values));
+        LogLine line = new LogLine(seconds, importance, MinusZero.removed(text(format, values)));
         lines.addLast(line);
         listener.accept(line);
     }

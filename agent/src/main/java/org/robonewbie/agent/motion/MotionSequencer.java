@@ -232,8 +232,7 @@ public final class MotionSequencer implements Motions {
 
     private void begin(MotionFile file) {
         motors.release();
-        Motion motion = speed == 1 ? file.motion() : file.motion().stretched(1 / speed);
-        MotionPlayer next = new MotionPlayer(motion, interpolation);
+        MotionPlayer next = MotionPlayer.of(file, speed, interpolation);
         next.setLooping(looping && queue.isEmpty());
         if (speed != 1 || !library.isShipped(file)) {
             reportProblems(next, file);
@@ -255,17 +254,24 @@ public final class MotionSequencer implements Motions {
         try {
             Optional<MotionFile> file = library.find(name);
             if (file.isEmpty()) {
-                mistakes.report("unknown motion " + name, () -> unknown(name));
+                mistakes.reportSerious("motion " + name + ": unknown", () -> unknown(name));
             }
             file.ifPresent(this::check);
-            file.ifPresent(good -> lastGood.put(name, good));
+            file.ifPresent(good -> {
+                lastGood.put(name, good);
+                mistakes.forgive("motion " + name + ": ");
+            });
             return file;
         } catch (IOException | MotionFormatException broken) {
             boolean known = lastGood.containsKey(name);
-            mistakes.report(
-                    "broken motion " + name + broken.getMessage(),
-                    () -> "The motion " + name + " cannot be played: " + broken.getMessage()
-                            + (known ? ". The robot plays it as it was before." : ". The robot goes on without it."));
+            String kind = "motion " + name + ": " + broken.getMessage();
+            Supplier<String> text = () -> "The motion " + name + " cannot be played: " + broken.getMessage()
+                    + (known ? ". The robot plays it as it was before." : ". The robot goes on without it.");
+            if (known) {
+                mistakes.report(kind, text);
+            } else {
+                mistakes.reportSerious(kind, text);
+            }
             return Optional.ofNullable(lastGood.get(name));
         }
     }

@@ -41,8 +41,20 @@ public record Direction(double distance, double bearing, double elevation) {
                 .times(distance);
     }
 
+    /** {@return how far it is on the level, without the height: metres from below the head} */
+    public double distanceOnGround() {
+        return distance * PortableMath.cos(PortableMath.toRadians(elevation));
+    }
+
     @Override
     public String toString() {
-        return String.format(Locale.ROOT, "%.2f m, %.1f degrees left, %.1f degrees up", distance, bearing, elevation);
+        return String.format(
+                Locale.ROOT,
+                "%.2f m, %.1f degrees %s, %.1f degrees %s",
+                distance,
+                Math.abs(bearing),
+                bearing < 0 ? "right" : "left",
+                Math.abs(elevation),
+                elevation < 0 ? "down" : "up");
     }
 }

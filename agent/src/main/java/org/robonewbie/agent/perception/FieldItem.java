@@ -109,8 +109,22 @@ public class FieldItem {
         return seenSeconds;
     }
 
-    /** {@return metres from the centre of the head; infinite if this was never seen} */
+    /**
+     * Returns how far away this is on the pitch, measured from the point between the robot's feet: what the robot has to walk. A
+     * robot that stands or walks has its head above that point.
+     *
+     * @return metres along the ground; infinite if this was never seen
+     */
     public final double distance() {
+        return isKnown() ? direction().distanceOnGround() : Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * Returns how far away this is from the camera, as it is measured. A ball at the feet is half a metre from the head.
+     *
+     * @return metres from the centre of the head; infinite if this was never seen
+     */
+    public final double distanceFromHead() {
         return direction().distance();
     }
 

@@ -3,6 +3,7 @@ package org.robonewbie.agent.running;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.robonewbie.agent.cycle.Clockwork;
@@ -11,12 +12,16 @@ import org.robonewbie.agent.cycle.MessagePort;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
-/** Reports answers for which the simulator has not waited. */
+/**
+ * Reports answers for which the simulator has not waited. A robot whose program is so slow that it lives in the past catches up: it senses
+ * what has happened meanwhile without thinking about each moment of it.
+ */
 public final class PunctualPort implements MessagePort {
 
     private static final double CYCLE_MILLISECONDS = 20;
     private static final double WARM_UP_SECONDS = 1;
     private static final double SECONDS_BETWEEN_REPORTS = 10;
+    private static final double MOST_SECONDS_BEHIND = 0.2;
 
     private final LinkPort port;
     private final Clockwork robot;
@@ -26,6 +31,7 @@ public final class PunctualPort implements MessagePort {
     private long receivedNanos;
     private long cycles;
     private long lateCycles;
+    private double clockAheadSeconds = Double.POSITIVE_INFINITY;
 
     /**
      * Watches over a port.
@@ -46,9 +52,56 @@ public final class PunctualPort implements MessagePort {
     @Override
     public boolean receive() throws IOException {
         boolean received = port.receive();
+        double behind = received ? secondsBehind(port.message().seconds()) : 0;
+        if (behind > MOST_SECONDS_BEHIND) {
+            received = catchUp(behind);
+        }
         receivedNanos = nanoseconds.getAsLong();
         cycles++;
         return received;
+    }
+
+    /** How much older the message is than the newest could be; 0 if no other is waiting. */
+    private double secondsBehind(OptionalDouble messageSeconds) throws IOException {
+        if (messageSeconds.isEmpty()) {
+            return 0;
+        }
+        double clockAhead = nanoseconds.getAsLong() / 1e9 - messageSeconds.getAsDouble();
+        if (!port.isLate() || clockAheadSeconds == Double.POSITIVE_INFINITY) {
+            clockAheadSeconds = clockAhead;
+        }
+        return clockAhead - clockAheadSeconds;
+    }
+
+    /** Senses all messages but the newest one. */
+    private boolean catchUp(double behind) throws IOException {
+        int skipped = 0;
+        boolean received = true;
+        while (received && port.isLate()) {
+            robot.perceive(port.message());
+            skipped++;
+            received = port.receive();
+        }
+        reportPast(behind, skipped);
+        return received;
+    }
+
+    private void reportPast(double behind, int skipped) {
+        robot.log().warning("was %.1f s behind the simulator; skipped %d cycles", behind, skipped);
+        robot.mistakes()
+                .reportAt(
+                        slowPlace.get(),
+                        "behind in period " + period(),
+                        () -> String.format(
+                                Locale.ROOT,
+                                "The robot lived %.1f s in the past, since its cycles take longer than 20 ms: it skips %d of them to"
+                                        + " be in the present again. Compute less in a cycle.",
+                                behind,
+                                skipped));
+    }
+
+    private long period() {
+        return (long) (robot.senses().seconds() / SECONDS_BETWEEN_REPORTS);
     }
 
     @Override
@@ -76,7 +129,7 @@ public final class PunctualPort implements MessagePort {
 
     /** Reports a late cycle, at most once in ten seconds for the same line of the program. */
     private void report(double milliseconds) {
-        long period = (long) (robot.senses().seconds() / SECONDS_BETWEEN_REPORTS);
+        long period = period();
         robot.mistakes()
                 .reportAt(
                         slowPlace.get(),

@@ -55,6 +55,11 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
     /** {@return one sentence that says where this is} */
     public abstract String description();
 
+    /** {@return where it listens, in a few words} */
+    public String place() {
+        return "the simulator";
+    }
+
     /** {@return whether the simulator itself ends the run after the wanted time} */
     public abstract boolean endsByItself();
 
@@ -157,7 +162,12 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
 
         @Override
         public String description() {
-            return "Joins the server at " + host + ":" + port;
+            return "Joins the server at " + place();
+        }
+
+        @Override
+        public String place() {
+            return host + ":" + port;
         }
 
         @Override

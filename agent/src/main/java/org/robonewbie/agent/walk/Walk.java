@@ -39,6 +39,20 @@ public interface Walk {
     /** Stops with both feet side by side; that takes up to a second. */
     void stop();
 
+    /**
+     * Sets the numbers of the walk: how high the feet are lifted, how fast the steps follow each other, how the robot keeps its
+     * balance. They hold from the next time on that the robot begins to walk.
+     *
+     * <pre>{@code
+     * double[] x = WalkStyle.coordinates();
+     * x[WalkParameter.LEAN.ordinal()] += 0.5;
+     * walk.setStyle(WalkStyle.of(180, new WalkVelocity(1.1, 1.2, 1.2), new WalkVelocity(0.7, 0.2, 60), x));
+     * }</pre>
+     *
+     * @param style the numbers; {@link WalkStyle#STANDARD} at first
+     */
+    void setStyle(WalkStyle style);
+
     /** {@return whether the robot walks or has not yet come to a stand} */
     boolean isWalking();
 }

@@ -20,7 +20,9 @@ public final class WalkController implements Walk {
     private final MotionSequencer motions;
     private final Mistakes mistakes;
     private final Supplier<BodyPosition> bodyPosition;
-    private final WalkEngine engine = new WalkEngine(WalkStyle.STANDARD);
+    private WalkEngine engine = new WalkEngine(WalkStyle.STANDARD);
+    private WalkStyle style = WalkStyle.STANDARD;
+    private WalkStyle walked = WalkStyle.STANDARD;
     private final PostureFollower follower;
     private WalkVelocity wanted = WalkVelocity.ZERO;
     private boolean walking;
@@ -58,6 +60,11 @@ public final class WalkController implements Walk {
     @Override
     public void stop() {
         wanted = WalkVelocity.ZERO;
+    }
+
+    @Override
+    public void setStyle(WalkStyle newStyle) {
+        style = newStyle;
     }
 
     @Override
@@ -111,7 +118,16 @@ public final class WalkController implements Walk {
         preparing = !preparing && !isNearStance() && motions.start("stand");
         if (!preparing) {
             walking = true;
+            changeStyle();
             follower.begin();
+        }
+    }
+
+    /** A new engine has felt nothing yet, so the old one stays while the style is the same. */
+    private void changeStyle() {
+        if (!style.equals(walked)) {
+            engine = new WalkEngine(style);
+            walked = style;
         }
     }
 

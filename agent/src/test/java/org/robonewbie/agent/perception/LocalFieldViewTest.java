@@ -56,7 +56,8 @@ class LocalFieldViewTest {
         view.setTime(1);
         view.see(ball(2, 10, -5), 30, -20);
 
-        assertThat(view.ball().distance()).isEqualTo(2);
+        assertThat(view.ball().distanceFromHead()).isEqualTo(2);
+        assertThat(view.ball().distance()).isCloseTo(2 * Math.cos(Math.toRadians(25)), within(1e-9));
         assertThat(view.ball().bearing()).isEqualTo(40);
         assertThat(view.ball().elevation()).isEqualTo(-25);
     }

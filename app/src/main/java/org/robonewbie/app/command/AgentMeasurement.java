@@ -11,21 +11,57 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
-import java.util.function.LongFunction;
+import java.util.function.Function;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.examples.Agent_BetterSoccer;
+import org.robonewbie.examples.Agent_SimpleSoccer;
+import org.robonewbie.examples.Agent_SimpleWalkToBall;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.trial.Measure;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.measure.Held;
+import org.robonewbie.trial.measure.TimeToScore;
 
 /** Plays many games of the example agents, each with another seed, and reports how well they do. */
 final class AgentMeasurement {
 
     private static final String LINE = "%-24s %6s %9s %8s  %s";
+    private static final double NEAR_METRES = 0.6;
+    private static final double NEAR_SECONDS = 4;
+
+    /** Where both soccer players begin a game, see their {@code defaults()}. */
+    private static final Place USUAL_START = new Place(-0.5, 0.4, -40);
 
     private final int trials;
     private final long firstSeed;
     private final PrintStream out;
 
-    /** One agent's task; a trial tells how many simulated seconds it needed, or nothing if it failed. */
-    private record Task(String name, String rule, LongFunction<OptionalDouble> trial) {}
+    /** One agent's task: it succeeds if the measure is decided in time. */
+    private record Task(
+            String name,
+            String rule,
+            Supplier<Agent> agent,
+            double seconds,
+            Function<Random, Place> start,
+            Supplier<Measure> measure) {
+
+        /** Returns how many simulated seconds the agent needed, or nothing if it failed. */
+        OptionalDouble play(long seed) {
+            Scene scene = Scene.of(RobotStart.at(start.apply(new Random(seed))));
+            Measure needed = measure.get();
+            try (Trial trial = Trial.served(scene, seed, Performer.ofAgent(agent.get()))) {
+                trial.run(seconds, needed);
+            }
+            return needed.isDecided() ? OptionalDouble.of(needed.value()) : OptionalDouble.empty();
+        }
+    }
 
     /** How an agent did. */
     private record Result(Task task, int trials, List<Double> seconds) {
@@ -88,16 +124,29 @@ final class AgentMeasurement {
         return List.of(
                 new Task(
                         "Agent_SimpleWalkToBall",
-                        "stands within 0.6 m of the ball, from any place and direction in its half",
-                        seed -> TimedAgents.walkToBall(seed, start(seed))),
+                        "stays within 0.6 m of the ball for 4 s, from any place and direction in its half",
+                        Agent_SimpleWalkToBall::new,
+                        180,
+                        AgentMeasurement::anywhere,
+                        () -> new Held(NEAR_SECONDS, AgentMeasurement::isAtBall)),
                 new Task(
                         "Agent_SimpleSoccer",
                         "scores from the usual start within 20 minutes",
-                        TimedAgents::simpleSoccer),
+                        Agent_SimpleSoccer::new,
+                        1200,
+                        random -> USUAL_START,
+                        TimeToScore::new),
                 new Task(
                         "Agent_BetterSoccer",
                         "scores from the usual start within 5 minutes",
-                        TimedAgents::betterSoccer));
+                        Agent_BetterSoccer::new,
+                        300,
+                        random -> USUAL_START,
+                        TimeToScore::new));
+    }
+
+    private static boolean isAtBall(Moment moment) {
+        return moment.robot().isStanding() && moment.place().distance(moment.ball()) < NEAR_METRES;
     }
 
     private Result measure(Task task) {
@@ -115,18 +164,17 @@ final class AgentMeasurement {
         PrintStream usual = System.out;
         System.setOut(new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
         try {
-            return task.trial.apply(seed);
+            return task.play(seed);
         } finally {
             System.setOut(usual);
         }
     }
 
     /** A place in the team's own half that is not too close to the ball in the centre. */
-    private static String start(long seed) {
-        Random random = new Random(seed);
+    private static Place anywhere(Random random) {
         double x = -0.8 - 3.7 * random.nextDouble();
         double y = -3 + 6 * random.nextDouble();
-        return String.format(Locale.ROOT, "%.2f,%.2f,%d", x, y, random.nextInt(360) - 180);
+        return new Place(x, y, random.nextInt(360) - 180);
     }
 
     private static void write(Path file, List<Result> results) throws IOException {

@@ -42,8 +42,8 @@ import picocli.CommandLine.Option;
             "",
             "A real rcssserver3d: say $agentSyncMode = true and $enableRealTimeMode = false in a copy of its spark.rb in the folder",
             "in which it starts, start it there without any monitor, find its process with \"pidof rcssserver3d\", and measure it on",
-            "the same computer as above; --port and --monitor-port if it has others than 3100 and 3200. Robots are placed by its",
-            "monitor port. Memory is that of this process, not of the server."
+            "the same computer as above; --port and --monitor-port if it has others than 3100 and 3200. Robots join one after the",
+            "other, and are placed by its monitor port. A server that admits no more of them, or is silent for 20 s, is told. Memory is that of this process, not of the server."
         })
 final class BenchmarkCommand implements Callable<Integer> {
 
@@ -112,14 +112,15 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Mixin
     final WithoutStudioOption withoutStudio = new WithoutStudioOption();
 
+    private boolean begun;
+
     @Override
     public Integer call() throws IOException {
         BenchmarkPlan plan = plan();
         json.ifPresent(BenchmarkCommand::checkFolder);
         table.ifPresent(BenchmarkCommand::checkFolder);
-        System.out.print(BenchmarkReport.header());
-        BenchmarkReport report = new Benchmark(plan)
-                .run(run -> System.out.print(BenchmarkReport.line(run)), sample -> System.out.print(sample.toLine()));
+        BenchmarkReport report =
+                new Benchmark(plan).run(run -> print(BenchmarkReport.line(run)), sample -> print(sample.toLine()));
         if (json.isPresent()) {
             AtomicFile.write(json.get(), report.toJson());
         }
@@ -127,6 +128,15 @@ final class BenchmarkCommand implements Callable<Integer> {
             AtomicFile.write(table.get(), report.toMarkdown());
         }
         return ExitCode.OK;
+    }
+
+    /** A table that has no line has no head either. */
+    private void print(String line) {
+        if (!begun) {
+            System.out.print(BenchmarkReport.header());
+            begun = true;
+        }
+        System.out.print(line);
     }
 
     private BenchmarkPlan plan() {

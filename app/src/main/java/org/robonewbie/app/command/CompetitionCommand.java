@@ -42,13 +42,13 @@ import picocli.CommandLine.Parameters;
         description = {
             "Hold a contest between the programs of up to ten teams, and rank them.",
             "",
-            "scoring     one trial of 180 s each: who scores first, else whose ball came nearest to the goal",
+            "scoring     one trial of 180 s each: the earliest goal wins, else the ball nearest to the goal at the end",
             "penalties   attacker against goalkeeper, both roles, sudden death",
             "matches     each team against each other one",
             "walk, kick, stand, gymnastics   small contests for one robot",
             "exercise:NAME                   an exercise of the course, judged as \"robonewbie grade\" does",
             "",
-            "Each program runs in a process of its own. What it does wrong costs its team the trial and nothing else."
+            "Each program runs in a process of its own, on Linux with bubblewrap behind a fence. What it does wrong costs its team the trial and nothing else."
                     + " The same seed and programs give the same table. Broken off? The same command goes on where it was."
         },
         sortOptions = false,
@@ -64,7 +64,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie competition scoring \"Green=python3 green.py --port {port} --team {team}\"",
             "",
             "A team is NAME=PROGRAM; a program is a folder with Java files, a jar, a .java file, an example, or a"
-                    + " command. In a file of teams stands one on each line. docs/competition.md tells all, with the rules"
+                    + " command. A file of teams has one on each line. docs/competition.md explains everything, with the rules"
                     + " to hand out."
         })
 final class CompetitionCommand implements Callable<Integer> {
@@ -130,6 +130,13 @@ final class CompetitionCommand implements Callable<Integer> {
             description = "Seconds of processor time for each program and trial (${DEFAULT-VALUE}).")
     private double processorSeconds = Limits.USUAL.processorSeconds();
 
+    @Option(
+            names = "--fence",
+            paramLabel = "WHEN",
+            description = "Fence programs in by bubblewrap (Linux): auto where there is one, required, or none"
+                    + " (${DEFAULT-VALUE}).")
+    private FenceWish fence = FenceWish.AUTO;
+
     @Option(names = "--watch", description = "Show each trial in the studio, one after the other in real time.")
     private boolean watched;
 
@@ -165,6 +172,7 @@ final class CompetitionCommand implements Callable<Integer> {
                         silentSeconds,
                         Limits.USUAL.startSeconds(),
                         Limits.USUAL.realSeconds()),
+                fence.fence(),
                 isWatched ? spectators() : Spectators.NOBODY);
         System.out.println(contest.title() + ": " + contest.rule());
         Table table = new Competition(contest, teams, settings, System.out).hold();

@@ -4,6 +4,7 @@ import java.util.concurrent.Callable;
 import org.robonewbie.app.doctor.Checkup;
 import org.robonewbie.app.doctor.Finding;
 import org.robonewbie.app.doctor.Verdict;
+import org.robonewbie.app.program.CommandWord;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -29,15 +30,23 @@ final class DoctorCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        boolean broken = false;
-        for (Finding finding : Checkup.of(headless).findings()) {
-            System.out.println(finding.toText());
-            broken |= finding.verdict() == Verdict.BROKEN;
+        return report(Checkup.of(headless), "All is well. Start with: robonewbie demo");
+    }
+
+    /** Prints each finding as soon as it is there, and then whether all is well. */
+    static int report(Checkup checkup, String success) {
+        CommandWord word = CommandWord.here();
+        Verdict worst = Verdict.WELL;
+        for (Finding finding : checkup.findings()) {
+            System.out.println(word.in(finding.toText()));
+            worst = finding.verdict().compareTo(worst) > 0 ? finding.verdict() : worst;
         }
         System.out.println(
-                broken
-                        ? "Something has to be mended: see the lines with FAIL."
-                        : "All is well. Start with: robonewbie demo");
-        return broken ? ExitCode.SOFTWARE : ExitCode.OK;
+                switch (worst) {
+                    case WELL -> word.in(success);
+                    case NOTABLE -> "It works, but not all of it: the lines with \"look\" say what to know.";
+                    case BROKEN -> "Something has to be mended: see the lines with FAIL.";
+                });
+        return worst == Verdict.BROKEN ? ExitCode.SOFTWARE : ExitCode.OK;
     }
 }

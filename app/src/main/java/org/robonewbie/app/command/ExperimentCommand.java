@@ -1,22 +1,26 @@
 package org.robonewbie.app.command;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.IntConsumer;
 import org.robonewbie.app.program.AgentFinder;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.learning.series.Experiment;
 import org.robonewbie.learning.series.ExperimentEngine;
 import org.robonewbie.learning.series.ExperimentPlan;
 import org.robonewbie.learning.series.LocalEngine;
 import org.robonewbie.learning.series.PlannedTrial;
 import org.robonewbie.learning.series.ResultTable;
+import org.robonewbie.learning.series.TrialJournal;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -35,7 +39,8 @@ import picocli.CommandLine.Parameters;
             "  seed=1",
             "  newtons=20,40,60",
             "Each name but the first three is a parameter; all combinations of values are tried in turn.",
-            "The table is the same for any engine and any number of threads."
+            "The table is the same for any engine and any number of threads. Each result is kept at once in a file beside it:",
+            "after a kill or on a full disk the same command goes on where it was."
         },
         footer = {
             "",
@@ -79,12 +84,8 @@ final class ExperimentCommand implements Callable<Integer> {
             description = "Table to write, .csv or .json (default: experiment.csv).")
     private Path output = Path.of("experiment.csv");
 
-    @Option(
-            names = {"-cp", "--class-path"},
-            paramLabel = "PATH",
-            defaultValue = ".",
-            description = "Folders and jars with your own classes (default: the current folder).")
-    private String classPath = ".";
+    @Mixin
+    private final ClassPathOption classPath = new ClassPathOption();
 
     @Override
     public Integer call() throws IOException {
@@ -95,25 +96,43 @@ final class ExperimentCommand implements Callable<Integer> {
             throw new CalledWronglyException(
                     "There is no plan \"" + planFile + "\". See robonewbie experiment --help.");
         }
-        List<Path> folders = AgentFinder.folders(classPath);
+        List<Path> folders = classPath.folders();
         Thread.currentThread().setContextClassLoader(AgentFinder.loaderOf(folders));
         try {
-            ResultTable table = run(ExperimentPlan.read(planFile), engine());
-            table.write(output);
-            System.out.println("Wrote " + table.trials().size() + " trials to " + output + ".");
-            return ExitCode.OK;
+            return run(ExperimentPlan.read(planFile), engine());
         } catch (IllegalArgumentException wrong) {
             throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         } catch (IllegalStateException failed) {
             System.err.println(failed.getMessage());
             return ExitCode.SOFTWARE;
+        } catch (UncheckedIOException full) {
+            throw Objects.requireNonNull(full.getCause());
         }
     }
 
-    private ResultTable run(ExperimentPlan plan, ExperimentEngine chosen) {
-        List<PlannedTrial> trials = plan.all();
-        List<String> columns = Experiment.of(plan.experiment()).columns();
-        return new ResultTable(columns, trials, chosen.run(plan.experiment(), trials, master, progress(trials.size())));
+    /** Keeps each result in a file beside the table until that is written, so that nothing is done twice. */
+    private int run(ExperimentPlan plan, ExperimentEngine chosen) throws IOException {
+        Experiment experiment = Experiment.of(plan.experiment());
+        experiment.parameters().ifPresent(plan::refuseOthersThan);
+        try (TrialJournal journal = TrialJournal.open(output.resolveSibling(output.getFileName() + ".trials"), plan)) {
+            List<PlannedTrial> missing = journal.missing();
+            if (journal.done() > 0) {
+                System.err.println(
+                        journal.done() + " trials are done already and kept, " + missing.size() + " are left.");
+            }
+            chosen.run(plan.experiment(), missing, master, progress(missing.size()), journal);
+            ResultTable table = journal.table(experiment.columns());
+            table.write(output);
+            System.out.println("Wrote " + table.trials().size() + " trials to " + output + ".");
+            if (journal.failures().isEmpty()) {
+                journal.delete();
+                return ExitCode.OK;
+            }
+            journal.failures().forEach(System.err::println);
+            System.err.println(journal.failures().size()
+                    + " trials failed, see above. The others are kept; the same command tries again what is missing.");
+            return ExitCode.SOFTWARE;
+        }
     }
 
     private ExperimentEngine engine() {

@@ -1,29 +1,33 @@
 package org.robonewbie.app.command;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
-import java.util.stream.LongStream;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.log.Spelling;
+import org.robonewbie.app.course.Coach;
+import org.robonewbie.app.course.GradingConditions;
 import org.robonewbie.app.course.GradingProcess;
+import org.robonewbie.app.course.RobotsOnCall;
+import org.robonewbie.app.marking.ClassMarking;
 import org.robonewbie.app.program.AgentFinder;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.ClassPathOption;
+import org.robonewbie.app.program.CommandWord;
 import org.robonewbie.app.program.ExampleCatalogue;
+import org.robonewbie.app.program.ProgramFile;
 import org.robonewbie.app.program.StudentJava;
 import org.robonewbie.app.program.StudentsAgents;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
-import org.robonewbie.exercises.Grader;
+import org.robonewbie.exercises.progress.SolutionShelf;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -42,7 +46,12 @@ import picocli.CommandLine.Parameters;
             "  robonewbie grade arm-by-side ArmBySide.java",
             "  robonewbie grade 3 ArmBySide.java --seeds 10 --json grade.json",
             "  robonewbie grade kick Kick.java --watch     and look at the first trial in the studio",
+            "  robonewbie grade kick Kick.java --language de   hints in German",
             "  robonewbie grade kick Kick.java --record kick.rec   then: robonewbie studio kick.rec",
+            "  robonewbie grade kick --hint              open one hint after the other",
+            "  robonewbie grade kick --solution          show a solution, after three tries",
+            "  robonewbie grade --class submissions      grade what a class has handed in: one folder for each student",
+            "  robonewbie grade kick --class submissions --seeds 10   only this exercise",
             "",
             "Exit code: 0 passed, 1 not yet passed, 2 called wrongly."
         })
@@ -68,6 +77,16 @@ final class GradeCommand implements Callable<Integer> {
     @Option(names = "--start", description = "Write the program to begin with into the current folder.")
     private boolean start;
 
+    @Option(names = "--hint", description = "Show the open hints of the worksheet and open the next one.")
+    private boolean hint;
+
+    @Option(
+            names = "--solution",
+            description =
+                    "Show a solution, after three graded tries, if this computer has solutions and your teacher has not"
+                            + " locked this one (" + SolutionShelf.SWITCH + ").")
+    private boolean solutionWanted;
+
     @Option(names = "--seeds", paramLabel = "N", defaultValue = "3", description = "How many trials (default: 3).")
     private int seeds;
 
@@ -84,48 +103,105 @@ final class GradeCommand implements Callable<Integer> {
     private boolean withoutBrowser;
 
     @Option(
-            names = {"-cp", "--class-path"},
-            paramLabel = "PATH",
-            description = "Folders and jars with your own classes (default: the current folder).")
-    private String classPath = "";
+            names = "--class",
+            paramLabel = "FOLDER",
+            description = "Grade all programs of a class, which lie in one folder for each student, into one table."
+                    + " What was graded is kept: the same command goes on where it was.")
+    private Optional<Path> classFolder = Optional.empty();
 
-    @Option(names = GradingProcess.INSIDE, hidden = true)
-    private Optional<Path> inside = Optional.empty();
+    @Option(
+            names = "--results",
+            paramLabel = "FOLDER",
+            description = "With --class: where table and kept marks go (default: FOLDER-grades).")
+    private Optional<Path> results = Optional.empty();
+
+    @Mixin
+    private final LanguageOption language = new LanguageOption();
+
+    @Mixin
+    private final ClassPathOption classPath = new ClassPathOption();
+
+    @Option(names = StudentJava.ON_CALL, hidden = true)
+    private Optional<Path> complaints = Optional.empty();
 
     @Option(names = StudentJava.AT_DOOR, hidden = true)
     private Optional<Integer> door = Optional.empty();
 
     @Override
     public Integer call() throws IOException {
+        if (seeds < 1) {
+            throw new CalledWronglyException("--seeds " + seeds + ": give a number of trials of at least 1.");
+        }
+        if (classFolder.isPresent()) {
+            return gradeClass(classFolder.get());
+        }
         if (exerciseName.isEmpty()) {
-            System.out.print(list());
+            System.out.print(CommandWord.here().in(list()));
             return ExitCode.OK;
         }
-        Exercise exercise = Exercises.find(exerciseName.get()).orElseThrow(() -> unknown(exerciseName.get()));
+        Exercise exercise = exercise(exerciseName.get());
         if (start) {
             return handOut(exercise);
+        }
+        if (hint || solutionWanted) {
+            return hint ? openHint(exercise) : openSolution(exercise);
         }
         String program = solution.orElseThrow(() -> withoutSolution(exercise));
         if (door.isPresent()) {
             agents(program).get().run("--port", door.get().toString(), "--headless", "--team", "Students");
             return ExitCode.OK;
         }
-        if (seeds < 1) {
-            throw new CalledWronglyException("--seeds " + seeds + ": give a number of trials of at least 1.");
-        }
-        if (inside.isPresent()) {
-            return gradeHere(exercise, program, inside.get());
+        if (complaints.isPresent()) {
+            new RobotsOnCall(agents(program), complaints.get()).serve();
+            return ExitCode.OK;
         }
         if (watched && recording.isEmpty()) {
             recording =
                     Optional.of(Files.createTempDirectory("robonewbie-grade").resolve(exercise.name() + ".rec"));
         }
-        GradingProcess process = new GradingProcess(exercise, program, seeds, classPath, recording);
-        int exitCode = process.run().map(this::tell).orElseGet(process::exitCode);
+        language.language(); // refused before the trials, not after them
+        GradingProcess process = new GradingProcess(exercise, program, conditions());
+        int exitCode = process.run().map(grade -> tell(exercise, grade)).orElseGet(process::exitCode);
         if (watched) {
             recording.filter(Files::isRegularFile).ifPresent(this::show);
         }
         return exitCode;
+    }
+
+    private GradingConditions conditions() {
+        return new GradingConditions(
+                seeds,
+                Runtime.getRuntime().availableProcessors(),
+                classPath.path(),
+                Path.of("").toAbsolutePath(),
+                recording,
+                System.err::println);
+    }
+
+    private int gradeClass(Path folder) throws IOException {
+        if (solution.isPresent()) {
+            throw new CalledWronglyException("\"" + solution.get()
+                    + "\" is too much here: --class grades the programs of the folder " + folder + ".");
+        }
+        List<Exercise> wanted =
+                exerciseName.map(name -> List.of(exercise(name))).orElseGet(Exercises::all);
+        Path target = results.orElseGet(() -> {
+            Path whole = folder.toAbsolutePath().normalize();
+            return whole.resolveSibling(whole.getFileName() + "-grades");
+        });
+        Path page = new ClassMarking(folder, wanted, seeds, target, judge(), System.out::println).run();
+        System.out.println("The table: " + page + ", and as grades.csv beside it.");
+        return ExitCode.OK;
+    }
+
+    /** What distinguishes this judge from that of another build. */
+    private static String judge() throws IOException {
+        Optional<Path> jar = ProgramFile.ofThisProgram();
+        return jar.isPresent() ? Files.getLastModifiedTime(jar.get()).toString() : "not packaged";
+    }
+
+    private static Exercise exercise(String name) {
+        return Exercises.find(name).orElseThrow(() -> unknown(name));
     }
 
     /** Opens the studio, which stays until it is ended. */
@@ -137,28 +213,35 @@ final class GradeCommand implements Callable<Integer> {
         RoboNewbieCommand.run(words.toArray(String[]::new));
     }
 
-    private int tell(Grade grade) {
-        System.out.print(grade);
+    private static int openHint(Exercise exercise) {
+        Coach.Hints hints = Coach.ofUser().nextHint(exercise);
+        for (int i = 0; i < hints.open().size(); i++) {
+            System.out.println("Hint " + (i + 1) + " of " + hints.all() + ": "
+                    + hints.open().get(i));
+        }
+        if (hints.all() == 0) {
+            System.out.println("There are no hints for " + exercise.name() + ".");
+        }
+        return ExitCode.OK;
+    }
+
+    private static int openSolution(Exercise exercise) {
+        SolutionShelf.Answer answer = Coach.ofUser().solution(exercise);
+        (answer.open() ? System.out : System.err).println(answer.text().stripTrailing());
+        return answer.open() ? ExitCode.OK : ExitCode.SOFTWARE;
+    }
+
+    private int tell(Exercise exercise, Grade grade) {
+        System.out.print(grade.in(language.language()));
+        Coach.ofUser().graded(exercise, grade.points(), grade.passed()).stream()
+                .map(CommandWord.here()::in)
+                .forEach(System.out::println);
         json.ifPresent(file -> GradingProcess.write(file, grade.json()));
         return grade.passed() ? ExitCode.OK : ExitCode.SOFTWARE;
     }
 
-    /** Does the work within the process that may die of the student's program. */
-    private int gradeHere(Exercise exercise, String program, Path result) {
-        Supplier<Agent> agents = agents(program);
-        GradingProcess.write(result, GradingProcess.STARTED);
-        List<Long> all = LongStream.rangeClosed(1, seeds).boxed().toList();
-        Grade grade = new Grader().grade(exercise, agents, all, recording);
-        GradingProcess.write(result, grade.json());
-        Runtime.getRuntime().halt(ExitCode.OK); // the student's threads and hooks have no word in this
-        return ExitCode.OK;
-    }
-
     private Supplier<Agent> agents(String program) {
-        List<Path> folders = Arrays.stream(classPath.split(File.pathSeparator, -1))
-                .map(Path::of)
-                .toList();
-        return StudentsAgents.of(new AgentFinder(ExampleCatalogue.load(), folders).findClass(program));
+        return StudentsAgents.of(new AgentFinder(ExampleCatalogue.load(), classPath.folders()).findClass(program));
     }
 
     private static int handOut(Exercise exercise) throws IOException {
@@ -168,9 +251,11 @@ final class GradeCommand implements Callable<Integer> {
                     "There is a file " + file + " already, and it is kept. Rename it to start over.");
         }
         Files.writeString(file, exercise.startCode());
-        System.out.println("Written: " + file + System.lineSeparator() + exercise.goal() + System.lineSeparator()
-                + "Change it, watch it with: robonewbie run " + file + System.lineSeparator()
-                + "and grade it with: robonewbie grade " + exercise.name() + " " + file);
+        Coach.ofUser().begun(exercise);
+        System.out.println(CommandWord.here()
+                .in("Written: " + file + System.lineSeparator() + exercise.goal() + System.lineSeparator()
+                        + "Change it, watch it with: robonewbie run " + file + System.lineSeparator()
+                        + "and grade it with: robonewbie grade " + exercise.name() + " " + file));
         return ExitCode.OK;
     }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.concurrent.Callable;
 import org.robonewbie.app.program.AgentFinder;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.learning.gym.GymOrder;
 import org.robonewbie.learning.gym.GymServer;
 import picocli.CommandLine.Command;
@@ -51,12 +52,8 @@ final class GymCommand implements Callable<Integer> {
             description = "What is rewarded if a program does not choose, such as walk-speed (what the task pays).")
     private String reward = "";
 
-    @Option(
-            names = {"-cp", "--class-path"},
-            paramLabel = "PATH",
-            defaultValue = ".",
-            description = "Folders and jars with your own classes (default: the current folder).")
-    private String classPath = ".";
+    @Mixin
+    private final ClassPathOption classPath = new ClassPathOption();
 
     @Option(
             names = "--port",
@@ -83,10 +80,7 @@ final class GymCommand implements Callable<Integer> {
     private GymServer server() throws IOException {
         try {
             return GymServer.open(
-                    port,
-                    new GymOrder(task, reward),
-                    AgentFinder.loaderOf(AgentFinder.folders(classPath)),
-                    System.err::println);
+                    port, new GymOrder(task, reward), AgentFinder.loaderOf(classPath.folders()), System.err::println);
         } catch (IllegalArgumentException wrong) {
             throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         }

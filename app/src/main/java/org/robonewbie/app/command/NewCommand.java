@@ -1,13 +1,15 @@
 package org.robonewbie.app.command;
 
 import java.io.IOException;
-import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
+import java.util.zip.CRC32;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.ProgramFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -19,13 +21,14 @@ import picocli.CommandLine.Parameters;
         name = "new",
         description = {
             "Begin a project of your own: a folder with an agent, a motion, a test and all of RoboNewbie.",
-            "It opens in any IDE as a Maven project, and runs without one."
+            "It opens in any IDE as a Maven or Gradle project, and runs without one."
         },
         footer = {
             "",
             "Examples:",
             "  robonewbie new my-team",
             "  robonewbie new my-team --package org.example.soccer",
+            "  robonewbie new my-team --build gradle",
             "then: cd my-team, and ./robonewbie (on Windows: robonewbie)"
         })
 final class NewCommand implements Callable<Integer> {
@@ -45,6 +48,12 @@ final class NewCommand implements Callable<Integer> {
             description = "Package of your classes (default: from the name).")
     private String packageName = "";
 
+    @Option(
+            names = "--build",
+            paramLabel = "TOOL",
+            description = "What builds the project: maven or gradle (default: maven).")
+    private NewProject.BuildTool tool = NewProject.BuildTool.MAVEN;
+
     @Override
     public Integer call() throws IOException {
         String folder = Path.of(name).getFileName().toString();
@@ -63,26 +72,34 @@ final class NewCommand implements Callable<Integer> {
             throw new CalledWronglyException(
                     "There is a folder " + name + " already, and it is kept. Take another name.");
         }
-        new NewProject(folder, chosen, ownJar()).create(project);
+        Path jar = ownJar();
+        new NewProject(folder, chosen, tool, jar, versionOf(jar)).create(project);
         System.out.println("Your project is in " + project.toAbsolutePath() + System.lineSeparator()
                 + "Go on with: cd " + name + System.lineSeparator()
                 + "            ./robonewbie   (on Windows: robonewbie)" + System.lineSeparator()
-                + "or open the folder in your IDE as a Maven project. Its README.md tells more.");
+                + "or open the folder in your IDE as a " + (tool == NewProject.BuildTool.MAVEN ? "Maven" : "Gradle")
+                + " project. Its README.md tells more.");
         return ExitCode.OK;
     }
 
-    /** The file in which this program lies. */
-    private static Path ownJar() {
-        try {
-            Path place = Path.of(NewCommand.class
-                    .getProtectionDomain()
-                    .getCodeSource()
-                    .getLocation()
-                    .toURI());
-            Path built = Path.of(System.getProperty("robonewbie.home", ""), "app", "target", "robonewbie.jar");
-            return Files.isRegularFile(place) ? place : built;
-        } catch (URISyntaxException impossible) {
-            throw new IllegalStateException(impossible);
+    /**
+     * Tells a version that names this one program. What was built here gets a name of its own, since Maven keeps what it has
+     * once seen of a version.
+     */
+    static String versionOf(Path jar) throws IOException {
+        String version = Optional.ofNullable(NewCommand.class.getPackage().getImplementationVersion())
+                .orElse("0");
+        if (jar.getFileName().toString().equals("robonewbie-" + version + ".jar") || !Files.isRegularFile(jar)) {
+            return version;
         }
+        CRC32 sum = new CRC32();
+        sum.update(Files.readAllBytes(jar));
+        return version + "-built-" + Long.toHexString(sum.getValue());
+    }
+
+    /** The file of this program: what the folder's build has made, with sources beside it, or else where this class comes from. */
+    private static Path ownJar() {
+        Path built = Path.of(System.getProperty("robonewbie.home", ""), "app", "target", "robonewbie.jar");
+        return Files.isRegularFile(built) ? built : ProgramFile.ofThisProgram().orElse(built);
     }
 }

@@ -5,32 +5,58 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /**
- * The files of a student's own project. It contains RoboNewbie as one jar, since no public repository has it: so the project
- * works in each IDE, without a network, and with the version with which the course began.
+ * The files of a student's own project. Its folder {@code lib} is a Maven repository with RoboNewbie, its sources and its API
+ * pages: so the project works in each IDE, without a network, and with the version with which the course began.
  */
 final class NewProject {
 
+    private static final String REPOSITORY = "lib";
+    private static final List<String> FOR_IDES = List.of("-sources.jar", "-javadoc.jar");
+
     private final String name;
     private final String packageName;
+    private final BuildTool tool;
     private final Path jar;
+    private final String version;
+
+    /** What builds the project; each IDE understands both. */
+    enum BuildTool {
+        /** The project has a {@code pom.xml}. */
+        MAVEN,
+        /** The project has a {@code build.gradle}. */
+        GRADLE;
+
+        /** The tool's templates, and where in the project they belong. */
+        private Map<String, String> files() {
+            return this == MAVEN
+                    ? Map.of("pom.xml", "pom.xml", "maven.config", ".mvn/maven.config")
+                    : Map.of("build.gradle", "build.gradle", "settings.gradle", "settings.gradle");
+        }
+    }
 
     /**
      * Plans a project.
      *
      * @param name name of the project
      * @param packageName package of its classes
-     * @param jar the program of RoboNewbie
+     * @param tool what builds it
+     * @param jar the program of RoboNewbie; sources and API pages are taken from beside it if they are there
+     * @param version its version
      */
-    NewProject(String name, String packageName, Path jar) {
+    NewProject(String name, String packageName, BuildTool tool, Path jar, String version) {
         this.name = name;
         this.packageName = packageName;
+        this.tool = tool;
         this.jar = jar;
+        this.version = version;
     }
 
     /**
@@ -43,7 +69,9 @@ final class NewProject {
             throw new CalledWronglyException("A project needs the file " + jar
                     + ", which is not there. Start ./robonewbie once; that builds it.");
         }
-        write("pom.xml", project.resolve("pom.xml"));
+        for (Map.Entry<String, String> file : tool.files().entrySet()) {
+            write(file.getKey(), project.resolve(file.getValue()));
+        }
         write("README.md", project.resolve("README.md"));
         write("gitignore", project.resolve(".gitignore"));
         write("robonewbie.cmd", project.resolve("robonewbie.cmd"));
@@ -58,8 +86,26 @@ final class NewProject {
                 project.resolve("src/test/java").resolve(folder()).resolve("MyAgentTest.java"));
         Files.createDirectories(project.resolve("motions"));
         MotionFiles.save(ShippedMotions.file("wave"), project.resolve("motions/greet.txt"));
-        Files.createDirectories(project.resolve("lib"));
-        Files.copy(jar, project.resolve("lib/robonewbie.jar"));
+        fillRepository(project);
+    }
+
+    private void fillRepository(Path project) throws IOException {
+        Path repository = project.resolve(REPOSITORY)
+                .resolve("org/robonewbie/robonewbie")
+                .resolve(version)
+                .resolve("robonewbie-" + version);
+        write("robonewbie.pom", withEnding(repository, ".pom"));
+        Files.copy(jar, withEnding(repository, ".jar"));
+        Path beside = Path.of(jar.toString().replaceFirst("\\.jar$", ""));
+        for (String ending : FOR_IDES) {
+            if (Files.isRegularFile(withEnding(beside, ending))) {
+                Files.copy(withEnding(beside, ending), withEnding(repository, ending));
+            }
+        }
+    }
+
+    private static Path withEnding(Path file, String ending) {
+        return file.resolveSibling(file.getFileName() + ending);
     }
 
     private String folder() {
@@ -69,6 +115,8 @@ final class NewProject {
     private void write(String template, Path file) throws IOException {
         String text = read(template)
                 .replace("{{name}}", name)
+                .replace("{{version}}", version)
+                .replace("{{build}}", tool == BuildTool.MAVEN ? "mvn" : "gradle")
                 .replace("{{package}}", packageName)
                 .replace("{{folder}}", folder());
         Files.createDirectories(Objects.requireNonNull(file.getParent()));

@@ -1,9 +1,13 @@
 package org.robonewbie.app.command;
 
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.CommandWord;
 import picocli.CommandLine;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -19,18 +23,29 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
     @Override
     public int handleParseException(ParameterException exception, String[] arguments) {
         CommandLine command = exception.getCommandLine();
-        command.getErr().println("robonewbie: " + messageOf(exception));
+        command.getErr().println("robonewbie: " + CommandWord.here().in(messageOf(exception)));
         command.getErr()
-                .println("\"" + command.getCommandSpec().qualifiedName() + " --help\" shows what can be written.");
+                .println(CommandWord.here()
+                        .in("\"" + command.getCommandSpec().qualifiedName() + " --help\" shows what can be written."));
         return ExitCode.USAGE;
     }
 
     @Override
     public int handleExecutionException(Exception exception, CommandLine command, ParseResult parsed) {
-        command.getErr()
-                .println("robonewbie: "
-                        + Optional.ofNullable(exception.getMessage()).orElse(exception.toString()));
+        command.getErr().println("robonewbie: " + CommandWord.here().in(messageOf(exception)));
         return exception instanceof CalledWronglyException ? ExitCode.USAGE : ExitCode.SOFTWARE;
+    }
+
+    /** What Java says about files is often the bare path. */
+    private static String messageOf(Exception exception) {
+        String message = Optional.ofNullable(exception.getMessage()).orElse(exception.toString());
+        if (exception instanceof AccessDeniedException) {
+            return message + " cannot be written or read: you have no right to do it here. Go to a folder of your own.";
+        }
+        if (exception instanceof NoSuchFileException) {
+            return "There is no file or folder " + message + ".";
+        }
+        return exception instanceof FileSystemException ? "File trouble with " + message + "." : message;
     }
 
     private static String messageOf(ParameterException exception) {

@@ -17,6 +17,7 @@ import java.util.concurrent.TimeUnit;
 import org.robonewbie.app.program.AgentFinder;
 import org.robonewbie.app.program.AgentProgram;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.app.program.ExampleCatalogue;
 import org.robonewbie.learning.dataset.DataSet;
 import org.robonewbie.learning.dataset.RunTables;
@@ -37,7 +38,7 @@ import picocli.CommandLine.Parameters;
         description = {
             "Let an agent run many times and write a data set.",
             "Its tables hold what the robot felt, what it commanded, what was true, and what happened in the game. docs/datasets.md"
-                    + " tells what the columns mean and how to read them."
+                    + " explains the columns and how to read them."
         },
         customSynopsis = "robonewbie record AGENT [OPTIONS] [-- OPTIONS OF THE AGENT]",
         sortOptions = false,
@@ -84,11 +85,8 @@ final class RecordCommand implements Callable<Integer> {
     @Option(names = "--robots", paramLabel = "N", description = "How many robots the program brings, 1 to 22 (1).")
     private int robots = 1;
 
-    @Option(
-            names = {"-cp", "--class-path"},
-            paramLabel = "PATH",
-            description = "Folders and jars with your own classes (the current folder).")
-    private String classPath = ".";
+    @Mixin
+    private final ClassPathOption classPath = new ClassPathOption();
 
     @Mixin
     final WithoutStudioOption withoutStudio = new WithoutStudioOption();
@@ -96,11 +94,17 @@ final class RecordCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         check();
-        List<Path> classFolders = AgentFinder.folders(classPath);
+        List<Path> classFolders = classPath.folders();
         AgentProgram program = new AgentFinder(ExampleCatalogue.load(), classFolders).find(agentAndOptions.get(0));
         DataSet set = create();
         try (RecordingGuard guard = RecordingGuard.begin(set, runs, seconds)) {
+            if (set.runs() > 0) {
+                System.out.println(set.runs() + " runs are complete already and kept.");
+            }
             for (int run = 1; run <= runs; run++) {
+                if (set.has(run)) {
+                    continue;
+                }
                 long rows = record(program, set, guard, run);
                 System.out.printf(Locale.ROOT, "run %d/%d, seed %d: %d rows%n", run, runs, seed + run - 1, rows);
             }

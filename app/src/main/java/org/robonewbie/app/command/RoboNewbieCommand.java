@@ -1,12 +1,14 @@
 package org.robonewbie.app.command;
 
-import java.util.Objects;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.robonewbie.agent.Options;
+import org.robonewbie.app.program.CommandWord;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -33,7 +35,9 @@ import picocli.CommandLine.TypeConversionException;
             OptimiseCommand.class,
             BenchmarkCommand.class,
             GradeCommand.class,
+            ProgressCommand.class,
             NewCommand.class,
+            CourseCommand.class,
             EvaluationCommand.class,
             ExperimentCommand.class,
             GymCommand.class,
@@ -53,6 +57,12 @@ public final class RoboNewbieCommand {
 
     private static final Set<String> OWN_OPTIONS = Set.of("-h", "--help", "-V", "--version");
 
+    /** Commands that have to start fast: all others are not even looked at. */
+    private static final Map<String, Supplier<Object>> AT_ONCE = Map.of(
+            SimulatorCommand.NAME, SimulatorCommand::new,
+            DemoCommand.NAME, DemoCommand::new,
+            RunCommand.NAME, RunCommand::new);
+
     private RoboNewbieCommand() {}
 
     /**
@@ -62,13 +72,23 @@ public final class RoboNewbieCommand {
      * @return the exit code: 0 all went well, 1 the command ran and failed, 2 it was called wrongly
      */
     public static int run(String... arguments) {
-        return commandLine().execute(withDefaultCommand(arguments));
+        if (arguments.length == 1 && List.of("-V", "--version").contains(arguments[0])) {
+            System.out.println(version());
+            return CommandLine.ExitCode.OK;
+        }
+        String[] complete = withDefaultCommand(arguments);
+        Supplier<Object> command = AT_ONCE.get(complete[0]);
+        return (command == null ? commandLine() : prepared(new CommandLine(new Alone()).addSubcommand(command.get())))
+                .execute(complete);
     }
 
     /** {@return all commands with their options} */
     public static CommandLine commandLine() {
-        CommandLine commandLine = new CommandLine(new RoboNewbieCommand())
-                .addSubcommand(BenchCommand.commandLine())
+        return prepared(new CommandLine(new RoboNewbieCommand()).addSubcommand(BenchCommand.commandLine()));
+    }
+
+    private static CommandLine prepared(CommandLine commandLine) {
+        commandLine
                 .setParameterExceptionHandler(new PlainMessages())
                 .setExecutionExceptionHandler(new PlainMessages())
                 .registerConverter(Integer.class, text -> number(text, Integer::valueOf, "a whole number"))
@@ -77,24 +97,33 @@ public final class RoboNewbieCommand {
                 .registerConverter(Double.class, text -> number(text, Double::valueOf, "a number"))
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setUsageHelpAutoWidth(true);
-        subcommand(commandLine, RunCommand.NAME).setStopAtPositional(true);
+        proposeWhatCanBeCopied(commandLine);
+        subcommand(commandLine, RunCommand.NAME).ifPresent(run -> run.setStopAtPositional(true));
         appendToHelp(commandLine, DemoCommand.NAME, () -> "Options of the agent:%n" + Options.help());
         appendToHelp(commandLine, RunCommand.NAME, () -> "Options of the agent:%n" + Options.help());
         appendToHelp(commandLine, SimulatorCommand.NAME, SimulatorCommand::listOfParameters);
         return commandLine;
     }
 
-    /** Appends lists that other modules provide to a command's help, unchanged. */
-    private static void appendToHelp(CommandLine commandLine, String command, Supplier<String> list) {
-        UsageMessageSpec usage =
-                subcommand(commandLine, command).getCommandSpec().usageMessage();
-        usage.sectionMap().put("list", help -> String.format("%n" + list.get() + "%n"));
-        usage.sectionKeys(
-                Stream.concat(usage.sectionKeys().stream(), Stream.of("list")).toList());
+    /** The examples below each help text name this program as it has to be written here. */
+    private static void proposeWhatCanBeCopied(CommandLine commandLine) {
+        CommandWord word = CommandWord.here();
+        commandLine.getCommandSpec().usageMessage().sectionMap().put("footer", help -> word.in(help.footer()));
+        commandLine.getSubcommands().values().forEach(RoboNewbieCommand::proposeWhatCanBeCopied);
     }
 
-    private static CommandLine subcommand(CommandLine commandLine, String name) {
-        return Objects.requireNonNull(commandLine.getSubcommands().get(name));
+    /** Appends lists that other modules provide to a command's help, unchanged. */
+    private static void appendToHelp(CommandLine commandLine, String name, Supplier<String> list) {
+        subcommand(commandLine, name).ifPresent(command -> {
+            UsageMessageSpec usage = command.getCommandSpec().usageMessage();
+            usage.sectionMap().put("list", help -> String.format("%n" + list.get() + "%n"));
+            usage.sectionKeys(Stream.concat(usage.sectionKeys().stream(), Stream.of("list"))
+                    .toList());
+        });
+    }
+
+    private static Optional<CommandLine> subcommand(CommandLine commandLine, String name) {
+        return Optional.ofNullable(commandLine.getSubcommands().get(name));
     }
 
     /** Options without a command belong to the demo: {@code robonewbie --seed 3}. */
@@ -114,15 +143,23 @@ public final class RoboNewbieCommand {
         }
     }
 
+    private static String version() {
+        return "RoboNewbie "
+                + Optional.ofNullable(RoboNewbieCommand.class.getPackage().getImplementationVersion())
+                        .orElse("(not packaged)")
+                + ", Java " + Runtime.version();
+    }
+
+    /** The program with a single command. */
+    @Command(name = "robonewbie")
+    private static final class Alone {}
+
     /** The version of RoboNewbie and of Java. */
     static final class Version implements IVersionProvider {
 
         @Override
         public String[] getVersion() {
-            String version = Optional.ofNullable(
-                            RoboNewbieCommand.class.getPackage().getImplementationVersion())
-                    .orElse("(not packaged)");
-            return new String[] {"RoboNewbie " + version + ", Java " + Runtime.version()};
+            return new String[] {version()};
         }
     }
 }

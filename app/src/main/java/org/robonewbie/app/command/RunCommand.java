@@ -1,11 +1,15 @@
 package org.robonewbie.app.command;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.robonewbie.app.program.AgentFinder;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.app.program.ExampleCatalogue;
+import org.robonewbie.app.program.ProgramOnCall;
+import org.robonewbie.app.program.StudentJava;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -33,11 +37,8 @@ final class RunCommand implements Callable<Integer> {
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Option(
-            names = {"-cp", "--class-path"},
-            paramLabel = "PATH",
-            description = "Folders and jars with your own classes (default: the current folder).")
-    private String classPath = "";
+    @Mixin
+    private final ClassPathOption classPath = new ClassPathOption();
 
     @Parameters(
             arity = "0..*",
@@ -49,13 +50,19 @@ final class RunCommand implements Callable<Integer> {
     @Unmatched
     private final List<String> optionsBeforeTheAgent = new ArrayList<>();
 
+    @Option(names = StudentJava.ON_CALL, hidden = true)
+    private boolean onCall;
+
     @Override
-    public Integer call() {
+    public Integer call() throws IOException {
+        if (onCall) {
+            return new ProgramOnCall(ExampleCatalogue.load()).await();
+        }
         if (!optionsBeforeTheAgent.isEmpty()) {
             throw new CalledWronglyException("Name the agent first, then its options: robonewbie run "
                     + ExampleCatalogue.FIRST_EXAMPLE + " " + optionsBeforeTheAgent.get(0));
         }
-        AgentFinder finder = new AgentFinder(ExampleCatalogue.load(), AgentFinder.folders(classPath));
+        AgentFinder finder = new AgentFinder(ExampleCatalogue.load(), classPath.folders());
         if (agentAndOptions.isEmpty()) {
             throw new CalledWronglyException("Which agent do you want to run? Write for example: robonewbie run "
                     + ExampleCatalogue.FIRST_EXAMPLE + System.lineSeparator() + finder.listOfExamples());

@@ -84,7 +84,8 @@ final class SimulatorCommand implements Callable<Integer> {
     @Option(
             names = "--drop-silent-after",
             paramLabel = "T",
-            description = "With --sync: drop an agent that keeps the world waiting for T real seconds (60).")
+            description = "With --sync: drop an agent that keeps the world waiting for T real seconds (60); a"
+                    + " newcomer sooner.")
     private double silentAgentSeconds = SimulatorSettings.DEFAULT_SILENT_AGENT_SECONDS;
 
     @Option(names = "--seed", paramLabel = "S", description = "Start of all random numbers: same seed, same run.")
@@ -120,6 +121,11 @@ final class SimulatorCommand implements Callable<Integer> {
             paramLabel = "T",
             description = "Simulated seconds between two messages to monitors, at least 0.02 (0.04).")
     private double monitorStepSeconds = MonitorSettings.STANDARD_STEP_SECONDS;
+
+    @Option(
+            names = "--no-trainers",
+            description = "Let monitors watch only: nobody may move the ball, score or end it.")
+    private boolean withoutTrainers;
 
     @Option(names = "--league", description = "Pitch and rules of the league. This is the usual profile.")
     private boolean league;
@@ -212,6 +218,7 @@ final class SimulatorCommand implements Callable<Integer> {
                 .report(report)
                 .monitorLog(log)
                 .monitorStepSeconds(monitorStep())
+                .trainers(!withoutTrainers)
                 .build();
     }
 

@@ -5,8 +5,10 @@ import java.net.URI;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.robonewbie.app.course.Coach;
 import org.robonewbie.app.studio.CourseDesk;
 import org.robonewbie.app.studio.OpenedFile;
+import org.robonewbie.app.studio.ProgramWorkshop;
 import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
@@ -16,8 +18,10 @@ import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.studio.ShownSimulation;
+import org.robonewbie.studio.StudioServer;
 import org.robonewbie.studio.StudioViewer;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
+import org.robonewbie.studio.roboviz.RoboVizPort;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -37,6 +41,7 @@ import picocli.CommandLine.Parameters;
             "Examples:",
             "  robonewbie studio                     then, in another window: robonewbie run Agent_SimpleSoccer",
             "  robonewbie studio --monitor 127.0.0.1:3200     watch a running rcssserver3d or robonewbie simulator",
+            "  robonewbie studio --roboviz-drawings           also show what teams draw for RoboViz",
             "  robonewbie studio game.rec            see a recorded run again",
             "  robonewbie studio sparkmonitor.log    see the log of a server again",
             "  robonewbie studio motions/wave.txt    shape a motion"
@@ -63,6 +68,19 @@ final class StudioCommand implements Callable<Integer> {
     @Option(names = "--port", paramLabel = "N", description = "Port of the studio's pages (3400, or any free one).")
     private int port;
 
+    @Option(
+            names = "--roboviz-drawings",
+            paramLabel = "PORT",
+            arity = "0..1",
+            fallbackValue = "" + RoboVizPort.USUAL,
+            description =
+                    "Show what teams draw for RoboViz: listen at this UDP port of 127.0.0.1 (${FALLBACK-VALUE}). Without"
+                            + " this option no drawings come in.")
+    private Optional<Integer> drawingPort = Optional.empty();
+
+    @Mixin
+    private final LanguageOption language = new LanguageOption();
+
     @Option(names = "--no-browser", description = "Print the studio's address and open no browser.")
     private boolean withoutBrowser;
 
@@ -71,15 +89,22 @@ final class StudioCommand implements Callable<Integer> {
         OpenedFile opened = OpenedFile.of(file);
         SimulationControl simulation = monitor.isPresent() ? watch(monitor.get()) : start();
         ShownSimulation shown = new ShownSimulation(simulation);
-        CourseDesk course = new CourseDesk(Path.of("").toAbsolutePath(), simulation, shown);
+        CourseDesk course = new CourseDesk(Path.of("").toAbsolutePath(), simulation, shown, Coach.ofUser());
+        course.speak(language.language());
         Runtime.getRuntime().addShutdownHook(new Thread(course::close, "end-of-exercise"));
-        Viewer.View view = StudioViewer.open(shown, port, opened.folders(), course);
+        ProgramWorkshop workshop = new ProgramWorkshop(Path.of("").toAbsolutePath());
+        Runtime.getRuntime().addShutdownHook(new Thread(workshop::close, "end-of-programs"));
+        StudioServer view = StudioViewer.open(shown, port, opened.folders(), course, workshop);
         URI address = URI.create(view.address() + opened.place());
         Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
         System.out.println("Studio: " + address);
         System.out.println(monitor.map(server -> "It watches the server at " + server + ". Control-C ends it.")
                 .orElse("Agents can join at port " + agentPort + ". Control-C ends it."));
         hearRobots(view);
+        if (drawingPort.isPresent()) {
+            RoboVizPort drawings = RoboVizPort.open(drawingPort.get(), view.drawings());
+            System.out.println("Drawings for RoboViz are shown from UDP port " + drawings.number() + ".");
+        }
         show(view, address);
         Thread.currentThread().join();
         return ExitCode.OK;
@@ -113,7 +138,7 @@ final class StudioCommand implements Callable<Integer> {
 
     private SimulationControl start() throws IOException {
         Optional<Path> recording =
-                file.isPresent() ? Optional.empty() : RecordingShelf.ofUser().flatMap(RecordingShelf::next);
+                file.isPresent() ? Optional.empty() : RecordingShelf.ofUser().flatMap(shelf -> shelf.next(""));
         Simulator simulator = Simulator.start(
                 SimulatorSettings.beginner()
                         .agentPort(agentPort)

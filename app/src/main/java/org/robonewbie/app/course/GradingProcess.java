@@ -1,41 +1,43 @@
 package org.robonewbie.app.course;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.LongStream;
+import java.util.concurrent.TimeoutException;
 import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.app.program.TemporaryFolder;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
+import org.robonewbie.exercises.Patience;
+import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.trial.Audience;
+import org.robonewbie.trial.guest.GuestDoor;
 
 /**
- * Grades in a separate process, so that a program that ends the process, takes all memory or never returns costs its author the
- * trial and others nothing.
+ * Grades a program that runs in a process of its own. World and judge are in this one: the program speaks with them as an agent with a
+ * simulator and can tell them nothing but what its robots do. A program that ends its process, takes all memory or never returns costs
+ * its author the trial and others nothing.
  */
 public final class GradingProcess {
 
-    /** Marks the process as the one in which the student's program runs, and where its result goes. */
-    public static final String INSIDE = "--result-of-process";
-
-    /** What stands in the file of the result while the student's program runs. */
-    public static final String STARTED = "started";
-
-    private static final int OUT_OF_MEMORY = 3;
     private static final int SECONDS_AT_LEAST = 60;
     private static final int SECONDS_FOR_EACH_SEED = 20;
 
     private final Exercise exercise;
     private final String program;
-    private final int seeds;
-    private final String classPath;
-    private final Optional<Path> recording;
+    private final GradingConditions conditions;
+    private volatile boolean stuck;
     private int exitCode;
 
     /**
@@ -43,49 +45,105 @@ public final class GradingProcess {
      *
      * @param exercise what it is to solve
      * @param program class or Java file
-     * @param seeds how many trials
-     * @param classPath folders and jars with the student's classes
-     * @param recording where the first trial is recorded, if at all
+     * @param conditions how it is graded
      */
-    public GradingProcess(Exercise exercise, String program, int seeds, String classPath, Optional<Path> recording) {
+    public GradingProcess(Exercise exercise, String program, GradingConditions conditions) {
         this.exercise = exercise;
         this.program = program;
-        this.seeds = seeds;
-        this.classPath = classPath;
-        this.recording = recording;
+        this.conditions = conditions;
     }
 
     /**
      * Grades, and waits for the end.
      *
      * @return the grade; none if the program cannot even begin, and why not has been shown
-     * @throws IOException if the process cannot be started or its result cannot be read
+     * @throws IOException if the process cannot be started
      */
     public Optional<Grade> run() throws IOException {
-        Path result = Files.createTempFile("grade", ".json");
-        try {
-            Process process = new ProcessBuilder(command(result))
-                    .inheritIO()
-                    .redirectInput(ProcessBuilder.Redirect.PIPE)
-                    .start();
-            process.getOutputStream().close(); // a program that reads from the terminal does not wait for anybody
-            boolean ended = waitFor(process);
-            process.descendants().forEach(ProcessHandle::destroyForcibly);
-            process.destroyForcibly();
-            exitCode = ended ? process.exitValue() : 1;
-            String text = Files.readString(result);
-            if (text.isEmpty()) {
-                return Optional.empty();
-            }
-            return Optional.of(text.equals(STARTED) ? unfinished(ended) : Grade.ofJson(text));
-        } finally {
-            Files.deleteIfExists(result);
+        try (TemporaryFolder folder = TemporaryFolder.create("grade")) {
+            return run(folder.path());
         }
     }
 
-    /** {@return how the process ended} */
+    private Optional<Grade> run(Path complaints) throws IOException {
+        Process process = new ProcessBuilder(command(complaints))
+                .directory(conditions.folder().toFile())
+                .redirectErrorStream(true)
+                .start();
+        try (OutputStream calls = process.getOutputStream()) {
+            Student student = new Student(process, calls, complaints);
+            StudentOutput output = StudentOutput.of(student, conditions.output());
+            List<Grade.SeededScore> scores = judge(student);
+            exitCode = student.isReady() ? 0 : student.exitCode();
+            student.end();
+            output.awaitEnd();
+            return student.isReady() ? Optional.of(new Grade(exercise.fullName(), scores)) : Optional.empty();
+        } finally {
+            process.destroyForcibly();
+        }
+    }
+
+    /** {@return how the process ended that could not begin} */
     public int exitCode() {
         return exitCode;
+    }
+
+    private List<Grade.SeededScore> judge(Student student) {
+        ExecutorService threads = Executors.newFixedThreadPool(
+                Math.min(conditions.seeds(), conditions.trialsAtOnce()), GradingProcess::daemon);
+        List<Future<Score>> trials = new ArrayList<>();
+        for (int seed = 1; seed <= conditions.seeds(); seed++) {
+            long own = seed;
+            trials.add(threads.submit(() -> trial(student, own)));
+        }
+        List<Grade.SeededScore> scores = new ArrayList<>();
+        long end = System.nanoTime()
+                + TimeUnit.SECONDS.toNanos(SECONDS_AT_LEAST + (long) SECONDS_FOR_EACH_SEED * conditions.seeds());
+        for (Future<Score> trial : trials) {
+            scores.add(new Grade.SeededScore(scores.size() + 1, await(trial, end)));
+        }
+        threads.shutdownNow();
+        return scores;
+    }
+
+    private static Score await(Future<Score> trial, long end) {
+        try {
+            return trial.get(Math.max(0, end - System.nanoTime()), TimeUnit.NANOSECONDS);
+        } catch (TimeoutException late) {
+            return Score.failed(0, "The program took too long.", "Does it wait for something that never comes?");
+        } catch (ExecutionException mistake) {
+            throw new IllegalStateException("The judge has failed; please report this.", mistake);
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+            return Score.failed(0, "The grading was stopped.", "");
+        }
+    }
+
+    private Score trial(Student student, long seed) throws IOException {
+        if (stuck) {
+            return Score.notTried();
+        }
+        try (GuestDoor door = GuestDoor.open(0, 0)) {
+            Score score = Performance.of(
+                    exercise,
+                    seed,
+                    () -> new CalledRobot(student, door),
+                    seed == 1 ? conditions.recording() : Optional.empty(),
+                    Audience.NOBODY);
+            Optional<Score> reason = score.passed() ? Optional.empty() : student.reason(door.port());
+            stuck |= reason.filter(told -> told.finding().startsWith(Patience.EXHAUSTED))
+                    .isPresent();
+            return reason.orElse(score);
+        }
+    }
+
+    private List<String> command(Path complaints) {
+        List<String> arguments =
+                new ArrayList<>(List.of(exercise.name(), program, StudentJava.ON_CALL, complaints.toString()));
+        if (!conditions.classPath().isEmpty()) {
+            arguments.addAll(List.of("--class-path", conditions.classPath()));
+        }
+        return StudentJava.grade(List.of(), arguments);
     }
 
     /**
@@ -102,39 +160,9 @@ public final class GradingProcess {
         }
     }
 
-    private List<String> command(Path result) {
-        List<String> arguments = new ArrayList<>(
-                List.of(exercise.name(), program, "--seeds", Integer.toString(seeds), INSIDE, result.toString()));
-        if (!classPath.isEmpty()) {
-            arguments.addAll(List.of("--class-path", classPath));
-        }
-        recording.ifPresent(file -> arguments.addAll(List.of("--record", file.toString())));
-        return StudentJava.grade(List.of(), arguments);
-    }
-
-    private boolean waitFor(Process process) {
-        try {
-            return process.waitFor(SECONDS_AT_LEAST + (long) SECONDS_FOR_EACH_SEED * seeds, TimeUnit.SECONDS);
-        } catch (InterruptedException end) {
-            Thread.currentThread().interrupt();
-            return false;
-        }
-    }
-
-    private Grade unfinished(boolean ended) {
-        String finding;
-        if (!ended) {
-            finding = "The program took too long.";
-        } else if (exitCode == OUT_OF_MEMORY) {
-            finding = "The program took all memory (" + StudentJava.MEGABYTES + " MB).";
-        } else {
-            finding = "The program ended the whole process (exit code " + exitCode + "). Does it call System.exit?";
-        }
-        Score score = Score.failed(0, finding, "Mend this first; the rest was not tried.");
-        return new Grade(
-                exercise.fullName(),
-                LongStream.rangeClosed(1, seeds)
-                        .mapToObj(seed -> new Grade.SeededScore(seed, score))
-                        .toList());
+    private static Thread daemon(Runnable work) {
+        Thread thread = new Thread(work, "trial");
+        thread.setDaemon(true);
+        return thread;
     }
 }

@@ -36,6 +36,23 @@ public final class Checkup {
         return checkup;
     }
 
+    /**
+     * Returns the checks of a computer on which a course is to be held.
+     *
+     * @param headless whether studio, browser and graphics do not matter
+     * @return the checks of the installation, and what a lesson needs beyond them
+     */
+    public static Checkup ofRoom(boolean headless) {
+        Checkup checkup = of(headless);
+        checkup.checks.add(StartTimeCheck::measured);
+        if (!headless) {
+            checkup.checks.add(GraphicsCheck::drawn);
+        }
+        checkup.checks.add(ProjectCheck::made);
+        checkup.checks.add(ExerciseCheckup::graded);
+        return checkup;
+    }
+
     /** {@return the findings of all checks in their order; each check runs when its finding is requested} */
     public Iterable<Finding> findings() {
         return () -> checks.stream().map(Supplier::get).iterator();

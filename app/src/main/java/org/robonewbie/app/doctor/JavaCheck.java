@@ -25,12 +25,21 @@ final class JavaCheck {
     }
 
     static Finding compiler() {
-        return Optional.ofNullable(ToolProvider.getSystemJavaCompiler()).isPresent()
+        return hasCompiler()
                 ? Finding.well("Compiler", "agents can be run from their .java files")
                 : Finding.notable(
                         "Compiler",
                         "none in " + System.getProperty("java.home"),
                         "To run .java files install a JDK instead of a Java run-time (JRE).");
+    }
+
+    /** A Java that was made smaller may lack even the class that is asked. */
+    private static boolean hasCompiler() {
+        try {
+            return Optional.ofNullable(ToolProvider.getSystemJavaCompiler()).isPresent();
+        } catch (NoClassDefFoundError withoutModule) {
+            return false;
+        }
     }
 
     static Finding mathematics() {

@@ -1,13 +1,11 @@
 package org.robonewbie.app.program;
 
-import java.io.File;
 import java.io.UncheckedIOException;
 import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -29,16 +27,6 @@ public final class AgentFinder {
     public AgentFinder(ExampleCatalogue examples, List<Path> classPath) {
         this.examples = examples;
         this.classPath = classPath;
-    }
-
-    /**
-     * Reads a class path as Java writes it.
-     *
-     * @param classPath folders and jars with the system's separator between them
-     * @return each of them
-     */
-    public static List<Path> folders(String classPath) {
-        return Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
     }
 
     /**
@@ -71,6 +59,17 @@ public final class AgentFinder {
             throw unknown(name);
         }
         return () -> ownClass(className).orElseThrow();
+    }
+
+    /**
+     * Takes a compiled class as a program, whatever examples are called.
+     *
+     * @param className its full name
+     * @return the program
+     * @throws CalledWronglyException if it has no {@code main} or is not there
+     */
+    public AgentProgram ofClass(String className) {
+        return findOwnClass(className).orElseThrow(() -> unknown(className));
     }
 
     /** {@return the examples, one per line} */

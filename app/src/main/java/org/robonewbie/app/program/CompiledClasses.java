@@ -1,12 +1,15 @@
 package org.robonewbie.app.program;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.io.OutputStream;
 import java.net.URI;
 import java.net.URLClassLoader;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeMap;
 import javax.tools.FileObject;
 import javax.tools.ForwardingJavaFileManager;
@@ -34,6 +37,15 @@ final class CompiledClasses extends ForwardingJavaFileManager<JavaFileManager> {
                 return bytes;
             }
         };
+    }
+
+    /** Writes what was compiled below a folder, as a compiler does. */
+    void writeTo(Path folder) throws IOException {
+        for (Map.Entry<String, ByteArrayOutputStream> each : byteCode.entrySet()) {
+            Path file = folder.resolve(each.getKey().replace('.', '/') + ".class");
+            Files.createDirectories(Objects.requireNonNull(file.getParent()));
+            Files.write(file, each.getValue().toByteArray());
+        }
     }
 
     /** A loader of the compiled classes, which finds all others and the user's files on the class path. */

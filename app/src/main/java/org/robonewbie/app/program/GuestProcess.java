@@ -2,8 +2,10 @@ package org.robonewbie.app.program;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import org.robonewbie.exercises.Exercise;
@@ -36,19 +38,40 @@ public final class GuestProcess implements AutoCloseable {
      */
     public static GuestProcess start(Exercise exercise, String program, int port, Path folder) {
         List<String> command = StudentJava.grade(
-                List.of("-XX:TieredStopAtLevel=1"),
+                List.of(StudentJava.QUICK_START),
                 List.of(exercise.name(), program, StudentJava.AT_DOOR, Integer.toString(port)));
+        GuestProcess guest = start(command, folder);
+        guest.tell("");
+        return guest;
+    }
+
+    /**
+     * Starts a process that waits for a word.
+     *
+     * @param command program and arguments
+     * @param folder its working directory
+     * @return the running process
+     */
+    static GuestProcess start(List<String> command, Path folder) {
         try {
             Process process = new ProcessBuilder(command)
                     .directory(folder.toFile())
                     .redirectErrorStream(true)
                     .start();
-            process.getOutputStream().close(); // a program that reads from the terminal does not wait for anybody
             GuestProcess guest = new GuestProcess(process);
             guest.reader.start();
             return guest;
         } catch (IOException unstartable) {
             throw new UncheckedIOException("The program cannot be started: " + unstartable.getMessage(), unstartable);
+        }
+    }
+
+    /** Says something to the program and nothing more: one that reads from the terminal does not wait for anybody. */
+    void tell(String text) {
+        try (OutputStream input = process.getOutputStream()) {
+            input.write(text.getBytes(StandardCharsets.UTF_8));
+        } catch (IOException ended) {
+            append("");
         }
     }
 
@@ -77,6 +100,11 @@ public final class GuestProcess implements AutoCloseable {
     /** {@return whether the process has not ended yet} */
     public boolean isRunning() {
         return process.isAlive();
+    }
+
+    /** {@return how the process has ended; 0 while it runs} */
+    public int exitCode() {
+        return process.isAlive() ? 0 : process.exitValue();
     }
 
     /** Ends the process; what it has printed until then can be read afterwards. */

@@ -1,5 +1,6 @@
 package org.robonewbie.app.program;
 
+import com.sun.source.util.JavacTask;
 import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -16,6 +17,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
+import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
@@ -28,26 +30,38 @@ final class JavaSource {
     private static final Pattern PACKAGE = Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
 
     private final Path file;
+    private final String text;
     private final String packageName;
 
-    private JavaSource(Path file, String packageName) {
+    private JavaSource(Path file, String text) {
+        Matcher matcher = PACKAGE.matcher(text);
         this.file = file;
-        this.packageName = packageName;
+        this.text = text;
+        this.packageName = matcher.find() ? matcher.group(1) : "";
     }
 
     /**
-     * Reads which class a file has.
+     * Reads a file.
      *
      * @throws CalledWronglyException if it cannot be read
      */
     static JavaSource of(Path file) {
         try {
-            Matcher matcher = PACKAGE.matcher(Files.readString(file));
-            return new JavaSource(file, matcher.find() ? matcher.group(1) : "");
+            return new JavaSource(file, Files.readString(file));
         } catch (IOException unreadable) {
             throw new CalledWronglyException("The file " + file + " cannot be read (in the folder "
                     + Path.of("").toAbsolutePath() + "). Is its name and folder right?");
         }
+    }
+
+    /** Takes a text that need not be saved yet as that of a file. */
+    static JavaSource of(Path file, String text) {
+        return new JavaSource(file, text);
+    }
+
+    /** The full name of the class that the file is named after. */
+    String className() {
+        return packageName.isEmpty() ? simpleName() : packageName + "." + simpleName();
     }
 
     /**
@@ -68,27 +82,75 @@ final class JavaSource {
      * @throws CompilationFailedException if it has errors; they have been shown
      */
     Supplier<Class<?>> load(List<Path> classPath) {
+        CompilerMessages messages = new CompilerMessages();
+        Optional<CompiledClasses> classes = compile(classPath, messages);
+        messages.print(System.err);
+        return classes.map(made -> (Supplier<Class<?>>) () -> mainClass(made.loader(withOwnFolder(classPath))))
+                .orElseThrow(() -> new CompilationFailedException(
+                        "The Java file has mistakes. Correct the line of the first error above and start again."));
+    }
+
+    /**
+     * Compiles the file.
+     *
+     * @param classPath the user's folders and jars that it uses
+     * @param messages hears what the compiler says
+     * @return its classes; empty if it has mistakes
+     */
+    Optional<CompiledClasses> compile(List<Path> classPath, CompilerMessages messages) {
+        return with(messages, classPath, (task, classes) -> task.call() ? Optional.of(classes) : Optional.empty());
+    }
+
+    /** Lets the compiler read the file without making anything of it. */
+    void check(List<Path> classPath, CompilerMessages messages) {
+        with(messages, classPath, (task, classes) -> {
+            task.analyze();
+            return classes;
+        });
+    }
+
+    /** What the compiler is to do with the file. */
+    interface Work<T> {
+        T of(JavacTask task, CompiledClasses classes) throws IOException;
+    }
+
+    /** Does something with the compiler. */
+    <T> T with(CompilerMessages messages, List<Path> classPath, Work<T> work) {
         JavaCompiler compiler = Optional.ofNullable(ToolProvider.getSystemJavaCompiler())
                 .orElseThrow(() -> new CalledWronglyException(
                         "A Java file can be run by a JDK only, and this Java has no compiler: "
                                 + System.getProperty("java.home")));
         try (StandardJavaFileManager disk = compiler.getStandardFileManager(null, null, null);
                 CompiledClasses classes = new CompiledClasses(disk)) {
-            boolean correct = compiler.getTask(
-                            new PrintWriter(System.err, true, Charset.defaultCharset()),
-                            classes,
-                            null,
-                            options(classPath),
-                            null,
-                            disk.getJavaFileObjects(file))
-                    .call();
-            if (!correct) {
-                throw new CompilationFailedException(
-                        "The Java file has mistakes. Correct the line of the first error above and start again.");
-            }
-            return () -> mainClass(classes.loader(withOwnFolder(classPath)));
+            PrintWriter out = new PrintWriter(System.err, true, Charset.defaultCharset());
+            JavacTask task = (JavacTask)
+                    compiler.getTask(out, classes, messages, options(classPath), null, List.of(new Text(file, text)));
+            return work.of(task, classes);
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
+        }
+    }
+
+    /** The text as the compiler reads it. */
+    private static final class Text extends SimpleJavaFileObject {
+
+        private final Path file;
+        private final String content;
+
+        Text(Path file, String content) {
+            super(file.toUri(), Kind.SOURCE);
+            this.file = file;
+            this.content = content;
+        }
+
+        @Override
+        public String getName() {
+            return file.toString();
+        }
+
+        @Override
+        public CharSequence getCharContent(boolean ignoreEncodingErrors) {
+            return content;
         }
     }
 
@@ -98,6 +160,7 @@ final class JavaSource {
                 .collect(Collectors.joining(File.pathSeparator));
         return List.of(
                 "-g",
+                "-XDshould-stop.ifError=FLOW",
                 "-parameters",
                 "-proc:none",
                 "-implicit:class",
@@ -109,7 +172,7 @@ final class JavaSource {
 
     private Class<?> mainClass(ClassLoader loader) {
         try {
-            return loader.loadClass(packageName.isEmpty() ? simpleName() : packageName + "." + simpleName());
+            return loader.loadClass(className());
         } catch (ClassNotFoundException none) {
             throw new CalledWronglyException("The file " + file + " has no class " + simpleName()
                     + ". A file and the class in it need the same name.");

@@ -9,6 +9,7 @@ import org.robonewbie.learning.optimise.AgentScene;
 import org.robonewbie.learning.optimise.AgentSubject;
 import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.nao.Vector3;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** A student's program whose numbers are to be improved, and where it is tried. */
@@ -49,11 +50,8 @@ public final class OptimisedAgent {
             description = "With --agent: simulated length of a trial (default: 20).")
     private double seconds;
 
-    @Option(
-            names = {"-cp", "--class-path"},
-            paramLabel = "PATH",
-            description = "Folders and jars with your own classes (default: the current folder).")
-    private String classPath = ".";
+    @Mixin
+    private final ClassPathOption classPath = new ClassPathOption();
 
     /** {@return whether a program was named at all} */
     public boolean isWanted() {
@@ -78,7 +76,7 @@ public final class OptimisedAgent {
      * @return the objective
      */
     public Objective objective(String label) {
-        return Objective.named(label, AgentFinder.loaderOf(AgentFinder.folders(classPath)));
+        return Objective.named(label, AgentFinder.loaderOf(classPath.folders()));
     }
 
     /**
@@ -94,7 +92,7 @@ public final class OptimisedAgent {
                             + ball + ".");
         }
         String name = program.orElseThrow();
-        List<Path> folders = AgentFinder.folders(classPath);
+        List<Path> folders = classPath.folders();
         StudentsAgents agents = StudentsAgents.of(new AgentFinder(ExampleCatalogue.load(), folders).findClass(name));
         AgentScene scene = new AgentScene(
                 new Vector3(pose.get(0), pose.get(1), 0),

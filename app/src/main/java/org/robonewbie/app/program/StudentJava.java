@@ -1,12 +1,16 @@
 package org.robonewbie.app.program;
 
+import java.io.File;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
- * The command line that runs {@code robonewbie grade} in a separate process with this Java and these classes, for a student's
- * program.
+ * The command lines that run {@code robonewbie grade} and {@code robonewbie run} in a separate process with this Java and these
+ * classes, for a student's program.
  */
 public final class StudentJava {
 
@@ -19,26 +23,60 @@ public final class StudentJava {
     /** Its option for a program that comes to a trial through a port. */
     public static final String AT_DOOR = "--at-door";
 
+    /** Its option for a program that brings robots when a judge asks for them. */
+    public static final String ON_CALL = "--on-call";
+
+    /** Programs of students compute little; so Java need not spend time on making them fast. */
+    public static final String QUICK_START = "-XX:TieredStopAtLevel=1";
+
     private static final String MAIN = "org.robonewbie.app.Main";
 
     private StudentJava() {}
 
     /**
-     * Returns the command line of the process.
+     * Returns the command line of a process that grades a program or lets an exercise try it.
      *
      * @param javaOptions options of this Java
      * @param arguments what follows the command
      * @return program and arguments
      */
     public static List<String> grade(List<String> javaOptions, List<String> arguments) {
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:+UseSerialGC",
-                "-Xmx" + MEGABYTES + "m",
-                "-XX:+ExitOnOutOfMemoryError"));
+        List<String> options = new ArrayList<>(List.of("-Xmx" + MEGABYTES + "m", "-XX:+ExitOnOutOfMemoryError"));
+        options.addAll(javaOptions);
+        return command(
+                options, Stream.concat(Stream.of(COMMAND), arguments.stream()).toList());
+    }
+
+    /**
+     * Returns the command line of a process that is ready to run a program when it is told which.
+     *
+     * @return program and arguments
+     */
+    public static List<String> waiting() {
+        return command(
+                List.of("-Xmx" + MEGABYTES + "m", "-XX:+ExitOnOutOfMemoryError", QUICK_START), List.of("run", ON_CALL));
+    }
+
+    /**
+     * Returns the command line of a process of this program.
+     *
+     * @param javaOptions options of this Java
+     * @param arguments command and what follows it
+     * @return program and arguments
+     */
+    public static List<String> command(List<String> javaOptions, List<String> arguments) {
+        List<String> command = new ArrayList<>(
+                List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:+UseSerialGC"));
         command.addAll(javaOptions);
-        command.addAll(List.of("-cp", System.getProperty("java.class.path"), MAIN, COMMAND));
+        command.addAll(List.of("-cp", classPath(), MAIN));
         command.addAll(arguments);
         return command;
+    }
+
+    /** The classes of this program, wherever the process is started. */
+    private static String classPath() {
+        return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
+                .map(entry -> Path.of(entry).toAbsolutePath().toString())
+                .collect(Collectors.joining(File.pathSeparator));
     }
 }

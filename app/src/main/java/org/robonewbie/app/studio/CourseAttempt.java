@@ -32,6 +32,7 @@ final class CourseAttempt implements AutoCloseable {
     private final Path folder;
     private final GuestDoor door;
     private final Consumer<SimulationControl> screen;
+    private final Consumer<Attempt> complete;
     private final List<Attempt.Judged> judged = new ArrayList<>();
     private final List<Performer> guests = new ArrayList<>();
     private final List<GuestProcess> processes = new ArrayList<>();
@@ -46,7 +47,8 @@ final class CourseAttempt implements AutoCloseable {
             int trials,
             Path folder,
             GuestDoor door,
-            Consumer<SimulationControl> screen) {
+            Consumer<SimulationControl> screen,
+            Consumer<Attempt> complete) {
         this.id = id;
         this.exercise = exercise;
         this.program = program;
@@ -54,6 +56,7 @@ final class CourseAttempt implements AutoCloseable {
         this.folder = folder;
         this.door = door;
         this.screen = screen;
+        this.complete = complete;
     }
 
     /**
@@ -63,14 +66,21 @@ final class CourseAttempt implements AutoCloseable {
      * @param program a Java file or class; empty for an agent that the student starts
      * @param folder where the program runs
      * @param screen shows each trial
+     * @param complete hears of the attempt when all trials are judged
      * @throws IOException if no port is free
      */
     static CourseAttempt begin(
-            long id, Exercise exercise, String program, int trials, Path folder, Consumer<SimulationControl> screen)
+            long id,
+            Exercise exercise,
+            String program,
+            int trials,
+            Path folder,
+            Consumer<SimulationControl> screen,
+            Consumer<Attempt> complete)
             throws IOException {
         boolean own = program.isEmpty();
         GuestDoor door = own ? usualDoor() : GuestDoor.open(0, SECONDS_OF_PATIENCE);
-        CourseAttempt attempt = new CourseAttempt(id, exercise, program, trials, folder, door, screen);
+        CourseAttempt attempt = new CourseAttempt(id, exercise, program, trials, folder, door, screen, complete);
         Thread thread = new Thread(attempt::tryAll, "exercise");
         thread.setDaemon(true);
         thread.start();
@@ -92,6 +102,10 @@ final class CourseAttempt implements AutoCloseable {
         for (int seed = 1; seed <= trials && beginTrial(); seed++) {
             Score score = Performance.of(exercise, seed, this::nextRobot, Optional.empty(), trial);
             end(seed, score);
+        }
+        Attempt result = state();
+        if (result.judged().size() == trials) {
+            complete.accept(result);
         }
         finish();
     }

@@ -5,16 +5,25 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.robonewbie.app.course.Coach;
 import org.robonewbie.app.course.GradingProcess;
+import org.robonewbie.app.course.ProgressTable;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.Score;
+import org.robonewbie.exercises.progress.ExerciseProgress;
+import org.robonewbie.exercises.progress.Progress;
+import org.robonewbie.exercises.progress.SolutionShelf;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.studio.ShownSimulation;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Course;
+import org.robonewbie.studio.course.Help;
 import org.robonewbie.studio.course.Lesson;
+import org.robonewbie.studio.course.Standings;
 
 /** The exercises behind the studio's page. What is tried is shown there instead of the free pitch. */
 public final class CourseDesk implements Course, AutoCloseable {
@@ -27,8 +36,10 @@ public final class CourseDesk implements Course, AutoCloseable {
     private final Path folder;
     private final SimulationControl freePitch;
     private final ShownSimulation shown;
+    private final Coach coach;
     private Optional<CourseAttempt> current = Optional.empty();
     private long attempts;
+    private Language language = Language.ENGLISH;
 
     /**
      * Prepares the exercises.
@@ -36,19 +47,37 @@ public final class CourseDesk implements Course, AutoCloseable {
      * @param folder where students' programs are
      * @param freePitch what the studio shows when nothing is tried
      * @param shown what the studio shows
+     * @param coach keeps the progress and opens help
      */
-    public CourseDesk(Path folder, SimulationControl freePitch, ShownSimulation shown) {
+    public CourseDesk(Path folder, SimulationControl freePitch, ShownSimulation shown, Coach coach) {
         this.folder = folder;
         this.freePitch = freePitch;
         this.shown = shown;
+        this.coach = coach;
+    }
+
+    /**
+     * Chooses the language of worksheets and hints, English until then.
+     *
+     * @param wanted the language
+     */
+    public synchronized void speak(Language wanted) {
+        language = wanted;
+    }
+
+    private synchronized Language language() {
+        return language;
     }
 
     @Override
     public List<Lesson> lessons() {
-        return Exercises.all().stream().map(CourseDesk::lesson).toList();
+        Progress progress = coach.progress();
+        return Exercises.all().stream()
+                .map(exercise -> lesson(exercise, progress.of(exercise)))
+                .toList();
     }
 
-    private static Lesson lesson(Exercise exercise) {
+    private Lesson lesson(Exercise exercise, ExerciseProgress state) {
         return new Lesson(
                 exercise.number(),
                 exercise.name(),
@@ -57,8 +86,42 @@ public final class CourseDesk implements Course, AutoCloseable {
                 exercise.level(),
                 exercise.minutes(),
                 Score.MOST_POINTS,
-                "docs/exercises/" + exercise.fullName() + ".html",
-                exercise.className() + JAVA);
+                "docs/exercises/" + language().worksheet(exercise) + ".html",
+                exercise.className() + JAVA,
+                new Lesson.Standing(
+                        state.tries(),
+                        state.bestPoints(),
+                        state.passed(),
+                        TimeUnit.SECONDS.toMinutes(state.seconds())));
+    }
+
+    @Override
+    public Standings standings() {
+        ProgressTable table = new ProgressTable(coach.progress());
+        return new Standings(table.sum(), table.badges(), table.csv(System.getProperty("user.name", "")));
+    }
+
+    @Override
+    public Help help(String exercise) {
+        return help(find(exercise), coach.hints(find(exercise)));
+    }
+
+    @Override
+    public Help nextHint(String exercise) {
+        return help(find(exercise), coach.nextHint(find(exercise)));
+    }
+
+    private Help help(Exercise exercise, Coach.Hints hints) {
+        return new Help(hints.open(), hints.all(), coach.offersSolution(exercise), coach.triesBeforeSolution(exercise));
+    }
+
+    @Override
+    public String solution(String exercise) {
+        SolutionShelf.Answer answer = coach.solution(find(exercise));
+        if (!answer.open()) {
+            throw new IllegalArgumentException(answer.text());
+        }
+        return answer.text();
     }
 
     @Override
@@ -82,6 +145,7 @@ public final class CourseDesk implements Course, AutoCloseable {
                     "There is a file " + file.getFileName() + " already, and it is kept. Rename it to start over.");
         }
         GradingProcess.write(file, found.startCode());
+        coach.begun(found);
         return String.valueOf(file.getFileName());
     }
 
@@ -90,7 +154,14 @@ public final class CourseDesk implements Course, AutoCloseable {
         Exercise found = find(exercise);
         current.ifPresent(CourseAttempt::close);
         attempts++;
-        current = Optional.of(CourseAttempt.begin(attempts, found, program, trials, folder, shown::show));
+        current = Optional.of(CourseAttempt.begin(
+                attempts,
+                found,
+                program,
+                trials,
+                folder,
+                shown::show,
+                result -> coach.graded(found, result.points(), result.passed())));
     }
 
     @Override
@@ -102,7 +173,7 @@ public final class CourseDesk implements Course, AutoCloseable {
 
     @Override
     public synchronized Attempt attempt() {
-        return current.map(CourseAttempt::state).orElse(Attempt.NONE);
+        return current.map(CourseAttempt::state).orElse(Attempt.NONE).withHints(language::hint);
     }
 
     /** Waits until the attempt that goes on is over. */

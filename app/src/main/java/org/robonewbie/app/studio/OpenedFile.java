@@ -62,7 +62,8 @@ public record OpenedFile(StudioFolders folders, String place) {
         Path folder = Optional.ofNullable(file.getParent()).orElse(file);
         StudioFolders folders = StudioFolders.ofWorkingDirectory();
         return new OpenedFile(
-                new StudioFolders(folder, folders.scenes(), folders.recordings(), Optional.empty()), motionPlace(file));
+                new StudioFolders(folder, folders.scenes(), folders.recordings(), folders.projects(), Optional.empty()),
+                motionPlace(file));
     }
 
     private static boolean isRecording(Path file) {

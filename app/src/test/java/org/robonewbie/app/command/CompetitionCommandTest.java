@@ -49,6 +49,19 @@ class CompetitionCommandTest {
     }
 
     @Test
+    void contestWithoutFenceSaysSo() throws IOException {
+        Path results = folder.resolve("results");
+
+        Printed printed = Printed.by(
+                ("competition walk Red=Agent_Wave --seconds 2 --fence none --results " + results).split(" ", -1));
+
+        assertThat(printed.exitCode()).as(printed.err()).isZero();
+        assertThat(Files.readString(results.resolve("table.html")))
+                .contains("Programs were not fenced in (the organisers did not want it).", "Whose connection came");
+        assertThat(results.resolve("recordings.sha256")).content().contains("  recordings/walk-Red.rec");
+    }
+
+    @Test
     void contestLeavesTableCertificatesAndRecordings() throws IOException {
         Path results = folder.resolve("results");
 
@@ -73,17 +86,21 @@ class CompetitionCommandTest {
     @Test
     void exerciseIsAContestJudgedByItsOwnChecker() throws IOException {
         Path results = folder.resolve("results");
-        Path good = Files.writeString(folder.resolve("Good.java"), program("Good", """
+        Path teams = Files.createDirectory(folder.resolve("teams"));
+        Path good = Files.writeString(teams.resolve("Good.java"), program("Good", """
                 nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, 4 * (60 - nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH)));
                 nao.setJointSpeed(Joint.RIGHT_SHOULDER_PITCH, 4 * (45 - nao.getJointAngle(Joint.RIGHT_SHOULDER_PITCH)));
                 """));
-        Path leaving = Files.writeString(folder.resolve("Leaving.java"), program("Leaving", "System.exit(0);"));
+        Path leaving = Files.writeString(teams.resolve("Leaving.java"), program("Leaving", "System.exit(0);"));
 
         Printed printed = Printed.by(
                 "competition",
                 "exercise:raise-arms",
                 "Blue=Agent_BasicStructure",
                 "Green=" + leaving,
+                "Nought="
+                        + Files.writeString(
+                                Files.createDirectory(folder.resolve("broken")).resolve("No.java"), "no"),
                 "Red=" + good,
                 "--rounds",
                 "2",
@@ -95,7 +112,11 @@ class CompetitionCommandTest {
                 .contains("Exercise 1: Raise both arms")
                 .contains("1. Red 20 of 20 2 of 2 played to the end")
                 .contains("2. Blue 0 of 20 0 of 2 played to the end")
-                .contains("2. Green 0 of 20 0 of 2 its program ended before the trial was over");
+                .contains("3. Green 0 of 20 0 of 2 its program ended before the trial was over");
+        assertThat(printed.out().replaceAll(" +", " "))
+                .contains("4. Nought 0 of 20 0 of 2 its program does not compile");
+        assertThat(results.resolve("certificates/Nought.html")).doesNotExist();
+        assertThat(results.resolve("certificates/Blue.html")).exists();
         assertThat(results.resolve("recordings/exercise-raise-arms-Red-2.rec")).isNotEmptyFile();
     }
 

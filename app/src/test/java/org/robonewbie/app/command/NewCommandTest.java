@@ -13,8 +13,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Printed;
 import org.robonewbie.app.Project;
+import org.robonewbie.app.command.NewProject.BuildTool;
 
 class NewCommandTest {
+
+    private static final String LIBRARY = "lib/org/robonewbie/robonewbie/2.0.0/robonewbie-2.0.0";
 
     @TempDir
     Path folder = Path.of("");
@@ -22,11 +25,14 @@ class NewCommandTest {
     @Test
     void projectHasAllItNeedsAndItsClassesCompile() throws IOException {
         Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
+        Path sources = Files.writeString(folder.resolve("robonewbie-sources.jar"), "its sources");
         Path project = folder.resolve("my-team");
 
-        new NewProject("my-team", "org.example.team", jar).create(project);
+        new NewProject("my-team", "org.example.team", BuildTool.MAVEN, jar, "2.0.0").create(project);
 
-        assertThat(project.resolve("lib/robonewbie.jar")).hasSameBinaryContentAs(jar);
+        assertThat(project.resolve(LIBRARY + ".jar")).hasSameBinaryContentAs(jar);
+        assertThat(project.resolve(LIBRARY + "-sources.jar")).hasSameBinaryContentAs(sources);
+        assertThat(project.resolve(LIBRARY + ".pom")).content().contains("<version>2.0.0</version>");
         assertThat(project.resolve("robonewbie")).isExecutable();
         assertThat(project.resolve("pom.xml")).content().contains("<artifactId>my-team</artifactId>");
         assertThat(project.resolve("motions/greet.txt")).isNotEmptyFile();
@@ -35,7 +41,7 @@ class NewCommandTest {
         assertThat(mistakesIn(project, "src/test/java/org/example/team/MyAgentTest.java"))
                 .isEmpty();
         try (Stream<Path> files = Files.walk(project)) {
-            assertThat(files.filter(Files::isRegularFile).filter(file -> !file.endsWith("robonewbie.jar")))
+            assertThat(files.filter(Files::isRegularFile))
                     .allSatisfy(file -> assertThat(file).content().doesNotContain("{{"));
         }
     }
@@ -46,7 +52,7 @@ class NewCommandTest {
         Path project = folder.resolve("my-team");
         String own = Project.read(Project.ROOT.resolve("pom.xml"));
 
-        new NewProject("my-team", "team", jar).create(project);
+        new NewProject("my-team", "team", BuildTool.MAVEN, jar, "2.0").create(project);
 
         assertThat(Files.readString(project.resolve("pom.xml"))
                         .lines()
@@ -54,6 +60,28 @@ class NewCommandTest {
                         .map(line -> line.replaceAll("[^\\d.]", "")))
                 .hasSize(4)
                 .allMatch(version -> own.contains(">" + version + "<"));
+    }
+
+    @Test
+    void projectForGradleHasItsFilesInsteadOfThoseOfMaven() throws IOException {
+        Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
+        Path project = folder.resolve("my-team");
+
+        new NewProject("my-team", "team", BuildTool.GRADLE, jar, "2.0.0").create(project);
+
+        assertThat(project.resolve("build.gradle"))
+                .content()
+                .contains("org.robonewbie:robonewbie:2.0.0", "team.MyAgent");
+        assertThat(project.resolve("pom.xml")).doesNotExist();
+    }
+
+    @Test
+    void programThatWasBuiltHereHasAVersionOfItsOwn() throws IOException {
+        Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
+        String first = NewCommand.versionOf(jar);
+        Files.writeString(jar, "the changed program");
+
+        assertThat(NewCommand.versionOf(jar)).contains("-built-").isNotEqualTo(first);
     }
 
     @Test

@@ -69,13 +69,60 @@ class RecordCommandTest {
                 .hasSameBinaryContentAs(folder.resolve("two/events/run-00001.parquet"));
     }
 
+    /** What a kill leaves behind: no table of runs, half of a line, and the last run without its table of cycles. */
+    @Test
+    void recordingThatWasKilledGoesOnWithTheRunsThatAreMissing() throws IOException {
+        Path whole = folder.resolve("whole");
+        Path broken = folder.resolve("broken");
+        record(whole, "--format", "csv", "--runs", "3");
+        record(broken, "--format", "csv", "--runs", "3");
+        Path description = broken.resolve("dataset.json");
+        Files.writeString(
+                description, Files.readString(description).replace("\"complete\": true", "\"complete\": false"));
+        Files.writeString(broken.resolve("runs.txt"), "1 3 100 97 0 0 complete\n2 4 100 97 0 0 complete\n3 5 10");
+        Files.delete(broken.resolve("runs.csv"));
+        Files.delete(broken.resolve("cycles/run-00002.csv"));
+        Files.writeString(broken.resolve("cycles/run-00001.csv"), "kept");
+
+        Printed printed = record(broken, "--format", "csv", "--runs", "3");
+
+        assertThat(printed.exitCode()).as(printed.err()).isZero();
+        assertThat(printed.out())
+                .contains("1 runs are complete already and kept.", "run 2/3", "run 3/3")
+                .doesNotContain("run 1/3");
+        assertThat(broken.resolve("cycles/run-00001.csv")).hasContent("kept");
+        assertThat(broken.resolve("cycles/run-00002.csv"))
+                .hasSameBinaryContentAs(whole.resolve("cycles/run-00002.csv"));
+        assertThat(broken.resolve("runs.csv")).hasSameBinaryContentAs(whole.resolve("runs.csv"));
+        assertThat(broken.resolve("runs.txt")).doesNotExist();
+    }
+
+    @Test
+    void recordingThatWasMadeInAnotherWayIsNotMixed() throws IOException {
+        Path set = folder.resolve("set");
+        record(set, "--format", "csv");
+        Path description = set.resolve("dataset.json");
+        Files.writeString(
+                description,
+                Files.readString(description)
+                        .replace("\"complete\": true", "\"complete\": false")
+                        .replace("\"first seed\": \"3\"", "\"first seed\": \"9\""));
+
+        Printed otherSeed = record(set, "--format", "csv");
+        Printed otherColumns = record(set, "--format", "csv", "--messages");
+
+        assertThat(otherSeed.exitCode()).isEqualTo(2);
+        assertThat(otherSeed.err()).contains("was made in another way: first seed is \"9\" there and \"3\" now");
+        assertThat(otherColumns.exitCode()).isEqualTo(2);
+    }
+
     @Test
     void whatCannotBeRecordedIsToldAsACallThatIsWrong() throws IOException {
         Path taken = folder.resolve("taken");
         assertThat(record(taken).exitCode()).isZero();
 
         assertThat(record(taken).exitCode()).isEqualTo(2);
-        assertThat(record(taken).err()).contains("holds a data set already. Name another folder");
+        assertThat(record(taken).err()).contains("holds a complete data set already. Name another folder");
         assertThat(record(folder.resolve("x"), "--runs", "0").err()).contains("--runs 0: give a number of at least 1.");
         assertThat(record(folder.resolve("x"), "--robots", "23").err()).contains("give a number from 1 to 22");
         assertThat(Printed.by("record", "Agent_BasicStructure", "--seconds", "0")
@@ -189,6 +236,26 @@ class RecordCommandTest {
 
         assertThat(result.code()).as(result.printed()).isZero();
         assertThat(result.printed()).contains("194 rows").contains("true_tilt is in degrees");
+    }
+
+    @Tag("slow")
+    @Test
+    void whatIsMissingIsNullAndEachGroupTellsItsRange() throws Exception {
+        Python python = new Python(folder);
+        python.skipWithout("pyarrow");
+        assertThat(record(folder.resolve("dataset"), "--runs", "1").exitCode()).isZero();
+
+        Python.Result result = python.run(
+                Map.of(),
+                "-c",
+                "import pyarrow.parquet as pq; f = pq.ParquetFile('dataset/cycles/run-00001.parquet'); t = f.read();"
+                        + " s = f.metadata.row_group(0).column(t.schema.get_field_index('ball_distance')).statistics;"
+                        + " c = f.metadata.row_group(0).column(t.schema.get_field_index('cycle')).statistics;"
+                        + " d = t['ball_distance']; n = [x for x in d.to_pylist() if x is not None];"
+                        + " print(d.null_count == s.null_count and 0 < d.null_count < len(d), all(x == x for x in n),"
+                        + " (s.min, s.max) == (min(n), max(n)), c.max - c.min + 1 == len(d))");
+
+        assertThat(result.printed().strip()).isEqualTo("True True True True");
     }
 
     private static Printed record(Path out, String... more) {

@@ -1,7 +1,9 @@
 package org.robonewbie.app.doctor;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
+import java.io.File;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -139,5 +141,32 @@ class CheckupTest {
         try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             return socket.getLocalPort();
         }
+    }
+
+    @Test
+    void exerciseIsGradedAsStudentsDoIt() {
+        Finding finding = ExerciseCheckup.graded();
+
+        assertThat(finding.verdict()).as(finding.toText()).isEqualTo(Verdict.WELL);
+        assertThat(finding.found()).contains("raise-arms was compiled, run and graded");
+    }
+
+    @Test
+    void slowStartIsTold() {
+        assertThat(StartTimeCheck.of(1.2).verdict()).isEqualTo(Verdict.WELL);
+        assertThat(StartTimeCheck.of(9).advice()).contains("virus scanner");
+        assertThat(StartTimeCheck.measured().found()).contains(" s, the better of 2");
+    }
+
+    @Test
+    void graphicsWithoutABrowserAreLookedAtByHand(@TempDir Path folder) throws IOException {
+        Path browser =
+                Files.writeString(folder.resolve("chromium"), "#!/bin/sh\necho '<body>webgl-is-missing</body>'\n");
+        assumeThat(browser.toFile().setExecutable(true)).isTrue();
+        assumeThat(File.separatorChar).isEqualTo('/');
+
+        assertThat(GraphicsCheck.drawn(folder.resolve("none").toString()).advice())
+                .contains("Open the studio once");
+        assertThat(GraphicsCheck.drawn(folder.toString()).found()).contains("does not draw three dimensions");
     }
 }

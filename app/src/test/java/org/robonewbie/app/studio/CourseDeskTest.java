@@ -5,14 +5,19 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Clock;
+import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Project;
+import org.robonewbie.app.course.Coach;
 import org.robonewbie.app.program.GuestProcess;
 import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.progress.ProgressFile;
+import org.robonewbie.exercises.progress.SolutionShelf;
 import org.robonewbie.studio.ShownSimulation;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Attempt.State;
@@ -46,11 +51,20 @@ class CourseDeskTest {
     private final WatchedTrial freePitch = new WatchedTrial();
     private final ShownSimulation shown = new ShownSimulation(freePitch);
 
-    private CourseDesk desk = new CourseDesk(Path.of(""), freePitch, shown);
+    private CourseDesk desk = desk(Path.of(""));
 
     @BeforeEach
     void open() {
-        desk = new CourseDesk(folder, freePitch, shown);
+        desk = desk(folder);
+    }
+
+    private CourseDesk desk(Path place) {
+        Optional<ProgressFile> progress = Optional.of(new ProgressFile(place.resolve("progress.json")));
+        return new CourseDesk(
+                place,
+                freePitch,
+                shown,
+                new Coach(progress, SolutionShelf.ofUser(Optional.of(Project.ROOT)), Clock.systemUTC()));
     }
 
     @AfterEach
@@ -81,6 +95,20 @@ class CourseDeskTest {
         assertThat(attempt.judged()).extracting(Attempt.Judged::seed).containsExactly(1L, 2L);
         assertThat(attempt.passed()).as(attempt.toString()).isTrue();
         assertThat(attempt.points()).isEqualTo(10);
+        assertThat(desk.lessons().get(0).standing()).isEqualTo(new Lesson.Standing(1, 10, true, 0));
+        assertThat(desk.lessons().get(1).standing()).isEqualTo(Lesson.Standing.NONE);
+        assertThat(desk.standings().sum()).startsWith("1 of ").contains(", 10.0 of ");
+    }
+
+    @Test
+    void hintsOpenOneByOneAndTheSolutionStaysClosedBeforeThreeTries() {
+        int all = desk.help("raise-arms").allHints();
+
+        assertThat(all).isPositive();
+        assertThat(desk.help("raise-arms").hints()).isEmpty();
+        assertThat(desk.nextHint("raise-arms").hints()).hasSize(1);
+        assertThat(desk.help("raise-arms").triesLeft()).isEqualTo(3);
+        assertThatThrownBy(() -> desk.solution("raise-arms")).hasMessageContaining("after 3 graded tries: 3 more");
     }
 
     @Test

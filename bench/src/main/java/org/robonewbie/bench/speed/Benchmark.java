@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryPoolMXBean;
 import java.lang.management.MemoryType;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -23,14 +24,12 @@ import org.robonewbie.nao.Cycle;
  */
 public final class Benchmark {
 
-    /** So many cycles pass until a new robot's first message is sent. */
-    private static final int CYCLES_TO_CREATE = 3;
-
-    private static final int CYCLES_TO_JOIN = 6;
+    private static final Duration PATIENCE = Duration.ofSeconds(20);
 
     private static final int ROBOTS_TO_WARM_UP = 2;
 
     private final BenchmarkPlan plan;
+    private final Duration patience;
 
     /**
      * Prepares a benchmark.
@@ -38,7 +37,12 @@ public final class Benchmark {
      * @param plan what is measured
      */
     public Benchmark(BenchmarkPlan plan) {
+        this(plan, PATIENCE);
+    }
+
+    Benchmark(BenchmarkPlan plan, Duration patience) {
         this.plan = plan;
+        this.patience = patience;
     }
 
     /**
@@ -47,7 +51,7 @@ public final class Benchmark {
      * @param progress receives each result at once
      * @param heap receives each memory sample at once
      * @return all results
-     * @throws IOException if a server cannot be reached or closes a connection
+     * @throws IOException if a server cannot be reached, does not admit a robot, closes a connection or stops; the message says what to do
      */
     public BenchmarkReport run(Consumer<BenchmarkRun> progress, Consumer<HeapSample> heap) throws IOException {
         if (plan.other().isEmpty()) {
@@ -74,7 +78,7 @@ public final class Benchmark {
     private BenchmarkRun measure(int robots, CrowdScene scene, double seconds, Consumer<HeapSample> heap)
             throws IOException {
         try (BenchmarkServer server = openServer()) {
-            List<BenchmarkAgent> agents = gather(server, robots);
+            List<BenchmarkAgent> agents = server.gather(robots);
             server.playOn();
             int warmUp = cycles(plan.warmUpSeconds());
             int measured = cycles(seconds);
@@ -102,30 +106,13 @@ public final class Benchmark {
     }
 
     private BenchmarkServer openServer() throws IOException {
-        return plan.other().isPresent() ? new OtherServer(plan.other().get()) : new EmbeddedServer(plan.physics());
+        return plan.other().isPresent()
+                ? new OtherServer(plan.other().get(), patience)
+                : new EmbeddedServer(plan.physics());
     }
 
     private static int cycles(double seconds) {
         return (int) Math.max(1, Math.round(seconds / Cycle.SECONDS));
-    }
-
-    private static List<BenchmarkAgent> gather(BenchmarkServer server, int robots) throws IOException {
-        List<BenchmarkAgent> agents = new ArrayList<>();
-        for (int robot = 0; robot < robots; robot++) {
-            BenchmarkAgent agent = new BenchmarkAgent(server.connect(), robot);
-            agent.create();
-            agents.add(agent);
-        }
-        for (int cycle = 0; cycle < CYCLES_TO_CREATE; cycle++) {
-            server.cycle();
-        }
-        for (int messages = 1; messages <= CYCLES_TO_JOIN; messages++) {
-            for (BenchmarkAgent agent : agents) {
-                agent.join(messages);
-            }
-            server.cycle();
-        }
-        return agents;
     }
 
     private static void play(BenchmarkServer server, List<BenchmarkAgent> agents, CrowdScene scene, int from, int to)

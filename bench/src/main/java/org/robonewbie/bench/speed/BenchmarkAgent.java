@@ -7,6 +7,7 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.GameState;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 
@@ -21,6 +22,8 @@ final class BenchmarkAgent {
     private final int robot;
     private final MessageBuffer message = new MessageBuffer();
     private final PerceptorMessageReader reader = new PerceptorMessageReader();
+    private int messages;
+    private boolean inTeam;
 
     BenchmarkAgent(AgentLink link, int robot) {
         this.link = link;
@@ -42,9 +45,10 @@ final class BenchmarkAgent {
         link.send(message);
     }
 
-    /** Waits for a message and joins its team with the second one. */
-    void join(int messages) throws IOException {
-        receive();
+    /** Waits for a message and answers it, the second one by joining its team. */
+    void join() throws IOException {
+        inTeam |= receive().gameState().flatMap(GameState::side).isPresent();
+        messages++;
         message.clear();
         EffectorMessageWriter writer = new EffectorMessageWriter(message);
         if (messages == MESSAGES_BEFORE_JOINING) {
@@ -52,6 +56,20 @@ final class BenchmarkAgent {
         }
         writer.synchronise();
         link.send(message);
+    }
+
+    /** Whether the server has said in which team the robot is. */
+    boolean isInTeam() {
+        return inTeam;
+    }
+
+    /** How many messages it has answered before it plays. */
+    int messages() {
+        return messages;
+    }
+
+    boolean isMessageWaiting() throws IOException {
+        return link.isMessageWaiting();
     }
 
     /** Takes part in a cycle: waits for the message, thinks, answers. */

@@ -1,15 +1,15 @@
 package org.robonewbie.bench.speed;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.OptionalLong;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.protocol.frame.AgentLink;
 
 /** The server whose speed is measured: ours in this process, or any other in sync mode. */
 interface BenchmarkServer extends AutoCloseable {
 
-    /** Connects an agent. */
-    AgentLink connect() throws IOException;
+    /** Lets so many robots join. All of them have answered their last message then. */
+    List<BenchmarkAgent> gather(int robots) throws IOException;
 
     /** Runs a cycle once all agents have answered. */
     void cycle();

@@ -1,11 +1,13 @@
 package org.robonewbie.bench.speed;
 
 import com.sun.management.ThreadMXBean;
+import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.OptionalLong;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 import org.robonewbie.simulator.cycle.WorldSettings;
@@ -14,6 +16,11 @@ import org.robonewbie.simulator.world.PhysicsEngine;
 
 /** Our own server, run by the thread that measures it; its agents are not counted. */
 final class EmbeddedServer implements BenchmarkServer {
+
+    /** So many cycles pass until a new robot's first message is sent. */
+    private static final int CYCLES_TO_CREATE = 3;
+
+    private static final int CYCLES_TO_JOIN = 6;
 
     /** Rules that would take robots out of a heap, or off the pitch when they fall. */
     private static final String[] WITHOUT_FOULS = {
@@ -45,9 +52,25 @@ final class EmbeddedServer implements BenchmarkServer {
                 WorldSettings.league().withParameters(parameters).withPhysics(physics), Console.silent());
     }
 
+    /** All join in the same cycles. */
     @Override
-    public AgentLink connect() {
-        return simulator.connect();
+    public List<BenchmarkAgent> gather(int robots) throws IOException {
+        List<BenchmarkAgent> agents = new ArrayList<>();
+        for (int robot = 0; robot < robots; robot++) {
+            BenchmarkAgent agent = new BenchmarkAgent(simulator.connect(), robot);
+            agent.create();
+            agents.add(agent);
+        }
+        for (int cycle = 0; cycle < CYCLES_TO_CREATE; cycle++) {
+            simulator.cycle();
+        }
+        for (int cycle = 0; cycle < CYCLES_TO_JOIN; cycle++) {
+            for (BenchmarkAgent agent : agents) {
+                agent.join();
+            }
+            simulator.cycle();
+        }
+        return agents;
     }
 
     @Override

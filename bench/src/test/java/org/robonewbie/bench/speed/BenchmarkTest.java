@@ -1,10 +1,12 @@
 package org.robonewbie.bench.speed;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.io.IOException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -12,6 +14,8 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.server.Simulator;
@@ -111,6 +115,43 @@ class BenchmarkTest {
             assertThat(run.realTimeFactor()).isPositive();
             assertThat(run.allocatedBytesPerCycle()).isEmpty();
             assertThat(BenchmarkReport.line(run)).contains("walking");
+        }
+    }
+
+    @Test
+    void robotsJoinAServerThatAdmitsOneAtATime() throws IOException {
+        try (OneAtATimeServer server = new OneAtATimeServer(22, Integer.MAX_VALUE)) {
+            BenchmarkPlan plan = plan(List.of(4), List.of(CrowdScene.WALKING), Optional.of(server.address()));
+
+            BenchmarkReport report = new Benchmark(plan).run(run -> {}, sample -> {});
+
+            assertThat(report.runs()).extracting(BenchmarkRun::robots).containsExactly(4);
+            assertThat(report.runs().get(0).cycles()).isEqualTo(10);
+        }
+    }
+
+    @Test
+    void aServerThatAdmitsNoMoreRobotsIsTold() throws IOException {
+        try (OneAtATimeServer server = new OneAtATimeServer(2, Integer.MAX_VALUE)) {
+            BenchmarkPlan plan = plan(List.of(3), List.of(CrowdScene.WALKING), Optional.of(server.address()));
+
+            assertThatThrownBy(() -> new Benchmark(plan).run(run -> {}, sample -> {}))
+                    .isInstanceOf(IOException.class)
+                    .hasMessage(
+                            "The server does not admit robot 3 of the benchmark: it is in no team. Is there room for more"
+                                    + " robots, and are no others in its team?");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {10, 30})
+    void aServerThatStopsIsTold(int cycles) throws IOException {
+        try (OneAtATimeServer server = new OneAtATimeServer(22, cycles)) {
+            BenchmarkPlan plan = plan(List.of(4), List.of(CrowdScene.WALKING), Optional.of(server.address()));
+
+            assertThatThrownBy(() -> new Benchmark(plan, Duration.ofSeconds(1)).run(run -> {}, sample -> {}))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageStartingWith("The server has sent nothing for 1 s. Is it in sync mode");
         }
     }
 

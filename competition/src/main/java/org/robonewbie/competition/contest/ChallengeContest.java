@@ -36,7 +36,7 @@ public record ChallengeContest(
         implements Contest {
 
     /** What a team has reached, a value for each criterion. */
-    private record Total(String team, List<Double> values, String last) {}
+    private record Total(String team, List<Double> values, String last, boolean compiled, long played) {}
 
     /** Copies the list. */
     public ChallengeContest {
@@ -69,8 +69,8 @@ public record ChallengeContest(
         List<Total> totals = teams.stream().map(team -> total(team, results)).toList();
         Comparator<Total> order = IntStream.range(0, criteria.size())
                 .mapToObj(this::by)
-                .reduce(Comparator::thenComparing)
-                .orElseThrow();
+                .reduce(Comparator.comparing(total -> !total.compiled()), Comparator::thenComparing)
+                .thenComparing(Comparator.comparingLong(Total::played).reversed());
         List<Table.Row> rows =
                 Ranked.ranking(totals, order).stream().map(this::row).toList();
         Stream<String> heads = criteria.stream().map(Criterion::title);
@@ -98,7 +98,11 @@ public record ChallengeContest(
                 .flatMap(Optional::stream)
                 .map(result -> result.ending().sentence())
                 .reduce("not yet", (before, next) -> next);
-        return new Total(team, values, last);
+        long played = found.stream()
+                .flatMap(Optional::stream)
+                .filter(TeamResult::isPlayed)
+                .count();
+        return new Total(team, values, last, results.hasCompiled(team, ids(team)), played);
     }
 
     private Table.Row row(Ranked<Total> place) {
@@ -108,6 +112,6 @@ public record ChallengeContest(
             cells.add(criteria.get(i).text(total.values().get(i)));
         }
         cells.add(total.last());
-        return new Table.Row(place.rank(), total.team(), cells, ids(total.team()));
+        return new Table.Row(place.rank(), total.team(), cells, ids(total.team()), total.compiled());
     }
 }

@@ -1,5 +1,6 @@
 package org.robonewbie.competition.contest;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.robonewbie.trial.measure.BallToGoal;
@@ -30,8 +31,8 @@ public final class Contests {
      */
     public static Contest scoring(Conditions conditions, double seconds) {
         String rule = "One trial of " + Math.round(seconds)
-                + " s for each team. Who scores first is first; those who do not score are ranked by how near"
-                + " the ball came to the goal.";
+                + " s for each team. Who scores first is first; those who do not score are ranked by how far"
+                + " the ball is from the goal at the end.";
         StartPlace start = conditions.start(new StartPlace(2, -0.5, 0.4, -40));
         return new ChallengeContest(
                 "scoring",
@@ -43,14 +44,18 @@ public final class Contests {
                 1,
                 List.of(
                         Criterion.least("goalSeconds", "Goal after", "%.2f s"),
-                        Criterion.least("ballMetres", "Ball to goal", "%.3f m")),
+                        Criterion.least("ballMetres", "Ball to goal", "%.3f m"),
+                        Criterion.least("closestMetres", "Closest", "%.3f m")),
                 conditions);
     }
 
     private static Map<String, Double> goal(BallToGoal ball) {
-        return ball.isDecided()
-                ? Map.of("goalSeconds", ball.seconds(), "ballMetres", ball.value())
-                : Map.of("ballMetres", ball.value());
+        Map<String, Double> figures =
+                new HashMap<>(Map.of("ballMetres", ball.lastMetres(), "closestMetres", ball.value()));
+        if (ball.isDecided()) {
+            figures.put("goalSeconds", ball.seconds());
+        }
+        return figures;
     }
 
     /**

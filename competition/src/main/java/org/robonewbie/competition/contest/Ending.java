@@ -16,6 +16,10 @@ public enum Ending {
     TOO_MUCH_MEMORY("its program needed more memory than is allowed"),
     /** Its program needed too much processor time. */
     TOO_MUCH_TIME("its program needed more computing time than is allowed"),
+    /** Its program started too many processes. */
+    TOO_MANY_PROCESSES("its program started more processes than are allowed"),
+    /** Its program came through the door of another team. */
+    INTRUDED("its program connected to the port of another team"),
     /** It had more robots on the pitch than it may have; that takes a match or a penalty kick. */
     TOO_MANY_ROBOTS("its program brought more robots onto the pitch than are allowed");
 

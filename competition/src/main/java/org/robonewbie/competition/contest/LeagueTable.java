@@ -3,6 +3,7 @@ package org.robonewbie.competition.contest;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.Predicate;
 
 /**
  * The table of a league: three points for a victory, one for a draw; among equal points the goal difference decides, then the
@@ -52,29 +53,37 @@ final class LeagueTable {
      * @param contest whose title and rule it carries
      * @param teams all teams
      * @param fixtures the fixtures that are over
+     * @param results what is over
      * @param trialsOf returns the names of a team's trials
      */
     static Table table(
-            Contest contest, List<String> teams, List<Fixture> fixtures, Function<String, List<String>> trialsOf) {
-        List<Table.Row> rows = of(teams, fixtures).stream()
+            Contest contest,
+            List<String> teams,
+            List<Fixture> fixtures,
+            Results results,
+            Function<String, List<String>> trialsOf) {
+        Predicate<String> compiled = team -> results.hasCompiled(team, trialsOf.apply(team));
+        List<Table.Row> rows = of(teams, fixtures, compiled).stream()
                 .map(place -> new Table.Row(
                         place.rank(),
                         place.who().team(),
                         place.who().cells(),
-                        trialsOf.apply(place.who().team())))
+                        trialsOf.apply(place.who().team()),
+                        compiled.test(place.who().team())))
                 .toList();
         return new Table(contest.title(), contest.rule(), COLUMNS, rows);
     }
 
-    /** Ranks teams by the meetings that are over. */
-    static List<Ranked<Line>> of(List<String> teams, List<Fixture> fixtures) {
+    /** Ranks teams by the meetings that are over; those whose programs do not compile stand last. */
+    static List<Ranked<Line>> of(List<String> teams, List<Fixture> fixtures, Predicate<String> compiled) {
         List<Line> lines = teams.stream().map(team -> line(team, fixtures)).toList();
         return Ranked.ranking(
                 lines,
-                Comparator.comparingInt(Line::points)
-                        .thenComparingInt(Line::difference)
-                        .thenComparingInt(Line::goals)
-                        .reversed());
+                Comparator.comparing((Line line) -> !compiled.test(line.team()))
+                        .thenComparing(Comparator.comparingInt(Line::points)
+                                .thenComparingInt(Line::difference)
+                                .thenComparingInt(Line::goals)
+                                .reversed()));
     }
 
     private static Line line(String team, List<Fixture> fixtures) {

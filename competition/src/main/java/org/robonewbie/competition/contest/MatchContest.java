@@ -71,7 +71,7 @@ public record MatchContest(int players, double seconds, Conditions conditions) i
                 .flatMap(pair -> results.find(id(pair)).map(result -> fixture(pair, result)).stream())
                 .flatMap(Optional::stream)
                 .toList();
-        return LeagueTable.table(this, teams, fixtures, team -> idsOf(pairs, team, results));
+        return LeagueTable.table(this, teams, fixtures, results, team -> idsOf(pairs, team, results));
     }
 
     /** The result that counts; empty if both teams have failed. */

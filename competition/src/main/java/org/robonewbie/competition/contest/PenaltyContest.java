@@ -71,7 +71,7 @@ record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) 
                 .filter(pair -> shootOut.isOver(played(pair, results)))
                 .map(pair -> fixture(pair, played(pair, results)))
                 .toList();
-        return LeagueTable.table(this, teams, fixtures, team -> idsOf(pairs, team, results));
+        return LeagueTable.table(this, teams, fixtures, results, team -> idsOf(pairs, team, results));
     }
 
     private static Fixture fixture(Fixture.Pair pair, List<ShootOut.Round> played) {

@@ -1,5 +1,6 @@
 package org.robonewbie.competition.contest;
 
+import java.util.List;
 import java.util.Optional;
 
 /** The trials that are over. */
@@ -13,4 +14,19 @@ public interface Results {
      * @return its result, or empty if it is not over
      */
     Optional<TrialResult> find(String trialId);
+
+    /**
+     * Looks whether a team could take part in any trial that is over.
+     *
+     * @param team name of the team
+     * @param trialIds names of its trials
+     * @return false if its program has never compiled
+     */
+    default boolean hasCompiled(String team, List<String> trialIds) {
+        List<TeamResult> over = trialIds.stream()
+                .flatMap(id -> find(id).stream())
+                .map(result -> result.of(team))
+                .toList();
+        return over.isEmpty() || over.stream().anyMatch(result -> result.ending() != Ending.NOT_COMPILED);
+    }
 }

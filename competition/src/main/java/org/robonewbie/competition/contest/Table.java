@@ -25,13 +25,26 @@ public record Table(String title, String rule, List<String> columns, List<Row> r
      * @param team its name
      * @param cells one text for each column
      * @param trials names of its trials
+     * @param certified whether it gets a certificate; a program that does not compile does not
      */
-    public record Row(int rank, String team, List<String> cells, List<String> trials) {
+    public record Row(int rank, String team, List<String> cells, List<String> trials, boolean certified) {
 
         /** Makes the lists unmodifiable. */
         public Row {
             cells = List.copyOf(cells);
             trials = List.copyOf(trials);
+        }
+
+        /**
+         * Creates the row of a team that took part.
+         *
+         * @param rank its place
+         * @param team its name
+         * @param cells one text for each column
+         * @param trials names of its trials
+         */
+        public Row(int rank, String team, List<String> cells, List<String> trials) {
+            this(rank, team, cells, trials, true);
         }
     }
 }

@@ -1,19 +1,32 @@
 package org.robonewbie.competition.result;
 
 /** Writes pages that need no other file. */
-final class Html {
+public final class Html {
 
     private Html() {}
 
-    /** Escapes a text for a page. */
-    static String text(String plain) {
+    /**
+     * Escapes a text for a page.
+     *
+     * @param plain any text
+     * @return the text without signs that mean something in HTML
+     */
+    public static String text(String plain) {
         return plain.replace("&", "&amp;")
                 .replace("<", "&lt;")
                 .replace(">", "&gt;")
                 .replace("\"", "&quot;");
     }
 
-    static String page(String title, String style, String body) {
+    /**
+     * Writes a page.
+     *
+     * @param title its title, as plain text
+     * @param style its style sheet
+     * @param body what stands in it, as HTML
+     * @return the page
+     */
+    public static String page(String title, String style, String body) {
         return """
             <!DOCTYPE html>
             <html lang="en">

@@ -7,12 +7,16 @@ import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Results;
 import org.robonewbie.competition.contest.TrialResult;
+import org.robonewbie.competition.team.Fingerprint;
 import org.robonewbie.competition.team.TeamFolder;
 import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.competition.trial.TrialFiles;
@@ -27,7 +31,8 @@ public final class ResultFolder implements Results, AutoCloseable {
     private final Path folder;
     private final FileChannel lockFile;
     private final FileLock lock;
-    private final Map<String, TrialResult> finished = new ConcurrentHashMap<>();
+    private final Map<String, TrialJson.Kept> finished = new ConcurrentHashMap<>();
+    private final Map<String, String> written = new ConcurrentHashMap<>();
 
     private ResultFolder(Path folder, FileChannel lockFile, FileLock lock) {
         this.folder = folder;
@@ -104,7 +109,11 @@ public final class ResultFolder implements Results, AutoCloseable {
     public boolean load(String trialId, String circumstances) throws IOException {
         Path file = trialFile(trialId);
         if (!finished.containsKey(trialId) && Files.isRegularFile(file)) {
-            TrialJson.read(Files.readString(file), circumstances).ifPresent(result -> finished.put(trialId, result));
+            String text = Files.readString(file);
+            TrialJson.read(text, circumstances).ifPresent(kept -> {
+                finished.put(trialId, kept);
+                written.put(trialId, text);
+            });
         }
         return finished.containsKey(trialId);
     }
@@ -117,13 +126,56 @@ public final class ResultFolder implements Results, AutoCloseable {
      * @throws IOException if it cannot be written
      */
     public void save(TrialResult result, String circumstances) throws IOException {
-        AtomicFile.write(trialFile(result.id()), TrialJson.write(result, circumstances));
-        finished.put(result.id(), result);
+        Path recording = recording(result.id());
+        TrialJson.Kept kept =
+                new TrialJson.Kept(result, Files.isRegularFile(recording) ? Fingerprint.sha256(recording) : "");
+        String text = TrialJson.write(kept, circumstances);
+        AtomicFile.write(trialFile(result.id()), text);
+        finished.put(result.id(), kept);
+        written.put(result.id(), text);
+    }
+
+    /**
+     * Returns the checksum that the recording of a trial had when the trial was over.
+     *
+     * @param trialId name of the trial
+     * @return its SHA-256; empty if it was not recorded
+     */
+    public Optional<String> recordingSha256(String trialId) {
+        return Optional.ofNullable(finished.get(trialId))
+                .map(TrialJson.Kept::recordingSha256)
+                .filter(sum -> !sum.isEmpty());
+    }
+
+    /**
+     * Looks for files that somebody else has changed while the contest ran, and restores the results.
+     *
+     * @return a sentence about each
+     * @throws IOException if a file cannot be read or written
+     */
+    public List<String> repair() throws IOException {
+        List<String> sentences = new ArrayList<>();
+        for (Map.Entry<String, String> trial : new TreeMap<>(written).entrySet()) {
+            Path file = trialFile(trial.getKey());
+            if (!Files.isRegularFile(file) || !Files.readString(file).equals(trial.getValue())) {
+                AtomicFile.write(file, trial.getValue());
+                sentences.add("Somebody has changed " + file + " while the contest ran; it is as it was again.");
+            }
+            Path recording = recording(trial.getKey());
+            Optional<String> sum = recordingSha256(trial.getKey());
+            if (sum.isPresent()
+                    && Files.isRegularFile(recording)
+                    && !Fingerprint.sha256(recording).equals(sum.get())) {
+                sentences.add("Somebody has changed " + recording
+                        + " since its trial; the checksum in the table is that of the trial.");
+            }
+        }
+        return sentences;
     }
 
     @Override
     public Optional<TrialResult> find(String trialId) {
-        return Optional.ofNullable(finished.get(trialId));
+        return Optional.ofNullable(finished.get(trialId)).map(TrialJson.Kept::result);
     }
 
     @Override

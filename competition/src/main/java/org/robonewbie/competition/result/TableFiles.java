@@ -3,6 +3,8 @@ package org.robonewbie.competition.result;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -13,6 +15,8 @@ import org.robonewbie.nao.file.AtomicFile;
 
 /** Writes the table of a contest as a page, as CSV and as JSON, and a certificate for each team. */
 public final class TableFiles {
+
+    private static final String CHECKSUMS = "recordings.sha256";
 
     private final ResultFolder folder;
     private final List<TeamEntry> teams;
@@ -33,44 +37,60 @@ public final class TableFiles {
      *
      * @param table the table
      * @param seed the seed of the contest
+     * @param notes sentences about how it was held
      * @throws IOException if a file cannot be written
      */
-    public void write(Table table, long seed) throws IOException {
+    public void write(Table table, long seed, List<String> notes) throws IOException {
         AtomicFile.write(folder.file("table.csv"), csv(table));
-        AtomicFile.write(folder.file("table.json"), json(table, seed));
-        AtomicFile.write(folder.file("table.html"), new TablePage(teams).of(table, seed));
+        AtomicFile.write(folder.file("table.json"), json(table, seed, notes));
+        AtomicFile.write(folder.file("table.html"), new TablePage(teams).of(table, seed, notes));
+        AtomicFile.write(folder.file(CHECKSUMS), checksums(table));
         for (Table.Row row : table.rows()) {
-            AtomicFile.write(
-                    folder.file("certificates").resolve(row.team() + ".html"),
-                    new Certificate(team(row.team()), table, row).page());
+            Path certificate = folder.file("certificates").resolve(row.team() + ".html");
+            if (!row.certified()) {
+                Files.deleteIfExists(certificate);
+                continue;
+            }
+            AtomicFile.write(certificate, new Certificate(team(row.team()), table, row).page());
         }
     }
 
-    /** Writes the table as text with commas, quoted where needed (RFC 4180). */
+    /** The recordings of the table with their checksums, as {@code sha256sum --check} reads them. */
+    private String checksums(Table table) {
+        return table.rows().stream()
+                .flatMap(row -> row.trials().stream())
+                .distinct()
+                .flatMap(trial ->
+                        folder.recordingSha256(trial).stream().map(sum -> sum + "  " + recording(trial) + "\n"))
+                .collect(Collectors.joining());
+    }
+
+    private static String recording(String trial) {
+        return "recordings/" + trial + ".rec";
+    }
+
     private String csv(Table table) {
         List<String> lines = new ArrayList<>();
-        lines.add(line(Stream.concat(Stream.of("Rank", "Team", "Title"), table.columns().stream())));
+        lines.add(Csv.line(Stream.concat(Stream.of("Rank", "Team", "Title"), table.columns().stream())));
         for (Table.Row row : table.rows()) {
-            lines.add(line(Stream.concat(
+            lines.add(Csv.line(Stream.concat(
                     Stream.of(
                             String.valueOf(row.rank()),
                             row.team(),
                             team(row.team()).title()),
                     row.cells().stream())));
         }
-        return lines.stream().map(line -> line + "\r\n").collect(Collectors.joining());
+        return Csv.text(lines);
     }
 
-    private static String line(Stream<String> cells) {
-        return cells.map(cell -> cell.matches("(?s).*[,\"\\r\\n].*") ? "\"" + cell.replace("\"", "\"\"") + "\"" : cell)
-                .collect(Collectors.joining(","));
-    }
-
-    private String json(Table table, long seed) {
+    private String json(Table table, long seed, List<String> notes) {
         JsonObject json = new JsonObject();
         json.addProperty("contest", table.title());
         json.addProperty("rule", table.rule());
         json.addProperty("seed", seed);
+        JsonArray told = new JsonArray();
+        notes.forEach(told::add);
+        json.add("notes", told);
         JsonArray rows = new JsonArray();
         for (Table.Row row : table.rows()) {
             JsonObject own = new JsonObject();
@@ -81,8 +101,13 @@ public final class TableFiles {
                 own.addProperty(table.columns().get(i), row.cells().get(i));
             }
             JsonArray recordings = new JsonArray();
-            row.trials().forEach(trial -> recordings.add("recordings/" + trial + ".rec"));
+            JsonObject sums = new JsonObject();
+            row.trials().forEach(trial -> recordings.add(recording(trial)));
+            row.trials()
+                    .forEach(trial ->
+                            folder.recordingSha256(trial).ifPresent(sum -> sums.addProperty(recording(trial), sum)));
             own.add("recordings", recordings);
+            own.add("recordingSha256", sums);
             rows.add(own);
         }
         json.add("table", rows);

@@ -26,7 +26,7 @@ final class TablePage {
         this.teams = teams;
     }
 
-    String of(Table table, long seed) {
+    String of(Table table, long seed, List<String> notes) {
         String heads = table.columns().stream()
                 .map(column -> "<th>" + Html.text(column) + "</th>")
                 .collect(Collectors.joining());
@@ -40,9 +40,15 @@ final class TablePage {
             %s</tbody>
             </table>
             <p class="note">Seed %d. To watch a trial again, write its line below “replay” into a terminal, in the folder of
-            this page.</p>
+            this page. The file recordings.sha256 has the checksums of all recordings.</p>
+            <p class="note">%s</p>
             """.formatted(
-                        Html.text(table.title()), Html.text(table.rule()), heads, rows, seed));
+                        Html.text(table.title()),
+                        Html.text(table.rule()),
+                        heads,
+                        rows,
+                        seed,
+                        Html.text(String.join(" ", notes))));
     }
 
     private String row(Table.Row row) {
@@ -56,7 +62,7 @@ final class TablePage {
         String members =
                 team.members().isEmpty() ? "" : "<div class=\"members\">" + Html.text(team.members()) + "</div>";
         return """
-            <tr%s><td>%d</td><td>%s%s</td>%s<td class="note">%s</td><td class="note"><a href="certificates/%s.html">certificate</a></td></tr>
+            <tr%s><td>%d</td><td>%s%s</td>%s<td class="note">%s</td><td class="note">%s</td></tr>
             """.formatted(
                         row.rank() == 1 ? " class=\"first\"" : "",
                         row.rank(),
@@ -64,7 +70,7 @@ final class TablePage {
                         members,
                         cells,
                         replays(row),
-                        row.team());
+                        row.certified() ? "<a href=\"certificates/" + row.team() + ".html\">certificate</a>" : "");
     }
 
     /** What shows the recordings of a team's trials in the studio. */

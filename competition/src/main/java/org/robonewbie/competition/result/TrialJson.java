@@ -4,7 +4,9 @@ import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import com.google.gson.JsonParseException;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.robonewbie.competition.contest.TeamResult;
 import org.robonewbie.competition.contest.TrialResult;
 
@@ -17,24 +19,42 @@ final class TrialJson {
     private TrialJson() {}
 
     /** A finished trial, and a checksum of all that it depends on. */
-    private record Finished(String trial, String circumstances, long seed, double seconds, List<TeamResult> teams) {}
+    private record Finished(
+            String trial,
+            String circumstances,
+            long seed,
+            double seconds,
+            List<TeamResult> teams,
+            @Nullable String recordingSha256) {}
+
+    /** A result with the checksum of its recording, empty if there is none. */
+    record Kept(TrialResult result, String recordingSha256) {}
 
     /**
      * Writes a result.
      *
      * @param circumstances checksum of all that the trial depends on
      */
-    static String write(TrialResult result, String circumstances) {
-        return PRETTY.toJson(new Finished(result.id(), circumstances, result.seed(), result.seconds(), result.teams()))
+    static String write(Kept kept, String circumstances) {
+        TrialResult result = kept.result();
+        return PRETTY.toJson(new Finished(
+                        result.id(),
+                        circumstances,
+                        result.seed(),
+                        result.seconds(),
+                        result.teams(),
+                        kept.recordingSha256()))
                 + "\n";
     }
 
     /** Reads a result; empty if it was made under other circumstances or cannot be read, so that the trial is run again. */
-    static Optional<TrialResult> read(String text, String circumstances) {
+    static Optional<Kept> read(String text, String circumstances) {
         try {
             Finished found = PRETTY.fromJson(text, Finished.class);
             return found.circumstances().equals(circumstances)
-                    ? Optional.of(new TrialResult(found.trial(), found.seed(), found.seconds(), found.teams()))
+                    ? Optional.of(new Kept(
+                            new TrialResult(found.trial(), found.seed(), found.seconds(), found.teams()),
+                            Objects.requireNonNullElse(found.recordingSha256(), "")))
                     : Optional.empty();
         } catch (JsonParseException | IllegalArgumentException | NullPointerException damaged) {
             return Optional.empty();

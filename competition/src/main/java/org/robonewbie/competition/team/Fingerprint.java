@@ -2,9 +2,11 @@ package org.robonewbie.competition.team;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
@@ -49,6 +51,21 @@ public final class Fingerprint {
             digest.update(Files.readAllBytes(file));
         }
         return this;
+    }
+
+    /**
+     * Calculates the whole SHA-256 of a file, as {@code sha256sum} prints it.
+     *
+     * @param file the file
+     * @return 64 hexadecimal digits
+     * @throws IOException if it cannot be read
+     */
+    public static String sha256(Path file) throws IOException {
+        MessageDigest digest = new Fingerprint().digest;
+        try (InputStream bytes = new DigestInputStream(Files.newInputStream(file), digest)) {
+            bytes.transferTo(OutputStream.nullOutputStream());
+        }
+        return HexFormat.of().formatHex(digest.digest());
     }
 
     /** {@return the checksum of all that has been added; it can be asked for once} */

@@ -8,7 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 
-/** Writes what a program prints into a file, up to a size; what is more is read and thrown away. */
+/** Writes what a program prints into a file, up to a size; what is more, or finds no room on the disk, is read and thrown away. */
 final class LogPump {
 
     private static final int MOST_BYTES = 1_000_000;
@@ -45,19 +45,38 @@ final class LogPump {
 
     private void pump(InputStream from, Path file) {
         byte[] buffer = new byte[8192];
-        long written = 0;
-        try (OutputStream to = Files.newOutputStream(file)) {
+        try (from;
+                OutputStream to = open(file)) {
+            boolean writable = true;
+            long written = 0;
             for (int count = from.read(buffer); count >= 0; count = from.read(buffer)) {
                 String text = new String(buffer, 0, count, StandardCharsets.ISO_8859_1);
                 lackOfMemory |= text.contains("Terminating due to " + LACK_OF_MEMORY);
-                if (written < MOST_BYTES) {
-                    to.write(buffer, 0, count);
-                    to.flush();
+                if (writable && written < MOST_BYTES) {
+                    writable = isWritten(buffer, count, to);
                     written += count;
                 }
             }
         } catch (IOException ended) {
-            // The program or the disk is at its end; the trial continues without the log.
+            // The program is at its end.
+        }
+    }
+
+    /** A disk that is full costs the log only: a program of which nobody reads would stand still. */
+    private static boolean isWritten(byte[] bytes, int count, OutputStream to) {
+        try {
+            to.write(bytes, 0, count);
+            return true;
+        } catch (IOException full) {
+            return false;
+        }
+    }
+
+    private static OutputStream open(Path file) {
+        try {
+            return Files.newOutputStream(file);
+        } catch (IOException unwritable) {
+            return OutputStream.nullOutputStream();
         }
     }
 }

@@ -69,14 +69,14 @@ public final class ProgramFinder {
     }
 
     private TeamProgram ofFolder(TeamEntry team, Path place) throws IOException {
-        SourceFolder sources = new SourceFolder(place);
+        SourceFolder sources = new SourceFolder(place, true);
         if (!sources.hasSources()) {
             throw new WrongEntryException("Team " + team.name() + ": the folder " + place + " has no Java files.");
         }
         return compiled(team, sources, place, new Fingerprint().add(place));
     }
 
-    /** A single file is compiled together with the other files of its folder. */
+    /** A single file is compiled together with the other files of its folder; folders beside it do not matter. */
     private TeamProgram ofFile(TeamEntry team, Path file) throws IOException {
         Path own = Objects.requireNonNull(file.getParent());
         String main = Objects.requireNonNull(file.getFileName()).toString().replaceFirst("\\.java$", "");
@@ -84,7 +84,10 @@ public final class ProgramFinder {
         settings.putIfAbsent(Role.MAIN.key(), main);
         TeamEntry named = new TeamEntry(team.name(), team.program(), settings);
         return compiled(
-                named, new SourceFolder(own), own, new Fingerprint().add(own).add(main));
+                named,
+                new SourceFolder(own, false),
+                own,
+                new Fingerprint().add(own).add(main));
     }
 
     private TeamProgram compiled(TeamEntry team, SourceFolder sources, Path place, Fingerprint fingerprint)

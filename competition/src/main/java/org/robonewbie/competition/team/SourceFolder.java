@@ -19,8 +19,9 @@ import javax.tools.ToolProvider;
  * lib}; nothing of the team runs for that.
  *
  * @param folder the folder
+ * @param deep whether folders in it belong to it, as in a project
  */
-record SourceFolder(Path folder) {
+record SourceFolder(Path folder, boolean deep) {
 
     /** What the compiler made, and what it said if it could not. */
     record Compiled(List<Path> classPath, Optional<String> complaint) {}
@@ -73,17 +74,20 @@ record SourceFolder(Path folder) {
     private List<Path> sources() throws IOException {
         return TeamFolder.filesOf(root()).stream()
                 .filter(file -> file.toString().endsWith(".java"))
+                .filter(file -> deep || folder.equals(file.getParent()))
                 .filter(file ->
                         !Objects.requireNonNull(file.getFileName()).toString().equals("module-info.java"))
                 .toList();
     }
 
     private Path root() {
-        return Stream.of("src/main/java", "src")
-                .map(folder::resolve)
-                .filter(Files::isDirectory)
-                .findFirst()
-                .orElse(folder);
+        return !deep
+                ? folder
+                : Stream.of("src/main/java", "src")
+                        .map(folder::resolve)
+                        .filter(Files::isDirectory)
+                        .findFirst()
+                        .orElse(folder);
     }
 
     private List<Path> libraries() throws IOException {

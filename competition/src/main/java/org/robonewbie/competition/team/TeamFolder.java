@@ -70,8 +70,12 @@ public final class TeamFolder {
         }
     }
 
-    /** Deletes a folder with everything in it, where the system permits it. */
-    static void delete(Path folder) {
+    /**
+     * Deletes a folder with everything in it, where the system permits it.
+     *
+     * @param folder the folder; it need not exist
+     */
+    public static void delete(Path folder) {
         if (!Files.exists(folder)) {
             return;
         }
@@ -80,7 +84,7 @@ public final class TeamFolder {
                 Files.deleteIfExists(file);
             }
         } catch (IOException inUse) {
-            // What is left is deleted before the next contest.
+            // What is left does no harm; that of a contest is deleted before the next one.
         }
     }
 }

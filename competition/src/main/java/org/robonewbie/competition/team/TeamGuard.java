@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.lang.reflect.InvocationTargetException;
+import java.nio.file.Files;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
@@ -33,12 +34,23 @@ public final class TeamGuard {
      */
     public static void main(String[] arguments) throws IOException, InterruptedException, ReflectiveOperationException {
         watch(System.in);
+        moveIn();
         System.setIn(new ByteArrayInputStream(new byte[0]));
         List<String> program = List.of(arguments).subList(1, arguments.length);
         if (arguments[0].equals(COMMAND)) {
             runCommand(program);
         } else {
             runClass(program.get(0), program.subList(1, program.size()));
+        }
+    }
+
+    /** Behind a fence, fills the empty home with the team's files, and opens the port that leads to the simulator. */
+    private static void moveIn() throws IOException {
+        if (Files.exists(Fence.DOOR)) {
+            if (Files.isDirectory(Fence.TEAM)) {
+                TeamFolder.copy(Fence.TEAM, Fence.HOME);
+            }
+            Relay.open(Fence.PORT, Fence.DOOR);
         }
     }
 

@@ -8,7 +8,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
@@ -130,9 +129,8 @@ public final class TeamList {
 
     /** The name of a team, after its folder, file or class. */
     private String freeName(String program) {
-        Path last =
-                Objects.requireNonNullElse(Path.of(program.split("\\s", -1)[0]).getFileName(), Path.of("Team"));
-        String base = last.toString()
+        String last = program.split("\\s", -1)[0].replaceFirst("[/\\\\]+$", "").replaceFirst("^.*[/\\\\]", "");
+        String base = (last.isEmpty() ? "Team" : last)
                 .replaceFirst("\\.(jar|java)$", "")
                 .replaceAll("^.*\\.", "")
                 .replaceAll("[^A-Za-z0-9_]", "_");

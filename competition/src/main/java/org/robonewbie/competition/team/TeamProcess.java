@@ -1,17 +1,15 @@
 package org.robonewbie.competition.team;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.robonewbie.competition.contest.Ending;
@@ -20,21 +18,29 @@ import org.robonewbie.competition.contest.Ending;
 public final class TeamProcess implements AutoCloseable {
 
     private static final long PATIENCE_SECONDS = 3;
+    private static final int MOST_PROCESSES = 200;
+    private static final int LOOKS_BETWEEN_RUNAWAYS = 20;
+
+    /** Whoever is killed may have started somebody in the moment before. */
+    private static final int ROUNDS = 3;
 
     private final Process process;
     private final LogPump log;
     private final Limits limits;
     private final Path workFolder;
+    private final String mark;
     private final Turns turns = new Turns();
     private final Set<ProcessHandle> seen = new LinkedHashSet<>();
     private final Map<ProcessHandle, Duration> processorTime = new HashMap<>();
+    private long looks;
     private volatile Optional<Ending> brokenLimit = Optional.empty();
 
-    private TeamProcess(Process process, LogPump log, Limits limits, Path workFolder) {
+    private TeamProcess(Process process, LogPump log, Limits limits, Path workFolder, String mark) {
         this.process = process;
         this.log = log;
         this.limits = limits;
         this.workFolder = workFolder;
+        this.mark = mark;
     }
 
     /**
@@ -43,28 +49,33 @@ public final class TeamProcess implements AutoCloseable {
      * @param program the program
      * @param start what it receives
      * @param limits its limits
+     * @param enclosure what encloses it
      * @param workFolder working folder of the program; created now, deleted at the end
      * @param log file for its output
      * @return the running program
      * @throws IOException if the process cannot be started
      */
-    public static TeamProcess start(TeamProgram program, Start start, Limits limits, Path workFolder, Path log)
+    public static TeamProcess start(
+            TeamProgram program, Start start, Limits limits, Enclosure enclosure, Path workFolder, Path log)
             throws IOException {
         TeamFolder.delete(workFolder);
         Files.createDirectories(workFolder);
-        Optional<Path> own = folderOf(program);
-        if (own.isPresent()) {
+        Optional<Path> own = program.folder();
+        if (own.isPresent() && enclosure.door().isEmpty()) {
             TeamFolder.copy(own.get(), workFolder);
         }
-        ProcessBuilder builder = new ProcessBuilder(command(program, start, limits, workFolder))
+        ProcessBuilder builder = new ProcessBuilder(enclosure.around(
+                        new ProgramCommand(program, start, limits).words(enclosure.temporary(workFolder)), program))
                 .directory(workFolder.toFile())
                 .redirectErrorStream(true);
         builder.environment()
                 .keySet()
                 .removeIf(name -> name.startsWith("ROBONEWBIE_") || name.endsWith("JAVA_OPTIONS"));
         builder.environment().remove("JAVA_TOOL_OPTIONS");
+        String mark = UUID.randomUUID().toString();
+        builder.environment().put("ROBONEWBIE_PROGRAM", mark);
         Process process = builder.start();
-        return new TeamProcess(process, LogPump.start(process.getInputStream(), log), limits, workFolder);
+        return new TeamProcess(process, LogPump.start(process.getInputStream(), log), limits, workFolder, mark);
     }
 
     /** {@return whether the program is still running} */
@@ -87,12 +98,53 @@ public final class TeamProcess implements AutoCloseable {
         return turns.waitedSeconds();
     }
 
+    /**
+     * Looks whether one end of a connection belongs to the program.
+     *
+     * @param ownPort TCP port of this end
+     * @param otherPort TCP port of the other end
+     * @return whether a process of the program holds it; false where the system does not tell
+     */
+    public synchronized boolean holds(int ownPort, int otherPort) {
+        Optional<String> socket = LinuxProcess.socket(ownPort, otherPort);
+        findChildren();
+        if (socket.isPresent() && !isHeld(socket.get())) {
+            findRunaways();
+        }
+        return socket.isPresent() && isHeld(socket.get());
+    }
+
+    /** {@return whether this system tells whose a connection is, so that {@link #holds} can be believed} */
+    public static boolean knowsConnections() {
+        return LinuxProcess.knowsConnections();
+    }
+
+    private boolean isHeld(String socket) {
+        return seen.stream().anyMatch(handle -> LinuxProcess.holds(handle.pid(), socket));
+    }
+
+    private void findChildren() {
+        Stream.concat(Stream.of(process.toHandle()), process.descendants()).forEach(seen::add);
+    }
+
+    /** Finds, on Linux, those that have left their parents. */
+    private void findRunaways() {
+        LinuxProcess.marked(mark, workFolder.toAbsolutePath()).stream()
+                .flatMap(pid -> ProcessHandle.of(pid).stream())
+                .forEach(seen::add);
+    }
+
     /** Looks what the program uses, and ends it if that is too much. */
     public synchronized void check() {
-        Stream.concat(Stream.of(process.toHandle()), process.descendants()).forEach(seen::add);
+        findChildren();
+        if (looks++ % LOOKS_BETWEEN_RUNAWAYS == 0) {
+            findRunaways();
+        }
         long bytes = 0;
+        int alive = 0;
         for (ProcessHandle handle : seen) {
             handle.info().totalCpuDuration().ifPresent(used -> processorTime.put(handle, used));
+            alive += handle.isAlive() ? 1 : 0;
             bytes += handle.isAlive() ? LinuxProcess.residentBytes(handle.pid()) : 0;
         }
         double seconds =
@@ -101,6 +153,8 @@ public final class TeamProcess implements AutoCloseable {
         turns.look(System.nanoTime() / 1e9, seconds, atWork);
         if (bytes > limits.residentBytes()) {
             brokenLimit = Optional.of(Ending.TOO_MUCH_MEMORY);
+        } else if (alive > MOST_PROCESSES) {
+            brokenLimit = Optional.of(Ending.TOO_MANY_PROCESSES);
         } else if (seconds > limits.processorSeconds()) {
             brokenLimit = Optional.of(Ending.TOO_MUCH_TIME);
         } else if (isSilent()) {
@@ -145,50 +199,16 @@ public final class TeamProcess implements AutoCloseable {
     }
 
     private synchronized void end() {
-        process.descendants().forEach(seen::add);
         process.destroyForcibly();
-        seen.forEach(ProcessHandle::destroyForcibly);
+        for (int round = 0; round < ROUNDS; round++) {
+            findChildren();
+            findRunaways();
+            seen.forEach(ProcessHandle::destroyForcibly);
+        }
         try {
             process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
         }
-    }
-
-    private static Optional<Path> folderOf(TeamProgram program) {
-        if (program instanceof TeamProgram.OfJava java) {
-            return java.folder();
-        }
-        return program instanceof TeamProgram.OfCommand command ? command.folder() : Optional.empty();
-    }
-
-    private static List<String> command(TeamProgram program, Start start, Limits limits, Path workFolder) {
-        List<String> words = new ArrayList<>();
-        words.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        words.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:+ExitOnOutOfMemoryError"));
-        words.add("-Xmx" + limits.memoryMegabytes() + "m");
-        words.add("-Djava.awt.headless=true");
-        words.add("-Djava.io.tmpdir=" + workFolder.toAbsolutePath());
-        Optional.ofNullable(System.getProperty("robonewbie.home"))
-                .ifPresent(home -> words.add("-Drobonewbie.home=" + home));
-        if (program instanceof TeamProgram.OfJava java) {
-            words.addAll(List.of("-cp", classPath(java.classPath()), TeamGuard.class.getName(), TeamGuard.CLASS));
-            words.add(java.mainClasses().getOrDefault(start.role(), ""));
-            words.addAll(start.options(java.together()));
-            words.add("--headless");
-        } else if (program instanceof TeamProgram.OfCommand command) {
-            words.addAll(List.of("-cp", classPath(List.of()), TeamGuard.class.getName(), TeamGuard.COMMAND));
-            words.addAll(start.fill(command.words(), command.together()));
-        }
-        return words;
-    }
-
-    private static String classPath(List<Path> own) {
-        Stream<String> ours = Stream.of(System.getProperty("java.class.path").split(File.pathSeparator, -1));
-        return String.join(
-                File.pathSeparator,
-                Stream.concat(ours.map(Path::of), own.stream())
-                        .map(place -> place.toAbsolutePath().toString())
-                        .toList());
     }
 }

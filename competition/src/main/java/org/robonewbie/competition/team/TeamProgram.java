@@ -1,9 +1,11 @@
 package org.robonewbie.competition.team;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.robonewbie.competition.contest.Role;
 
 /** A program that is ready to be started. */
@@ -11,6 +13,12 @@ public sealed interface TeamProgram {
 
     /** {@return a checksum of the program; while it stays the same, earlier results of the team are valid} */
     String fingerprint();
+
+    /** {@return the team's folder, of which each trial gets a copy to work in} */
+    Optional<Path> folder();
+
+    /** {@return where its files are} */
+    List<Path> places();
 
     /**
      * A program in Java.
@@ -34,6 +42,13 @@ public sealed interface TeamProgram {
             classPath = List.copyOf(classPath);
             mainClasses = Map.copyOf(mainClasses);
         }
+
+        @Override
+        public List<Path> places() {
+            return Stream.concat(classPath.stream(), folder.stream())
+                    .map(path -> path.toAbsolutePath().normalize())
+                    .toList();
+        }
     }
 
     /**
@@ -51,6 +66,20 @@ public sealed interface TeamProgram {
         public OfCommand {
             words = List.copyOf(words);
         }
+
+        @Override
+        public List<Path> places() {
+            return Stream.concat(files().stream(), folder.stream()).toList();
+        }
+
+        /** The files that its words name. */
+        List<Path> files() {
+            return words.stream()
+                    .filter(word -> word.startsWith("/"))
+                    .map(Path::of)
+                    .filter(Files::exists)
+                    .toList();
+        }
     }
 
     /**
@@ -59,5 +88,16 @@ public sealed interface TeamProgram {
      * @param complaint what the compiler says
      * @param fingerprint checksum of the program
      */
-    record Broken(String complaint, String fingerprint) implements TeamProgram {}
+    record Broken(String complaint, String fingerprint) implements TeamProgram {
+
+        @Override
+        public Optional<Path> folder() {
+            return Optional.empty();
+        }
+
+        @Override
+        public List<Path> places() {
+            return List.of();
+        }
+    }
 }

@@ -3,12 +3,14 @@ package org.robonewbie.competition.trial;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Supplier;
 import org.robonewbie.competition.contest.ChallengeContest;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.TeamResult;
 import org.robonewbie.competition.contest.TrialResult;
+import org.robonewbie.competition.team.Fence;
 import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamProgram;
 import org.robonewbie.simulator.file.RecordingFile;
@@ -23,6 +25,7 @@ public final class ChallengePlayer implements TrialPlayer {
     private final Supplier<? extends Challenge> challenge;
     private final Map<String, TeamProgram> programs;
     private final Limits limits;
+    private final Fence fence;
     private final Spectators spectators;
 
     /**
@@ -31,16 +34,19 @@ public final class ChallengePlayer implements TrialPlayer {
      * @param challenge makes the challenge of each trial
      * @param programs of the teams, by name
      * @param limits of time and memory of a program
+     * @param fence what is around the programs
      * @param spectators who watches
      */
     public ChallengePlayer(
             Supplier<? extends Challenge> challenge,
             Map<String, TeamProgram> programs,
             Limits limits,
+            Fence fence,
             Spectators spectators) {
         this.challenge = challenge;
         this.programs = Map.copyOf(programs);
         this.limits = limits;
+        this.fence = fence;
         this.spectators = spectators;
     }
 
@@ -50,8 +56,12 @@ public final class ChallengePlayer implements TrialPlayer {
         if (program == null || program instanceof TeamProgram.Broken) {
             return result(trial, 0, Ending.NOT_COMPILED, Map.of());
         }
-        try (Guests guests = new Guests(trial, files, program, limits)) {
+        List<String> noticed = new CopyOnWriteArrayList<>();
+        try (Doorkeeper doorkeeper = new Doorkeeper(fence, programs, files.hidden(), noticed::add);
+                Guests guests = new Guests(trial, files, program, limits, doorkeeper)) {
             return play(trial, files, guests);
+        } finally {
+            files.tell(trial.id(), noticed);
         }
     }
 

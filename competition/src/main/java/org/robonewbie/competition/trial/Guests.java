@@ -1,17 +1,21 @@
 package org.robonewbie.competition.trial;
 
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.SocketAddress;
+import java.net.UnixDomainSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Timer;
 import java.util.TimerTask;
-import java.util.concurrent.CopyOnWriteArrayList;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Entrant;
 import org.robonewbie.competition.contest.StartPlace;
+import org.robonewbie.competition.team.Enclosure;
 import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.Start;
 import org.robonewbie.competition.team.TeamProcess;
@@ -35,23 +39,43 @@ final class Guests implements AutoCloseable {
     private final TeamProgram program;
     private final Limits limits;
     private final GuestDoor door;
-    private final List<TeamProcess> processes = new CopyOnWriteArrayList<>();
+    private final Doorkeeper doorkeeper;
+    private final String team;
     private final Timer guard = new Timer("guard-of-programs", true);
 
     /** Opens the door; nobody is there yet. */
-    Guests(ContestTrial trial, TrialFiles files, TeamProgram program, Limits limits) throws IOException {
+    Guests(ContestTrial trial, TrialFiles files, TeamProgram program, Limits limits, Doorkeeper doorkeeper)
+            throws IOException {
         this.trial = trial;
+        this.doorkeeper = doorkeeper;
+        this.team = trial.entrants().get(0).team();
         this.files = files;
         this.program = program;
         this.limits = limits;
-        this.door = GuestDoor.open(0, 0);
+        this.door = openDoor();
         TimerTask look = new TimerTask() {
             @Override
             public void run() {
-                processes.forEach(TeamProcess::check);
+                processes().forEach(TeamProcess::check);
             }
         };
         guard.schedule(look, 0, LOOK_MILLISECONDS);
+    }
+
+    private GuestDoor openDoor() throws IOException {
+        SocketAddress address = doorkeeper
+                .file(team)
+                .<SocketAddress>map(UnixDomainSocketAddress::of)
+                .orElse(new InetSocketAddress(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}), 0));
+        return GuestDoor.open(address, 0, guest -> doorkeeper.isWelcome(team, port(), guest));
+    }
+
+    private int port() {
+        return door.port();
+    }
+
+    private List<TeamProcess> processes() {
+        return doorkeeper.processes(team);
     }
 
     /** A program that moves a robot, and whose turns are timed. */
@@ -80,16 +104,17 @@ final class Guests implements AutoCloseable {
     Performer next() {
         Entrant entrant = trial.entrants().get(0);
         StartPlace place = entrant.places().get(0);
-        int index = processes.size();
+        int index = processes().size();
+        Enclosure enclosure = doorkeeper.enclosure(team);
         Start start = new Start(
-                door.port(),
+                enclosure.port(door.port()),
                 entrant.team(),
                 entrant.role(),
                 List.of(new StartPlace(place.number() + index, place.x(), place.y(), place.degrees())));
         try {
             Path work = files.work().resolve(name(index));
-            TeamProcess process = TeamProcess.start(program, start, limits, work, log(index));
-            processes.add(process);
+            TeamProcess process = TeamProcess.start(program, start, limits, enclosure, work, log(index));
+            doorkeeper.started(team, process);
             Performer performer = await(process);
             process.passTurn();
             return new Guest(performer, process);
@@ -116,11 +141,11 @@ final class Guests implements AutoCloseable {
 
     /** Sends the rest away when one is absent, tells in the log what was noticed, and returns why it is so. */
     Ending end(AbsentProgramException absent) throws IOException {
-        Ending reason = processes.stream()
+        Ending reason = processes().stream()
                 .flatMap(process -> process.ending().stream())
                 .findFirst()
                 .orElse(Ending.STOPPED);
-        boolean came = !processes.isEmpty() && processes.stream().allMatch(TeamProcess::hasJoined);
+        boolean came = !processes().isEmpty() && processes().stream().allMatch(TeamProcess::hasJoined);
         Ending ending = !came && reason == Ending.STOPPED ? Ending.NOT_STARTED : reason;
         close();
         Files.writeString(
@@ -134,7 +159,7 @@ final class Guests implements AutoCloseable {
     @Override
     public void close() {
         guard.cancel();
-        processes.forEach(TeamProcess::close);
+        processes().forEach(TeamProcess::close);
         door.close();
     }
 }

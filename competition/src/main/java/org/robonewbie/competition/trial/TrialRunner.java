@@ -6,9 +6,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Ending;
@@ -18,6 +22,8 @@ import org.robonewbie.competition.contest.JudgedContest;
 import org.robonewbie.competition.contest.StartPlace;
 import org.robonewbie.competition.contest.TeamResult;
 import org.robonewbie.competition.contest.TrialResult;
+import org.robonewbie.competition.team.Enclosure;
+import org.robonewbie.competition.team.Fence;
 import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.Start;
 import org.robonewbie.competition.team.TeamProcess;
@@ -25,6 +31,7 @@ import org.robonewbie.competition.team.TeamProgram;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.simulator.server.TeamDoor;
 
 /**
  * Runs one trial: a simulator that waits for all programs and runs as fast as it can, and the programs of the teams. The world
@@ -37,6 +44,7 @@ public final class TrialRunner implements TrialPlayer {
     private final JudgedContest contest;
     private final Map<String, TeamProgram> programs;
     private final Limits limits;
+    private final Fence fence;
     private final Spectators spectators;
 
     /**
@@ -45,50 +53,73 @@ public final class TrialRunner implements TrialPlayer {
      * @param contest judges the trials
      * @param programs the program of each team
      * @param limits what programs may use
+     * @param fence what is around the programs
      * @param spectators who watches the trials live
      */
-    public TrialRunner(JudgedContest contest, Map<String, TeamProgram> programs, Limits limits, Spectators spectators) {
+    public TrialRunner(
+            JudgedContest contest,
+            Map<String, TeamProgram> programs,
+            Limits limits,
+            Fence fence,
+            Spectators spectators) {
         this.contest = contest;
         this.programs = Map.copyOf(programs);
         this.limits = limits;
+        this.fence = fence;
         this.spectators = spectators;
     }
 
     @Override
     public TrialResult run(ContestTrial trial, TrialFiles files) throws IOException, InterruptedException {
         Judge judge = contest.judge(trial);
-        Map<String, List<TeamProcess>> processes = new LinkedHashMap<>();
-        try {
-            Umpire umpire = play(trial, files, judge, processes);
-            return result(trial, judge, umpire, processes);
+        List<String> noticed = new CopyOnWriteArrayList<>();
+        try (Doorkeeper doorkeeper = new Doorkeeper(fence, programs, files.hidden(), noticed::add)) {
+            return play(trial, files, judge, doorkeeper);
         } finally {
-            processes.values().stream().flatMap(List::stream).forEach(TeamProcess::close);
+            files.tell(trial.id(), noticed);
         }
     }
 
     /** Plays until the umpire has decided or the time is over. */
-    private Umpire play(ContestTrial trial, TrialFiles files, Judge judge, Map<String, List<TeamProcess>> processes)
+    private TrialResult play(ContestTrial trial, TrialFiles files, Judge judge, Doorkeeper doorkeeper)
             throws IOException, InterruptedException {
         Path log = files.logs().resolve(trial.id() + "-simulator.txt");
+        AtomicReference<Simulator> running = new AtomicReference<>();
+        List<TeamDoor> doors = trial.entrants().stream()
+                .map(entrant -> door(entrant, doorkeeper, running))
+                .toList();
         try (PrintWriter console = new PrintWriter(Files.newBufferedWriter(log, StandardCharsets.UTF_8), true);
-                Simulator simulator = Simulator.start(settings(trial, files), console::println)) {
-            Umpire umpire = new Umpire(trial, judge, simulator.control());
+                Simulator simulator = Simulator.start(settings(trial, files, doors), console::println)) {
+            running.set(simulator);
+            Umpire umpire = new Umpire(trial, judge, simulator.control(), simulator::robotsOf, doorkeeper.intruders());
             simulator.control().addObserver(umpire);
             Runnable leaving = spectators.watch(simulator.control(), trial);
             try {
-                startAll(trial, files, simulator, processes);
-                lead(trial, simulator, umpire, processes);
+                startAll(trial, files, simulator, doorkeeper);
+                lead(trial, simulator, umpire, doorkeeper);
             } finally {
                 leaving.run();
             }
-            return umpire;
+            return result(trial, judge, umpire, simulator, doorkeeper);
         }
     }
 
-    private SimulatorSettings settings(ContestTrial trial, TrialFiles files) {
+    /** Nobody knocks before the simulator runs, since the programs are started after it. */
+    private static TeamDoor door(Entrant entrant, Doorkeeper doorkeeper, AtomicReference<Simulator> running) {
+        String team = entrant.team();
+        return new TeamDoor(
+                team,
+                entrant.places().size(),
+                doorkeeper.file(team),
+                guest -> Optional.ofNullable(running.get())
+                        .map(simulator -> doorkeeper.isWelcome(team, simulator.agentPort(team), guest))
+                        .orElse(false));
+    }
+
+    private SimulatorSettings settings(ContestTrial trial, TrialFiles files, List<TeamDoor> doors) {
         return SimulatorSettings.beginner()
                 .parameters(trial.parameters())
-                .agentPort(0)
+                .doors(doors)
                 .synchronous(true)
                 .speed(spectators.isNobody() ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
                 .seed(trial.seed())
@@ -98,25 +129,22 @@ public final class TrialRunner implements TrialPlayer {
                 .build();
     }
 
-    private void startAll(
-            ContestTrial trial, TrialFiles files, Simulator simulator, Map<String, List<TeamProcess>> processes)
+    private void startAll(ContestTrial trial, TrialFiles files, Simulator simulator, Doorkeeper doorkeeper)
             throws IOException {
         for (Entrant entrant : trial.entrants()) {
-            List<TeamProcess> own = new ArrayList<>();
-            processes.put(entrant.team(), own);
-            TeamProgram program = programs.get(entrant.team());
+            String team = entrant.team();
+            TeamProgram program = programs.get(team);
             if (program == null || program instanceof TeamProgram.Broken) {
                 entrant.places().forEach(place -> StandIn.connect(simulator));
                 continue;
             }
-            for (Start start : starts(program, entrant, simulator.agentPort())) {
-                String name = trial.id() + "-" + entrant.team() + (own.isEmpty() ? "" : "-" + (own.size() + 1));
-                own.add(TeamProcess.start(
-                        program,
-                        start,
-                        limits,
-                        files.work().resolve(name),
-                        files.logs().resolve(name + ".txt")));
+            Enclosure enclosure = doorkeeper.enclosure(team);
+            for (Start start : starts(program, entrant, enclosure.port(simulator.agentPort(team)))) {
+                int index = doorkeeper.processes(team).size();
+                String name = trial.id() + "-" + team + (index == 0 ? "" : "-" + (index + 1));
+                Path log = files.logs().resolve(name + ".txt");
+                Path work = files.work().resolve(name);
+                doorkeeper.started(team, TeamProcess.start(program, start, limits, enclosure, work, log));
             }
         }
         StandIn.connect(simulator); // keeps the clock running when all others are gone
@@ -133,21 +161,16 @@ public final class TrialRunner implements TrialPlayer {
     }
 
     /** Waits for the decision, and ensures that no program keeps the world from reaching it. */
-    private void lead(ContestTrial trial, Simulator simulator, Umpire umpire, Map<String, List<TeamProcess>> processes)
+    private void lead(ContestTrial trial, Simulator simulator, Umpire umpire, Doorkeeper doorkeeper)
             throws InterruptedException {
         long beginning = System.nanoTime();
         boolean tooLate = false;
-        List<TeamProcess> gone = new ArrayList<>();
+        Set<TeamProcess> gone = new HashSet<>();
         while (!umpire.await(LOOK_MILLISECONDS)) {
             double seconds = (System.nanoTime() - beginning) / 1e9;
-            for (List<TeamProcess> own : processes.values()) {
-                own.forEach(TeamProcess::check);
-                for (TeamProcess process : own) {
-                    if (simulator.cycles() == 0 && !process.isRunning() && !gone.contains(process)) {
-                        gone.add(process);
-                        standInFor(trial, own, simulator);
-                    }
-                }
+            doorkeeper.processes().forEach(TeamProcess::check);
+            if (simulator.cycles() == 0) {
+                replaceTheGone(trial, simulator, doorkeeper, gone);
             }
             if (simulator.cycles() == 0 && seconds > limits.startSeconds() && !tooLate) {
                 tooLate = true;
@@ -161,6 +184,19 @@ public final class TrialRunner implements TrialPlayer {
         }
     }
 
+    /** The world does not wait for programs that have ended before it began. */
+    private static void replaceTheGone(
+            ContestTrial trial, Simulator simulator, Doorkeeper doorkeeper, Set<TeamProcess> gone) {
+        for (Entrant entrant : trial.entrants()) {
+            List<TeamProcess> own = doorkeeper.processes(entrant.team());
+            for (TeamProcess process : own) {
+                if (!process.isRunning() && gone.add(process)) {
+                    standInFor(trial, own, simulator);
+                }
+            }
+        }
+    }
+
     /** Fills up for the robots of a process that has ended. */
     private static void standInFor(ContestTrial trial, List<TeamProcess> own, Simulator simulator) {
         int robots = trial.robots() / trial.entrants().size() / own.size();
@@ -170,19 +206,22 @@ public final class TrialRunner implements TrialPlayer {
     }
 
     private TrialResult result(
-            ContestTrial trial, Judge judge, Umpire umpire, Map<String, List<TeamProcess>> processes) {
+            ContestTrial trial, Judge judge, Umpire umpire, Simulator simulator, Doorkeeper doorkeeper) {
         List<TeamResult> teams = new ArrayList<>();
         for (Entrant entrant : trial.entrants()) {
             String team = entrant.team();
-            Ending ending = ending(team, umpire, processes.getOrDefault(team, List.of()));
+            Ending ending = ending(team, umpire, simulator, doorkeeper);
             teams.add(TeamResult.of(team, ending, judge.figures(team)));
         }
         return new TrialResult(trial.id(), trial.seed(), rounded(umpire.seconds()), teams);
     }
 
-    private Ending ending(String team, Umpire umpire, List<TeamProcess> processes) {
+    private Ending ending(String team, Umpire umpire, Simulator simulator, Doorkeeper doorkeeper) {
         if (programs.get(team) instanceof TeamProgram.Broken) {
             return Ending.NOT_COMPILED;
+        }
+        if (doorkeeper.intruders().contains(team)) {
+            return Ending.INTRUDED;
         }
         if (umpire.isGreedy(team)) {
             return Ending.TOO_MANY_ROBOTS;
@@ -190,7 +229,10 @@ public final class TrialRunner implements TrialPlayer {
         if (umpire.isDecided() && umpire.isPresent(team)) {
             return Ending.PLAYED;
         }
-        Ending reason = processes.stream()
+        if (simulator.wasSilent(team)) {
+            return Ending.SILENT;
+        }
+        Ending reason = doorkeeper.processes(team).stream()
                 .map(process -> process.ending().orElse(Ending.SILENT))
                 .findFirst()
                 .orElse(Ending.NOT_STARTED);

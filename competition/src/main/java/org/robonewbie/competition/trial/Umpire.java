@@ -2,10 +2,12 @@ package org.robonewbie.competition.trial;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.ToIntFunction;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Entrant;
 import org.robonewbie.competition.contest.Judge;
@@ -29,20 +31,40 @@ final class Umpire implements SimulationObserver {
 
     private static final long CYCLES_TO_TAKE_PLACES = 25;
     private static final long CYCLES_TO_JOIN = 150;
+
+    /** A program that comes again has two robots for a moment. */
+    private static final int CYCLES_OF_A_CROWD = 10;
+
     private static final double PLACE_METRES = 0.4;
 
     private final ContestTrial trial;
     private final Judge judge;
     private final SimulationControl control;
+    private final ToIntFunction<String> robotsThroughDoor;
+    private final Set<String> intruders;
     private final CountDownLatch decided = new CountDownLatch(1);
     private final TreeSet<String> greedy = new TreeSet<>();
     private final Map<String, Integer> robots = new TreeMap<>();
+    private final Map<String, Integer> crowdedCycles = new TreeMap<>();
     private long lastCycle;
     private long complete;
     private long beginning;
     private double seconds;
 
-    Umpire(ContestTrial trial, Judge judge, SimulationControl control) {
+    /**
+     * Prepares for a trial.
+     *
+     * @param robotsThroughDoor how many robots came through a team's door, playing or not
+     * @param intruders teams whose programs tried the doors of others
+     */
+    Umpire(
+            ContestTrial trial,
+            Judge judge,
+            SimulationControl control,
+            ToIntFunction<String> robotsThroughDoor,
+            Set<String> intruders) {
+        this.robotsThroughDoor = robotsThroughDoor;
+        this.intruders = intruders;
         this.trial = trial;
         this.judge = judge;
         this.control = control;
@@ -86,8 +108,10 @@ final class Umpire implements SimulationObserver {
     }
 
     private void lineUp(WorldSnapshot world) {
-        long joined =
-                world.robots().stream().filter(robot -> robot.number() > 0).count();
+        long joined = trial.entrants().stream()
+                .mapToInt(entrant -> Math.min(
+                        entrant.places().size(), robotsOf(entrant, world).size()))
+                .sum();
         if (joined >= trial.robots() && complete == 0) {
             complete = world.cycle();
         }
@@ -139,7 +163,7 @@ final class Umpire implements SimulationObserver {
     private void watch(WorldSnapshot world) {
         double now = (world.cycle() - beginning) * Cycle.SECONDS;
         count(world);
-        if (judge.watch(world) || now >= trial.seconds() - 1e-9 || !greedy.isEmpty()) {
+        if (judge.watch(world) || now >= trial.seconds() - 1e-9 || !greedy.isEmpty() || !intruders.isEmpty()) {
             decide(now);
         }
     }
@@ -148,7 +172,10 @@ final class Umpire implements SimulationObserver {
         for (Entrant entrant : trial.entrants()) {
             int count = robotsOf(entrant, world).size();
             robots.put(entrant.team(), count);
-            if (count > entrant.places().size()) {
+            boolean crowd = robotsThroughDoor.applyAsInt(entrant.team())
+                    > entrant.places().size();
+            crowdedCycles.merge(entrant.team(), 1, (before, one) -> crowd ? before + one : 0);
+            if (count > entrant.places().size() || crowdedCycles.getOrDefault(entrant.team(), 0) > CYCLES_OF_A_CROWD) {
                 greedy.add(entrant.team());
             }
         }

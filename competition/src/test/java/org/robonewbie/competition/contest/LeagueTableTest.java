@@ -27,7 +27,7 @@ class LeagueTableTest {
                 .map(LeagueTableTest::fixture)
                 .toList();
 
-        List<String> places = LeagueTable.of(List.of("A", "B", "C"), fixtures).stream()
+        List<String> places = LeagueTable.of(List.of("A", "B", "C"), fixtures, team -> true).stream()
                 .map(place -> place.rank() + " " + place.who().team() + " " + points(place))
                 .toList();
 
@@ -55,6 +55,17 @@ class LeagueTableTest {
 
         assertThat(MatchContest.fixture(new Fixture.Pair("A", "B", 1), result))
                 .contains(new Fixture("A", "B", home, away));
+    }
+
+    @Test
+    void teamThatDoesNotCompileStandsBehindAllThatPlayed() {
+        List<Fixture> fixtures = List.of(new Fixture("A", "B", 0, 9), new Fixture("B", "C", 3, 0));
+
+        List<String> places = LeagueTable.of(List.of("A", "B", "C"), fixtures, team -> !team.equals("C")).stream()
+                .map(place -> place.rank() + " " + place.who().team())
+                .toList();
+
+        assertThat(places).containsExactly("1 B", "2 A", "3 C");
     }
 
     @Test

@@ -59,9 +59,9 @@ class ScoringTableTest {
         assertThat(table.rows())
                 .extracting(Table.Row::cells)
                 .containsExactly(
-                        List.of("41.23 s", "0.000 m", "played to the end"),
-                        List.of("–", "1.500 m", "played to the end"),
-                        List.of("–", "–", "its program ended before the trial was over"));
+                        List.of("41.23 s", "0.000 m", "0.000 m", "played to the end"),
+                        List.of("–", "1.500 m", "0.750 m", "played to the end"),
+                        List.of("–", "–", "–", "its program ended before the trial was over"));
     }
 
     @Test
@@ -69,7 +69,7 @@ class ScoringTableTest {
         Table table = SCORING.table(List.of("A", "B"), id -> Optional.empty());
 
         assertThat(table.rows()).extracting(Table.Row::rank).containsExactly(1, 1);
-        assertThat(table.rows()).extracting(row -> row.cells().get(2)).containsOnly("not yet");
+        assertThat(table.rows()).extracting(row -> row.cells().get(3)).containsOnly("not yet");
     }
 
     @Test
@@ -108,11 +108,12 @@ class ScoringTableTest {
     }
 
     private static TeamResult goal(double seconds) {
-        return TeamResult.of("", Ending.PLAYED, Map.of("goalSeconds", seconds, "ballMetres", 0.0));
+        return TeamResult.of(
+                "", Ending.PLAYED, Map.of("goalSeconds", seconds, "ballMetres", 0.0, "closestMetres", 0.0));
     }
 
     private static TeamResult ball(double metres) {
-        return TeamResult.of("", Ending.PLAYED, Map.of("ballMetres", metres));
+        return TeamResult.of("", Ending.PLAYED, Map.of("ballMetres", metres, "closestMetres", metres / 2));
     }
 
     private static TeamResult lost(double metres) {

@@ -80,18 +80,21 @@ class SoloChallengeTest {
     }
 
     @Test
-    void goalEndsTheTrialAndNearestBallIsKept() {
+    void goalEndsTheTrialAndWithoutOneThePlaceOfTheBallAtTheEndCounts() {
         challenge = challenge(Contests.scoring(CONDITIONS, 180));
         see(robotAt(0, STANDING, 0), Vector3.ZERO);
 
         see(robotAt(0, STANDING, 0), new Vector3(5, 0, 0.04));
         see(robotAt(0, STANDING, 0), new Vector3(-2, 0, 0.04));
-        double nearest = figure("ballMetres");
+        double atTheEnd = figure("ballMetres");
+        double closest = figure("closestMetres");
         boolean over = see(PlayMode.GOAL_LEFT, 1, robotAt(0, STANDING, 0), Vector3.ZERO);
 
-        assertThat(nearest).isEqualTo(1);
+        assertThat(atTheEnd).isEqualTo(8);
+        assertThat(closest).isEqualTo(1);
         assertThat(over).isTrue();
-        assertThat(challenge.figures()).containsOnly(entry("ballMetres", 0.0), entry("goalSeconds", 0.06));
+        assertThat(challenge.figures())
+                .containsOnly(entry("ballMetres", 0.0), entry("closestMetres", 0.0), entry("goalSeconds", 0.06));
     }
 
     @Test

@@ -39,11 +39,55 @@ class TableFilesTest {
                         "Rank,Team,Title,Goal after\r\n1,Red,\"Ants, \"\"red\"\" <b>\",41.20 s\r\n2,Blue,Blue,–\r\n");
         assertThat(text("table.json")).contains("\"Goal after\": \"41.20 s\"", "\"recordings/scoring-Red.rec\"");
         assertThat(text("table.html"))
-                .contains("Ants, &quot;red&quot; &lt;b&gt;", "Ada &amp; Alan", "41.20 s", "certificates/Blue.html")
+                .contains(
+                        "Ants, &quot;red&quot; &lt;b&gt;",
+                        "Ada &amp; Alan",
+                        "41.20 s",
+                        "certificates/Blue.html",
+                        "Programs were not fenced in (too far).")
                 .containsOnlyOnce(">robonewbie studio recordings/scoring-Red.rec</a>")
                 .doesNotContain("http", "<b>");
         assertThat(text("certificates/Red.html")).contains("has taken the 1st place of 2", "@page", "41.20 s");
         assertThat(text("certificates/Blue.html")).contains("has taken the 2nd place of 2");
+    }
+
+    @Test
+    void teamThatDoesNotCompileGetsNoCertificate() throws IOException {
+        Table table =
+                new Table("Scoring", "Rule.", List.of(), List.of(new Table.Row(1, "Red", List.of(), List.of(), false)));
+        try (ResultFolder results = ResultFolder.open(folder)) {
+            Files.writeString(folder.resolve("certificates/Red.html"), "of an earlier contest");
+
+            new TableFiles(results, TeamList.parse(List.of("Red=x"))).write(table, 1, List.of());
+        }
+
+        assertThat(folder.resolve("certificates/Red.html")).doesNotExist();
+        assertThat(text("table.html")).doesNotContain("certificates/");
+    }
+
+    @Test
+    void recordingsAreBoundToTheTableByTheirChecksums() throws IOException {
+        TrialResult result = new TrialResult("scoring-Red", 1, 41.2, List.of());
+        try (ResultFolder results = ResultFolder.open(folder)) {
+            Files.writeString(results.recording("scoring-Red"), "abc");
+            results.save(result, "circumstances");
+            Files.writeString(results.recording("scoring-Red"), "forged");
+            Files.writeString(folder.resolve("trials/scoring-Red.json"), "forged");
+
+            List<String> told = results.repair();
+            new TableFiles(results, TeamList.parse(List.of("Red=x", "Blue=y"))).write(TABLE, 1, List.of());
+
+            String sum = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+            assertThat(text("recordings.sha256")).isEqualTo(sum + "  recordings/scoring-Red.rec\n");
+            assertThat(text("table.json")).contains("\"recordings/scoring-Red.rec\": \"" + sum + "\"");
+            assertThat(text("trials/scoring-Red.json")).contains(sum).contains("41.2");
+            assertThat(told)
+                    .containsExactly(
+                            "Somebody has changed " + folder.resolve("trials/scoring-Red.json")
+                                    + " while the contest ran; it is as it was again.",
+                            "Somebody has changed " + results.recording("scoring-Red")
+                                    + " since its trial; the checksum in the table is that of the trial.");
+        }
     }
 
     @Test
@@ -85,7 +129,8 @@ class TableFilesTest {
 
     private void write(String... teams) throws IOException {
         try (ResultFolder results = ResultFolder.open(folder)) {
-            new TableFiles(results, TeamList.parse(List.of(teams))).write(TABLE, 1);
+            new TableFiles(results, TeamList.parse(List.of(teams)))
+                    .write(TABLE, 1, List.of("Programs were not fenced in (too far)."));
         }
     }
 

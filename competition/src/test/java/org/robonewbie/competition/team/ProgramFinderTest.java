@@ -49,6 +49,19 @@ class ProgramFinderTest {
     }
 
     @Test
+    void singleFileBringsItsFolderAndNothingBelow() throws IOException {
+        write("red/Striker.java", AGENT.formatted("Striker"));
+        write("red/Tools.java", "class Tools {}");
+        write("red/old/Striker.java", AGENT.formatted("Striker"));
+        write("red/src/Other.java", "this does not compile");
+
+        TeamProgram program = find("Red=red/Striker.java");
+
+        assertThat(program).isInstanceOf(TeamProgram.OfJava.class);
+        assertThat(((TeamProgram.OfJava) program).mainClasses()).containsEntry(Role.MAIN, "Striker");
+    }
+
+    @Test
     void mavenProjectIsCompiledWithoutMaven() throws IOException {
         write("red/pom.xml", "<project/>");
         write("red/src/main/java/my/team/Striker.java", "package my.team;\n" + AGENT.formatted("Striker"));

@@ -21,6 +21,7 @@ import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Role;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.programs.BringsTwo;
+import org.robonewbie.competition.team.Fence;
 import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamProgram;
 import org.robonewbie.simulator.WorldSnapshot;
@@ -54,7 +55,7 @@ class ChallengePlayerTest {
         TrialResult result = play(BringsTwo.class, LIMITS, folder.resolve("work"));
 
         assertThat(result.of("Red").ending()).isEqualTo(Ending.PLAYED);
-        assertThat(result.of("Red").figures()).containsOnlyKeys("ballMetres");
+        assertThat(result.of("Red").figures()).containsOnlyKeys("ballMetres", "closestMetres");
         assertThat(result.seconds()).isEqualTo(SECONDS);
         assertThat(lastCycle().robots())
                 .extracting(robot -> robot.team() + " " + robot.number())
@@ -92,7 +93,8 @@ class ChallengePlayerTest {
         TeamProgram red = new TeamProgram.OfJava(
                 List.of(), Map.of(Role.MAIN, program.getName()), Optional.empty(), false, "none");
         TrialFiles files = new TrialFiles(Optional.of(recording), folder.resolve("logs"), work);
-        return new ChallengePlayer(contest.challenge(), Map.of("Red", red), limits, Spectators.NOBODY)
+        return new ChallengePlayer(
+                        contest.challenge(), Map.of("Red", red), limits, Fence.none("not wanted"), Spectators.NOBODY)
                 .run(trial, files);
     }
 

@@ -1,6 +1,8 @@
 package org.robonewbie.exercises.task;
 
 import java.util.List;
+import java.util.Locale;
+import java.util.stream.IntStream;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Joint;
@@ -63,18 +65,30 @@ public final class ArmBySideTask implements Task {
 
     @Override
     public Score score() {
-        int right = 0;
-        for (boolean bad : wrong) {
-            right += bad ? 0 : 1;
-        }
-        String finding = right + " of " + wrong.length + " times the right arms were up";
-        return right == wrong.length
+        int left = right(1);
+        int right = right(-1);
+        int none = right(0);
+        String finding = String.format(
+                Locale.ROOT,
+                "right %d of 2 times with the robot on the left, %d of 2 on the right, %d of 2 out of sight",
+                left,
+                right,
+                none);
+        int least = Math.min(left, Math.min(right, none));
+        return least == 2
                 ? Score.passed(finding)
                 : Score.failed(
-                        10.0 * right / wrong.length,
+                        least == 0 ? (left + right + none) / 2.0 : 2.0 + left + right + none,
                         finding,
-                        "fieldView.players() lists who was ever seen: ask isVisible(), and the sign of bearing() for the side."
-                                + " Up is above 50°, down below 20°.");
+                        "fieldView.players() lists all whom your robot remembers: ask isVisible(), and the sign of bearing() for"
+                                + " the side. Up is above 50°, down below 20°.");
+    }
+
+    /** How often the arms were right while the other robot stood on a side. */
+    private int right(int side) {
+        return (int) IntStream.range(0, wrong.length)
+                .filter(i -> sides.get(i) == side && !wrong[i])
+                .count();
     }
 
     private static boolean isWrong(double degrees, boolean up) {

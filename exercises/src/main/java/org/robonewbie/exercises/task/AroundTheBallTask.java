@@ -17,6 +17,7 @@ public final class AroundTheBallTask implements Task {
 
     private static final Place STUDENT = new Place(-0.8, 0, 0);
     private static final double MOVED_METRES = 0.002;
+    private static final double NEAR_METRES = 0.9;
     private static final double FAR_METRES = 2;
 
     private Vector3 ballStart = Vector3.ZERO;
@@ -32,7 +33,7 @@ public final class AroundTheBallTask implements Task {
     @Override
     public Scene scene(Chance chance) {
         return Scene.of(RobotStart.at(STUDENT).after("stand"))
-                .withBall(chance.between(-0.05, 0.3), chance.between(-0.15, 0.15));
+                .withBall(STUDENT.point(chance.between(1, 1.6), chance.side() * chance.between(20, 45), 0));
     }
 
     @Override
@@ -42,7 +43,9 @@ public final class AroundTheBallTask implements Task {
             ballStart = moment.ball();
             directionBefore = direction;
         }
-        turned += Math.IEEEremainder(direction - directionBefore, 360);
+        if (moment.place().distance(moment.ball()) <= NEAR_METRES) {
+            turned += Math.IEEEremainder(direction - directionBefore, 360);
+        }
         directionBefore = direction;
         moved = Math.max(moved, moment.ball().distanceTo(ballStart));
         farthest = Math.max(farthest, moment.place().distance(ballStart));
@@ -57,10 +60,16 @@ public final class AroundTheBallTask implements Task {
     @Override
     public Score score() {
         String finding = String.format(
-                Locale.ROOT, "%.0f° around the ball in %.1f s, ball moved by %.3f m", Math.abs(turned), seconds, moved);
+                Locale.ROOT,
+                "%.0f° around the ball within 0.9 m in %.1f s, ball moved by %.3f m",
+                Math.abs(turned),
+                seconds,
+                moved);
         if (moved > MOVED_METRES) {
             return Score.failed(
-                    Math.abs(turned) / 60, finding, "Keep more distance: 0.5 m between torso and ball is safe.");
+                    Math.abs(turned) / 60,
+                    finding,
+                    "Keep more distance: 0.5 m from fieldView.ball().distance() is safe.");
         }
         if (farthest > FAR_METRES) {
             return Score.failed(
@@ -71,7 +80,8 @@ public final class AroundTheBallTask implements Task {
                 : Score.failed(
                         Math.abs(turned) / 45,
                         finding,
-                        "Walk sideways while you turn to the ball: walk.towards(forward, left, turn) takes all three at once.");
+                        "Stay within 0.9 m and walk sideways while you turn to the ball: walk.towards(forward, left, turn) takes all"
+                                + " three at once.");
     }
 
     private static double direction(Moment moment) {

@@ -1,5 +1,6 @@
 package org.robonewbie.exercises.task;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -7,7 +8,14 @@ import java.util.regex.Pattern;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.kinematics.ForwardKinematics;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
@@ -15,15 +23,22 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
-/** Report where the ball is while the head turns: the simple sum of neck and camera angles is not exact enough. */
+/**
+ * Report where the ball is while the head turns and the body leans: neither the simple sum of neck and camera angles is exact
+ * enough nor the kinematics of the neck alone, which take the torso as upright.
+ */
 public final class BallDirectionTask implements Task {
 
     private static final Place STUDENT = new Place(-2, 0, 0);
     private static final Pattern WORDS = Pattern.compile("ball:(-?\\d{1,3}(\\.\\d+)?)");
-    private static final double GOOD_DEGREES = 0.4;
+    private static final double GOOD_DEGREES = 0.5;
+    private static final double ANKLE_SHARE = 0.5;
     private static final int FEWEST_WORDS = 40;
     private static final double YAW_RANGE = 60;
     private static final double PITCH_RANGE = 20;
+
+    private static final Vector3 HEAD =
+            ForwardKinematics.of(RobotType.TYPE_0).camera(0, 0).position();
 
     private Optional<String> said = Optional.empty();
     private double lowYaw = 180;
@@ -38,8 +53,26 @@ public final class BallDirectionTask implements Task {
 
     @Override
     public Scene scene(Chance chance) {
-        return Scene.of(RobotStart.at(STUDENT))
-                .withBall(STUDENT.point(chance.between(1, 2), chance.between(-35, 35), 0));
+        double lean = chance.between(14, 20);
+        double bearing = chance.side() * chance.between(20, 40);
+        return Scene.of(RobotStart.at(STUDENT).after(ShippedMotions.motion("stand"), leaning(lean)))
+                .withBall(STUDENT.point(chance.between(1, 2), bearing, 0));
+    }
+
+    /** Bends the robot forward in the hips; the ankles take the weight back over the feet. */
+    private static Motion leaning(double degrees) {
+        double hip = 35 + (1 + ANKLE_SHARE) * degrees;
+        double ankle = 37 - ANKLE_SHARE * degrees;
+        Posture leaning = Posture.ZERO
+                .with(Joint.LEFT_HIP_PITCH, hip)
+                .with(Joint.RIGHT_HIP_PITCH, hip)
+                .with(Joint.LEFT_KNEE_PITCH, -70)
+                .with(Joint.RIGHT_KNEE_PITCH, -70)
+                .with(Joint.LEFT_FOOT_PITCH, ankle)
+                .with(Joint.RIGHT_FOOT_PITCH, ankle)
+                .with(Joint.LEFT_SHOULDER_PITCH, -95)
+                .with(Joint.RIGHT_SHOULDER_PITCH, -95);
+        return new Motion("lean", List.of(new Keyframe(800, leaning), new Keyframe(600, leaning)));
     }
 
     @Override
@@ -56,9 +89,15 @@ public final class BallDirectionTask implements Task {
         highPitch = Math.max(highPitch, robot.degrees(Joint.NECK_PITCH));
         said.map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
             words++;
-            sumOfErrors +=
-                    Math.abs(Double.parseDouble(match.group(1)) - moment.place().bearing(moment.ball()));
+            sumOfErrors += Math.abs(Double.parseDouble(match.group(1)) - bearing(moment));
         });
+    }
+
+    /** The ball's direction on the ground from below the head, against the direction in which the torso faces. */
+    private static double bearing(Moment moment) {
+        BodyState robot = moment.robot();
+        Vector3 head = robot.torso().transform(HEAD);
+        return new Place(head.x(), head.y(), robot.headingDegrees()).bearing(moment.ball());
     }
 
     @Override
@@ -75,9 +114,9 @@ public final class BallDirectionTask implements Task {
         return error <= GOOD_DEGREES
                 ? Score.passed(finding)
                 : Score.failed(
-                        8 - error,
+                        5 - error,
                         finding,
-                        "Adding angles is right only while the head is level. Turn the point by pitch, then by yaw, or choose"
-                                + " CameraTransformation.KINEMATICS.");
+                        "CameraTransformation.KINEMATICS follows the neck exactly, but takes the torso as upright. How far does it"
+                                + " lean? At rest the accelerometer points up.");
     }
 }

@@ -1,50 +1,98 @@
 package org.robonewbie.exercises.task;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 
 /**
- * Dance: many joints, many changes of direction, no fall.
+ * Dance on the spot to the beat of a ball that swings to and fro: at least three limbs, in the rhythm of the ball, no fall.
+ *
+ * <p>A joint moves in the rhythm if at least half of its movement repeats itself with the ball, or half or twice as often: that
+ * part is found by Fourier's formula for these three frequencies, over a whole number of swings.
  */
 public final class DanceTask implements Task {
 
-    private static final double WIDE_DEGREES = 30;
-    private static final int FEWEST_JOINTS = 6;
-    private static final int FEWEST_TURNS = 12;
-    private static final double REAL_TURN_DEGREES = 10;
+    private static final double BALL_METRES = 1.5;
+    private static final double BALL_DEGREES = 35;
+    private static final double JUDGED_FROM_SECONDS = 3;
+    private static final double JUDGED_SECONDS = 12;
+    private static final double LEAST_SHARE = 0.5;
+    private static final double MOST_METRES = 0.3;
+    private static final int FEWEST_LIMBS = 3;
 
-    private final Map<Joint, double[]> ranges = new EnumMap<>(Joint.class);
-    private final Map<Joint, double[]> turns = new EnumMap<>(Joint.class);
+    private Place start = new Place(-1, 0, 0);
+    private double period = 2;
+    private final Map<Joint, List<Double>> angles = new EnumMap<>(Joint.class);
+    private Vector3 first = Vector3.ZERO;
+    private double travelled;
     private boolean fallen;
-    private boolean standing;
+
+    /** Part of the body, and how far one of its joints has to move; legs are bent less. */
+    private enum Limb {
+        HEAD(30),
+        LEFT_ARM(30),
+        RIGHT_ARM(30),
+        LEFT_LEG(15),
+        RIGHT_LEG(15);
+
+        private final double degrees;
+
+        Limb(double degrees) {
+            this.degrees = degrees;
+        }
+
+        static Limb of(Joint joint) {
+            String name = joint.name();
+            if (name.startsWith("NECK")) {
+                return HEAD;
+            }
+            boolean left = name.startsWith("LEFT");
+            boolean leg = name.contains("HIP") || name.contains("KNEE") || name.contains("FOOT");
+            return leg ? (left ? LEFT_LEG : RIGHT_LEG) : left ? LEFT_ARM : RIGHT_ARM;
+        }
+    }
 
     /** Creates the task of one trial. */
     public DanceTask() {}
 
     @Override
     public Scene scene(Chance chance) {
-        return Scene.of(RobotStart.at(-1, 0).after("stand"));
+        start = new Place(chance.between(-3, -1), chance.between(-2, 2), chance.between(-180, 180));
+        period = 1.6 + 0.5 * Math.floorMod(chance.seed(), 3L) + chance.between(0, 0.1);
+        return Scene.of(RobotStart.at(start).after("stand")).withBall(start.point(BALL_METRES, 0, 0));
+    }
+
+    @Override
+    public void act(Trial trial) {
+        double bearing = BALL_DEGREES * Math.sin(2 * Math.PI * trial.seconds() / period);
+        trial.placeBall(start.point(BALL_METRES, bearing, 0));
     }
 
     @Override
     public void see(Moment moment) {
-        for (Joint joint : Joint.values()) {
-            double degrees = moment.robot().degrees(joint);
-            double[] range = ranges.computeIfAbsent(joint, key -> new double[] {degrees, degrees});
-            range[0] = Math.min(range[0], degrees);
-            range[1] = Math.max(range[1], degrees);
-            double[] turn = turns.computeIfAbsent(joint, key -> new double[] {degrees, 0, 0});
-            follow(turn, degrees);
-        }
+        first = moment.seconds() == 0 ? moment.robot().position() : first;
+        travelled = Math.max(travelled, moment.place().distance(first));
         fallen |= moment.robot().isFallen();
-        standing = moment.robot().isStanding();
+        if (moment.seconds() > JUDGED_FROM_SECONDS) {
+            for (Joint joint : Joint.values()) {
+                angles.computeIfAbsent(joint, key -> new ArrayList<>())
+                        .add(moment.robot().degrees(joint));
+            }
+        }
     }
 
     @Override
@@ -54,36 +102,80 @@ public final class DanceTask implements Task {
 
     @Override
     public Score score() {
-        long joints = ranges.values().stream()
-                .filter(range -> range[1] - range[0] >= WIDE_DEGREES)
-                .count();
-        int changes = (int) turns.values().stream().mapToDouble(turn -> turn[2]).sum();
-        String finding = joints + " joints moved 30° or more, " + changes + " changes of direction"
-                + (fallen ? ", and a fall" : "");
-        if (fallen || !standing) {
+        int moving = limbs(false);
+        int dancing = limbs(true);
+        String finding = String.format(
+                Locale.ROOT,
+                "the ball swung once in %.1f s; %d limbs moved, %d of them in that rhythm; %.2f m travelled%s",
+                period,
+                moving,
+                dancing,
+                travelled,
+                fallen ? ", and a fall" : "");
+        if (fallen) {
             return Score.failed(
-                    (double) Math.min(3, joints),
+                    Math.min(2, moving),
                     finding,
                     "Move the legs slowly and alike on both sides; arms and head are free.");
         }
-        boolean rich = joints >= FEWEST_JOINTS && changes >= FEWEST_TURNS;
-        return rich
+        if (travelled > MOST_METRES) {
+            return Score.failed(2, finding, "Dance on the spot: stay within 0.3 m of where you begin.");
+        }
+        if (moving < FEWEST_LIMBS) {
+            return Score.failed(
+                    moving,
+                    finding,
+                    "At least three limbs have to move: head, arms (30° each) or legs (15°), from the third second on.");
+        }
+        return dancing >= FEWEST_LIMBS
                 ? Score.passed(finding)
                 : Score.failed(
-                        Math.min(9.0, joints + changes / 6.0),
+                        3.0 + dancing,
                         finding,
-                        "The audience wants at least 6 joints that move 30° or more, and 12 changes of direction.");
+                        "The ball beats time, differently in each trial. Let fieldView.ball().bearing() lead the swing, or measure"
+                                + " how long a swing takes.");
     }
 
-    /** Counts when a joint turns back by more than a trifle: the extreme angle so far, the direction, the turns. */
-    private static void follow(double[] turn, double degrees) {
-        double direction = Math.signum(degrees - turn[0]);
-        if (direction == turn[1]) {
-            turn[0] = degrees;
-        } else if (Math.abs(degrees - turn[0]) > REAL_TURN_DEGREES) {
-            turn[2] += turn[1] == 0 ? 0 : 1;
-            turn[0] = degrees;
-            turn[1] = direction;
+    private int limbs(boolean inRhythm) {
+        return (int) Arrays.stream(Limb.values())
+                .filter(limb -> angles.entrySet().stream()
+                        .filter(moved -> Limb.of(moved.getKey()) == limb)
+                        .map(Map.Entry::getValue)
+                        .anyMatch(degrees ->
+                                moves(degrees, limb.degrees) && (!inRhythm || share(degrees) >= LEAST_SHARE)))
+                .count();
+    }
+
+    private static boolean moves(List<Double> degrees, double least) {
+        double lowest = degrees.stream().mapToDouble(Double::doubleValue).min().orElse(0);
+        double highest = degrees.stream().mapToDouble(Double::doubleValue).max().orElse(0);
+        return highest - lowest >= least;
+    }
+
+    /** The part of a movement that repeats itself with the ball, once in two swings, or twice in one; 0 to 1. */
+    private double share(List<Double> degrees) {
+        double whole = 2 * period * Math.floor(JUDGED_SECONDS / (2 * period));
+        int count = Math.min(degrees.size(), (int) Math.round(whole / Cycle.SECONDS));
+        double mean = degrees.stream()
+                .limit(count)
+                .mapToDouble(Double::doubleValue)
+                .average()
+                .orElse(0);
+        double all = 0;
+        for (int i = 0; i < count; i++) {
+            all += Math.pow(degrees.get(i) - mean, 2);
         }
+        double rhythmic = 0;
+        for (double times : List.of(0.5, 1.0, 2.0)) {
+            double cosine = 0;
+            double sine = 0;
+            for (int i = 0; i < count; i++) {
+                double angle = 2 * Math.PI * times * i * Cycle.SECONDS / period;
+                cosine += (degrees.get(i) - mean) * Math.cos(angle);
+                sine += (degrees.get(i) - mean) * Math.sin(angle);
+            }
+            rhythmic += 2 * (cosine * cosine + sine * sine) / count;
+        }
+        return all == 0 ? 0 : rhythmic / all;
     }
 }

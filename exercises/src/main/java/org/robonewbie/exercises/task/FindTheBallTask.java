@@ -11,15 +11,15 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.measure.Held;
 
 /**
- * Look for a ball that lies out of sight, and face it for half a second.
+ * Look for a ball that lies out of sight, and face it for a second.
  */
 public final class FindTheBallTask implements Task {
 
     private static final Place STUDENT = new Place(-0.5, 0, 30);
     private static final double FACING_DEGREES = 10;
-    private static final double HELD_SECONDS = 0.5;
+    private static final double HELD_SECONDS = 1;
     private static final double LIMIT_SECONDS = 8;
-    private static final double QUICK_SECONDS = 5;
+    private static final double QUICK_SECONDS = 5.5;
 
     private final Held facing =
             new Held(HELD_SECONDS, moment -> Math.abs(moment.place().bearing(moment.ball())) <= FACING_DEGREES);
@@ -30,9 +30,9 @@ public final class FindTheBallTask implements Task {
 
     @Override
     public Scene scene(Chance chance) {
-        double side = chance.side();
+        double side = chance.isSeedOdd() ? 1 : -1;
         return Scene.of(RobotStart.at(STUDENT).after("stand"))
-                .withBall(STUDENT.point(chance.between(1, 2.5), side * chance.between(100, 170), 0));
+                .withBall(STUDENT.point(chance.between(1, 2.5), side * chance.between(100, 150), 0));
     }
 
     @Override

@@ -1,6 +1,8 @@
 package org.robonewbie.exercises.task;
 
 import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.trial.Chance;
@@ -8,19 +10,26 @@ import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.measure.Held;
 
 /**
- * Get up: the robot lies on its back with odd seeds and on its front with even ones.
+ * Feel how the robot lies, say it, get up and say that, too: it lies on its back with odd seeds and on its front with even ones.
  */
 public final class GetUpTask implements Task {
 
     private static final double HELD_SECONDS = 1;
     private static final double LIMIT_SECONDS = 12;
     private static final double QUICK_SECONDS = 7;
+    private static final String UP = "up";
+    private static final Set<String> WORDS = Set.of("back", "front", "left", "right", UP);
 
     private final Held up = new Held(HELD_SECONDS, moment -> moment.robot().isStanding());
     private boolean onBack;
+    private Optional<String> said = Optional.empty();
+    private Optional<String> firstWord = Optional.empty();
+    private boolean saidUp;
+    private boolean saidUpTooEarly;
 
     /** Creates the task of one trial. */
     public GetUpTask() {}
@@ -33,26 +42,54 @@ public final class GetUpTask implements Task {
     }
 
     @Override
+    public void act(Trial trial) {
+        said = trial.said(0).filter(WORDS::contains);
+    }
+
+    @Override
     public void see(Moment moment) {
         up.see(moment);
+        if (said.isEmpty()) {
+            return;
+        }
+        if (said.get().equals(UP)) {
+            saidUp = true;
+            saidUpTooEarly |= !moment.robot().isStanding();
+        } else if (firstWord.isEmpty()) {
+            firstWord = said;
+        }
     }
 
     @Override
     public boolean isDecided() {
-        return up.isDecided();
+        return up.isDecided() && saidUp;
     }
 
     @Override
     public Score score() {
-        String from = onBack ? "from the back" : "from the front";
+        String lying = onBack ? "back" : "front";
         double upSeconds = up.value();
-        if (up.isDecided() && upSeconds <= LIMIT_SECONDS) {
-            int points = (int) Math.round(10 - Math.max(0, upSeconds - QUICK_SECONDS));
-            return Score.passed(points, String.format(Locale.ROOT, "stood %s after %.1f s", from, upSeconds), "");
+        boolean stood = up.isDecided() && upSeconds <= LIMIT_SECONDS;
+        String finding = String.format(
+                Locale.ROOT,
+                "lay on its %s and said %s; %s",
+                lying,
+                firstWord.map(word -> '"' + word + '"').orElse("nothing"),
+                stood ? String.format(Locale.ROOT, "stood after %.1f s", upSeconds) : "did not get up");
+        if (!firstWord.equals(Optional.of(lying))) {
+            return Score.failed(
+                    stood ? 3 : 0,
+                    finding,
+                    "Ask nao.getBodyPosition() how the robot lies and say it: nao.say(\"back\") or nao.say(\"front\").");
         }
-        return Score.failed(
-                1,
-                "did not get up " + from,
-                "nao.getBodyPosition() tells how the robot lies; each way of lying needs a motion of its own.");
+        if (!stood) {
+            return Score.failed(4, finding, "Each way of lying needs a motion of its own.");
+        }
+        return saidUp && !saidUpTooEarly
+                ? Score.passed((int) Math.round(10 - Math.max(0, upSeconds - QUICK_SECONDS)), finding, "")
+                : Score.failed(
+                        6,
+                        finding + (saidUp ? ", but said \"up\" while it did not stand" : ", but did not say \"up\""),
+                        "Say nao.say(\"up\") when the robot feels that it stands, and not before.");
     }
 }

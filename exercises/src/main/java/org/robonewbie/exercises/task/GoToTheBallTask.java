@@ -63,11 +63,14 @@ public final class GoToTheBallTask implements Task {
                 Locale.ROOT, "nearest %.2f m, ball moved by %.3f m%s", nearest, moved, fallen ? ", and a fall" : "");
         if (moved > MOVED_METRES) {
             return Score.failed(
-                    3, finding, "The feet reach further than the torso: stop at 0.4 m, and get slower before.");
+                    3,
+                    finding,
+                    "The feet reach further ahead than the torso: stop when fieldView.ball().distance() is 0.4 m, and get"
+                            + " slower before.");
         }
         if (!done.isDecided()) {
             return Score.failed(
-                    nearest <= NEAR_METRES ? 5 : 1,
+                    nearest <= NEAR_METRES ? 4 : 1,
                     finding,
                     "Within 0.5 m of the ball and facing it, the left shoulder must be above 60° for 1 s.");
         }

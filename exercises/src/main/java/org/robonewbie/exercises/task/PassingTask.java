@@ -11,20 +11,25 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
-/**
- * Two robots of the student: number 1 plays the ball, number 2 comes to meet it.
- */
+/** Two robots of the student: number 1 plays the ball, number 2 comes to meet it. */
 public final class PassingTask implements Task {
 
-    private static final Place PASSER = new Place(-2, 0, 0);
     private static final double BALL_AHEAD = 0.187;
     private static final double BALL_LEFT = 0.063;
     private static final double FEWEST_METRES = 1;
+    private static final double ROLLS_METRES = 0.05;
     private static final double AT_MATE_METRES = 0.45;
+    private static final double CAME_METRES = 0.2;
+    private static final double STAYED_METRES = 0.4;
 
+    private Place passer = new Place(-2, 0, 0);
+    private Place mate = passer;
     private Vector3 ballStart = Vector3.ZERO;
     private double metres;
     private double nearest = Double.POSITIVE_INFINITY;
+    private double came;
+    private boolean dribbled;
+    private boolean tooEarly;
     private boolean fallen;
 
     /** Creates the task of one trial. */
@@ -32,11 +37,13 @@ public final class PassingTask implements Task {
 
     @Override
     public Scene scene(Chance chance) {
-        Place mate = new Place(0.6 + chance.between(0, 0.3), chance.between(-0.5, 0.5), 180);
+        passer = new Place(chance.between(-3, -2), chance.between(-1.5, 1.5), chance.between(-40, 40));
+        Vector3 place = passer.pointAt(chance.between(2.6, 2.9), chance.between(-0.7, 0.7));
+        mate = new Place(place.x(), place.y(), passer.degrees() + 180);
         return Scene.of(
-                        RobotStart.at(PASSER).after("stand"),
-                        RobotStart.at(mate).withTeam(RobotStart.TEAM, 2))
-                .withBall(4, 3);
+                        RobotStart.at(passer).after("stand"),
+                        RobotStart.at(mate).after("stand").withTeam(RobotStart.TEAM, 2))
+                .withBall(5.5, 3.7);
     }
 
     @Override
@@ -48,7 +55,11 @@ public final class PassingTask implements Task {
     @Override
     public void see(Moment moment) {
         metres = Math.max(metres, moment.ball().distanceTo(ballStart));
-        if (metres >= FEWEST_METRES) {
+        dribbled |= passer.distance(moment.robot().position()) > STAYED_METRES;
+        tooEarly |=
+                metres < ROLLS_METRES && mate.distance(moment.robots().get(1).position()) > STAYED_METRES;
+        came = Math.max(came, mate.distance(moment.robots().get(1).position()));
+        if (metres >= FEWEST_METRES && came >= CAME_METRES) {
             nearest = Math.min(nearest, moment.place(1).distance(moment.ball()));
         }
         fallen |= moment.robots().get(1).isFallen() || moment.robot().isFallen();
@@ -59,20 +70,34 @@ public final class PassingTask implements Task {
         return nearest <= AT_MATE_METRES;
     }
 
+    private String came(boolean passed) {
+        if (!passed) {
+            return "";
+        }
+        return came < CAME_METRES
+                ? ", number 2 did not come to meet it"
+                : String.format(Locale.ROOT, ", number 2 came as near as %.2f m", nearest);
+    }
+
     @Override
     public Score score() {
+        boolean passed = metres >= FEWEST_METRES;
         String finding = String.format(
                 Locale.ROOT,
-                "the ball went %.2f m, number 2 came as near as %.2f m%s",
+                "the ball went %.2f m%s%s%s%s",
                 metres,
-                nearest,
+                came(passed),
+                dribbled ? ", number 1 left its place" : "",
+                tooEarly ? ", number 2 walked before the ball rolled" : "",
                 fallen ? ", and a fall" : "");
-        return nearest <= AT_MATE_METRES && !fallen
-                ? Score.passed(finding)
-                : Score.failed(
-                        metres >= FEWEST_METRES ? 5 : 1,
-                        finding,
-                        "Both robots run your program: ask nao.getNumber(). Number 1 plays \"pass-left\", number 2 walks to the"
-                                + " ball as soon as it rolls.");
+        boolean fair = !dribbled && !tooEarly && !fallen;
+        if (fair && nearest <= AT_MATE_METRES) {
+            return Score.passed(finding);
+        }
+        return Score.failed(
+                fair && passed ? 3 : 1,
+                finding,
+                "Both robots run your program: ask nao.getNumber(). Number 1 plays \"pass-left\" and stays where it is; number 2"
+                        + " walks to the ball as soon as it rolls.");
     }
 }

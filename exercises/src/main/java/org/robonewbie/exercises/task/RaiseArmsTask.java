@@ -20,8 +20,43 @@ public final class RaiseArmsTask implements Task {
     private static final double TOLERANCE_DEGREES = 2;
     private static final double JUDGED_FROM_SECONDS = 3.5;
 
-    private double leftError;
-    private double rightError;
+    private static final double AT_REST_DEGREES = 0.5;
+
+    private final Arm left = new Arm(Joint.LEFT_SHOULDER_PITCH, LEFT_DEGREES);
+    private final Arm right = new Arm(Joint.RIGHT_SHOULDER_PITCH, RIGHT_DEGREES);
+
+    /** What one shoulder did in the last half second: its worst error, with a sign, and how far it moved. */
+    private static final class Arm {
+        private final Joint joint;
+        private final double goal;
+        private double error;
+        private double lowest = Double.POSITIVE_INFINITY;
+        private double highest = Double.NEGATIVE_INFINITY;
+
+        Arm(Joint joint, double goal) {
+            this.joint = joint;
+            this.goal = goal;
+        }
+
+        void see(BodyState robot) {
+            double degrees = robot.degrees(joint);
+            error = Math.abs(degrees - goal) > Math.abs(error) ? degrees - goal : error;
+            lowest = Math.min(lowest, degrees);
+            highest = Math.max(highest, degrees);
+        }
+
+        boolean isRight() {
+            return Math.abs(error) <= TOLERANCE_DEGREES;
+        }
+
+        @Override
+        public String toString() {
+            String place = isRight()
+                    ? String.format(Locale.ROOT, "%.1f° off", Math.abs(error))
+                    : String.format(Locale.ROOT, "%.1f° too %s", Math.abs(error), error < 0 ? "low" : "high");
+            return highest - lowest > AT_REST_DEGREES ? place + " and still moving" : place;
+        }
+    }
 
     /** Creates the task of one trial. */
     public RaiseArmsTask() {}
@@ -34,23 +69,20 @@ public final class RaiseArmsTask implements Task {
     @Override
     public void see(Moment moment) {
         if (moment.seconds() > JUDGED_FROM_SECONDS) {
-            BodyState robot = moment.robot();
-            leftError = Math.max(leftError, Math.abs(robot.degrees(Joint.LEFT_SHOULDER_PITCH) - LEFT_DEGREES));
-            rightError = Math.max(rightError, Math.abs(robot.degrees(Joint.RIGHT_SHOULDER_PITCH) - RIGHT_DEGREES));
+            left.see(moment.robot());
+            right.see(moment.robot());
         }
     }
 
     @Override
     public Score score() {
-        String finding = String.format(
-                Locale.ROOT, "left arm %.1f° off, right arm %.1f° off (2° are allowed)", leftError, rightError);
-        boolean left = leftError <= TOLERANCE_DEGREES;
-        boolean right = rightError <= TOLERANCE_DEGREES;
-        return left && right
+        String finding = "left arm " + left + ", right arm " + right + " (2° are allowed)";
+        return left.isRight() && right.isRight()
                 ? Score.passed(finding)
                 : Score.failed(
-                        left || right ? 5 : 0,
+                        left.isRight() || right.isRight() ? 5 : 0,
                         finding,
-                        "Give each shoulder its own speed, and 0 when its angle is reached. Slow is exact.");
+                        "Give each shoulder its own speed, and 0 when it has reached its angle. Fast goes too far, and at 10 °/s"
+                                + " the arm is not there after 4 s.");
     }
 }

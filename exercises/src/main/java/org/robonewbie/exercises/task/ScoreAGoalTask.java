@@ -1,6 +1,8 @@
 package org.robonewbie.exercises.task;
 
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.TeamSide;
@@ -12,12 +14,17 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 
 /**
- * Score a goal, alone on the pitch, as in the competition.
+ * Score a goal as in the competition, but past a wall of three robots that hold still between the ball and the goal; who
+ * pushes one of them out of its place has lost.
  */
 public final class ScoreAGoalTask implements Task {
 
     private static final Place STUDENT = new Place(-0.5, 0.4, -40);
     private static final double GOAL_X = 6;
+    private static final double PUSHED_METRES = 0.1;
+    private static final double WALL_METRES = 0.45;
+    private static final double QUICK_SECONDS = 45;
+    private static final double SECONDS_PER_POINT = 20;
 
     /** A robot and a ball that stay where they are for so long are not going to score. */
     private static final double SECONDS_OF_PATIENCE = 30;
@@ -30,13 +37,26 @@ public final class ScoreAGoalTask implements Task {
     private Vector3 lastBall = Vector3.ZERO;
     private Vector3 lastTorso = Vector3.ZERO;
     private double lastMoved;
+    private List<Place> wall = List.of();
+    private boolean pushed;
 
     /** Creates the task of one trial. */
     public ScoreAGoalTask() {}
 
     @Override
     public Scene scene(Chance chance) {
-        return Scene.of(RobotStart.at(STUDENT)).withBall(0, 0);
+        double x = chance.between(2.6, 3.2);
+        double y = (chance.isSeedOdd() ? 1 : -1) * chance.between(0, 0.35);
+        return Scene.of(
+                        RobotStart.at(STUDENT),
+                        defender(2, x, y - WALL_METRES),
+                        defender(3, x, y),
+                        defender(4, x, y + WALL_METRES))
+                .withBall(0, 0);
+    }
+
+    private static RobotStart defender(int number, double x, double y) {
+        return RobotStart.at(new Place(x, y, 180)).withTeam("Others", number);
     }
 
     @Override
@@ -45,6 +65,9 @@ public final class ScoreAGoalTask implements Task {
         nearest = Math.min(nearest, Math.hypot(GOAL_X - ball.x(), ball.y()));
         scored |= moment.goals(TeamSide.LEFT) > 0;
         seconds = moment.seconds();
+        wall = wall.isEmpty() ? wall(moment) : wall;
+        pushed |= IntStream.range(0, wall.size())
+                .anyMatch(i -> wall.get(i).distance(moment.robots().get(i + 1).position()) > PUSHED_METRES);
         Vector3 torso = moment.robot().position();
         if (ball.distanceTo(lastBall) > STAYED_METRES || torso.distanceTo(lastTorso) > STAYED_METRES) {
             lastBall = ball;
@@ -53,9 +76,15 @@ public final class ScoreAGoalTask implements Task {
         }
     }
 
+    private static List<Place> wall(Moment moment) {
+        return IntStream.range(1, moment.robots().size())
+                .mapToObj(moment::place)
+                .toList();
+    }
+
     @Override
     public boolean isDecided() {
-        return scored || isStuck();
+        return scored || pushed || isStuck();
     }
 
     private boolean isStuck() {
@@ -64,17 +93,27 @@ public final class ScoreAGoalTask implements Task {
 
     @Override
     public Score score() {
+        if (pushed) {
+            return Score.failed(
+                    2,
+                    String.format(Locale.ROOT, "a robot of the wall was pushed away after %.1f s", seconds),
+                    "Go around the wall with the ball: choose a point beside the outermost robot, and the goal when the ball has"
+                            + " passed it.");
+        }
         if (!scored) {
             return Score.failed(
-                    6 - nearest,
+                    3 - nearest,
                     String.format(
                             Locale.ROOT,
                             "no goal%s; the ball came within %.2f m of it",
                             isStuck() ? ", and for " + Math.round(SECONDS_OF_PATIENCE) + " s nothing moved" : "",
                             nearest),
-                    "Walk to where the ball is between you and the goal, then walk through the ball.");
+                    "Push the ball past the wall first, then to the goal: choose a point beside the outermost robot, and the goal"
+                            + " when the ball has passed it.");
         }
         return Score.passed(
-                (int) Math.round(11 - seconds / 30), String.format(Locale.ROOT, "goal after %.1f s", seconds), "");
+                (int) Math.floor(10 - Math.max(0, Math.ceil((seconds - QUICK_SECONDS) / SECONDS_PER_POINT))),
+                String.format(Locale.ROOT, "goal after %.1f s", seconds),
+                seconds > QUICK_SECONDS ? "10 points are for 45 s." : "");
     }
 }

@@ -57,7 +57,7 @@ public final class SmoothMotionTask implements Task {
             return Score.passed(finding);
         }
         return Score.failed(
-                through ? 5 : 0,
+                through ? 3 : 0,
                 finding,
                 through
                         ? "Write an Interpolation whose slope at a keyframe is the same on both sides; 150 °/s are allowed."

@@ -21,7 +21,7 @@ public final class StopAt30Task implements Task {
 
     private static final double GOAL_DEGREES = 30;
     private static final double TOLERANCE_DEGREES = 1;
-    private static final double LATEST_SECONDS = 3;
+    private static final double LATEST_SECONDS = 1.8;
 
     private double highest = Double.NEGATIVE_INFINITY;
     private double largestError;
@@ -58,6 +58,6 @@ public final class StopAt30Task implements Task {
                 finding,
                 overshot
                         ? "When the sensor says 30, two more steps are under way: stop earlier, or get slower near the goal."
-                        : "The arm must be within 1° of 30° after 3 s and stay there.");
+                        : "The arm must be within 1° of 30° after 1.8 s and stay there: fast while it is far, slow when it is near.");
     }
 }

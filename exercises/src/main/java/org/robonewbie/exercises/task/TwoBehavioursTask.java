@@ -71,15 +71,15 @@ public final class TwoBehavioursTask implements Task {
         boolean swings = Math.abs(period - PERIOD_SECONDS) < 0.1 && lowest < -SWING_DEGREES && highest > SWING_DEGREES;
         String finding = String.format(
                 Locale.ROOT,
-                "head at the ball for %.0f %% of the time, arm %.0f° to %.0f°, once in %.2f s",
+                "head at the ball for %.0f %% of the time, arm from %.0f° to %.0f°, %s",
                 share,
                 lowest,
                 highest,
-                period);
+                Double.isNaN(period) ? "less than two swings" : String.format(Locale.ROOT, "once in %.2f s", period));
         return follows && swings
                 ? Score.passed(finding)
                 : Score.failed(
-                        (follows ? 5 : 0) + (swings ? 4 : 0),
+                        (follows ? 3 : 0) + (swings ? 3 : 0),
                         finding,
                         "Two methods, each for joints of its own, called in each think(). The arm goes from below -30° to above"
                                 + " 30° and back in 2 s; the head looks where fieldView.ball().bearing() says.");

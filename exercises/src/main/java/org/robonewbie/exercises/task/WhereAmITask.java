@@ -69,8 +69,8 @@ public final class WhereAmITask implements Task {
         List<Double> all = new ArrayList<>(errors);
         all.add(said);
         double worst = all.stream().mapToDouble(Double::doubleValue).max().orElse(said);
-        String finding = String.format(
-                Locale.ROOT, "errors of the two places: %.2f m and %.2f m", all.get(0), all.get(all.size() - 1));
+        String finding =
+                "first place " + told(all.get(0)) + (all.size() > 1 ? ", second place " + told(all.get(1)) : "");
         if (Double.isInfinite(worst)) {
             return Score.failed(
                     0, finding, "From 10 s on say in each cycle where you are, such as nao.say(\"at:-2.31:1.05\").");
@@ -78,10 +78,14 @@ public final class WhereAmITask implements Task {
         return worst <= GOOD_METRES
                 ? Score.passed(finding)
                 : Score.failed(
-                        5 - worst,
+                        3 - worst,
                         finding,
                         "Two landmarks with distance and bearing give the place; SoccerField.BEGINNER.position(landmark) tells"
                                 + " where they stand. Forget what was seen before the robot was carried away.");
+    }
+
+    private static String told(double error) {
+        return Double.isInfinite(error) ? "not told" : String.format(Locale.ROOT, "%.2f m wrong", error);
     }
 
     private Place somewhere() {

@@ -26,7 +26,7 @@ public final class AroundTheBall extends Agent {
         }
         nao.setJointAngle(Joint.NECK_YAW, Math.max(-80, Math.min(80, ball.bearing())), 180);
         nao.setJointAngle(Joint.NECK_PITCH, -15, 90);
-        double metres = Math.hypot(ball.position().x(), ball.position().y());
+        double metres = ball.distance();
         walk.towards(metres - 0.6, 0.2, -18 + 1.5 * ball.bearing());
     }
 }

@@ -32,7 +32,7 @@ public final class GoToTheBall extends Agent {
     private void approach(FieldItem ball) {
         nao.setJointAngle(Joint.NECK_YAW, Math.max(-80, Math.min(80, ball.bearing())), 180);
         nao.setJointAngle(Joint.NECK_PITCH, -25, 90);
-        double ground = Math.hypot(ball.position().x(), ball.position().y());
+        double ground = ball.distance();
         if (ground < 0.42 && Math.abs(ball.bearing()) < 10) {
             walk.stop();
             arrived = true;

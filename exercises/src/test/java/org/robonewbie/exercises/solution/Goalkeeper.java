@@ -5,7 +5,7 @@ import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Vector3;
 
-/** Two pictures tell the speed of the ball and where it passes. */
+/** Two pictures tell the speed of the ball and where it passes; after a dive the robot gets up for the next shot. */
 public final class Goalkeeper extends Agent {
 
     /** Creates the solution. */
@@ -18,10 +18,14 @@ public final class Goalkeeper extends Agent {
     protected void think() {
         fieldView.setTransformation(CameraTransformation.KINEMATICS);
         FieldItem ball = fieldView.ball();
-        if (nao.getVision().isEmpty() || !ball.isVisible()) {
-            return;
+        if (nao.isFallen() && motions.isFinished()) {
+            motions.startGetUp();
+        } else if (nao.getVision().isPresent() && ball.isVisible()) {
+            watch(ball.position());
         }
-        Vector3 now = ball.position();
+    }
+
+    private void watch(Vector3 now) {
         double seconds = nao.getTime() - pictureSeconds;
         double approach = (before.x() - now.x()) / seconds;
         if (seconds < 0.5 && approach > 1 && now.x() / approach < 1.3) {

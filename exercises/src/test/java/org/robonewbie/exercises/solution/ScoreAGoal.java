@@ -1,10 +1,13 @@
 package org.robonewbie.exercises.solution;
 
+import java.util.HashMap;
+import java.util.Map;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.agent.perception.FieldItem;
+import org.robonewbie.agent.perception.PlayerItem;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
@@ -18,7 +21,12 @@ public final class ScoreAGoal extends Agent {
     private static final SoccerField FIELD = SoccerField.BEGINNER;
 
     private final SelfLocalisation self = new SelfLocalisation(FIELD);
+    private static final double CLEAR_METRES = 0.9;
+
+    private final Map<Integer, Vector3> wall = new HashMap<>();
     private boolean placed;
+    private boolean passing;
+    private boolean goLeft = true;
 
     @Override
     protected void think() {
@@ -46,7 +54,35 @@ public final class ScoreAGoal extends Agent {
         double bearing = Math.toDegrees(Math.atan2(now.y(), now.x()));
         nao.setJointAngle(Joint.NECK_YAW, Math.max(-80, Math.min(80, bearing)), 180);
         nao.setJointAngle(Joint.NECK_PITCH, -20, 90);
-        bring(now, self.pose().fromFrame(new Vector3(FIELD.length() / 2 + 0.2, 0, 0)));
+        remember();
+        bring(now, self.pose().fromFrame(aim(self.pose().toFrame(now))));
+    }
+
+    /** Keeps where the opponents stand on the pitch. */
+    private void remember() {
+        for (PlayerItem opponent : fieldView.opponents()) {
+            if (opponent.isVisible() && opponent.distance() < 3.5) {
+                wall.put(opponent.number(), self.pose().toFrame(opponent.position()));
+            }
+        }
+    }
+
+    /** Beside the outermost opponent while the ball is before the wall, then the goal. */
+    private Vector3 aim(Vector3 ball) {
+        double left = wall.values().stream().mapToDouble(Vector3::y).max().orElse(0) + CLEAR_METRES;
+        double right = wall.values().stream().mapToDouble(Vector3::y).min().orElse(0) - CLEAR_METRES;
+        double x = wall.values().stream().mapToDouble(Vector3::x).max().orElse(-FIELD.length());
+        if (ball.x() > x - (passing ? -0.2 : 0.2)) {
+            passing = false;
+            return new Vector3(FIELD.length() / 2 + 0.2, 0, 0);
+        }
+        passing = true;
+        goLeft = goLeft
+                ? Math.abs(left - ball.y()) < Math.abs(right - ball.y()) + 0.5
+                : Math.abs(left - ball.y()) + 0.5 < Math.abs(right - ball.y());
+        double y = goLeft ? left : right;
+        boolean beside = goLeft ? ball.y() > left - 0.25 : ball.y() < right + 0.25;
+        return new Vector3(beside ? x + 1 : x, y, 0);
     }
 
     private void bring(Vector3 ball, Vector3 goal) {

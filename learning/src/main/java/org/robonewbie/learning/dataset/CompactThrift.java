@@ -35,8 +35,12 @@ final class CompactThrift {
     }
 
     CompactThrift text(int field, String value) {
+        return bytes(field, value.getBytes(StandardCharsets.UTF_8));
+    }
+
+    CompactThrift bytes(int field, byte... value) {
         begin(field, BYTES);
-        writeText(value);
+        writeBytes(value);
         return this;
     }
 
@@ -51,7 +55,7 @@ final class CompactThrift {
     CompactThrift texts(int field, String... values) {
         beginList(field, BYTES, values.length);
         for (String value : values) {
-            writeText(value);
+            writeBytes(value.getBytes(StandardCharsets.UTF_8));
         }
         return this;
     }
@@ -100,8 +104,7 @@ final class CompactThrift {
         }
     }
 
-    private void writeText(String text) {
-        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    private void writeBytes(byte... bytes) {
         writeUnsigned(bytes.length);
         out.writeBytes(bytes);
     }
@@ -111,6 +114,11 @@ final class CompactThrift {
     }
 
     private void writeUnsigned(long value) {
+        writeUnsigned(out, value);
+    }
+
+    /** Writes a number with seven bits per byte, the lowest first, as Parquet's levels want it too. */
+    static void writeUnsigned(ByteArrayOutputStream out, long value) {
         long rest = value;
         while ((rest & ~0x7FL) != 0) {
             out.write((int) ((rest & 0x7F) | 0x80));

@@ -7,14 +7,18 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
+import java.util.LongSummaryStatistics;
 import java.util.Map;
+import java.util.Optional;
 import java.util.zip.GZIPOutputStream;
 
 /**
- * A table in the format of Apache Parquet, version 1, in its plainest form: all columns required, one page per column and group
- * of rows, numbers as they are in memory (encoding PLAIN), each page compressed with gzip. The numbers in the code are those of
- * the format's own description, parquet.thrift.
+ * A table in the format of Apache Parquet, version 1, in its plainest form: one page per column and group of rows, numbers as they
+ * are in memory (encoding PLAIN), each page compressed with gzip. A decimal number that is none (NaN) is a missing one (null). The
+ * numbers in the code are those of the format's own description, parquet.thrift.
  */
 final class ParquetFile extends TableFile {
 
@@ -24,6 +28,7 @@ final class ParquetFile extends TableFile {
     private static final int RUN_LENGTHS = 3;
     private static final int GZIP = 2;
     private static final int REQUIRED = 0;
+    private static final int OPTIONAL = 1;
     private static final int UTF_8 = 0;
 
     private final Map<String, String> facts;
@@ -32,7 +37,17 @@ final class ParquetFile extends TableFile {
     private long position;
 
     /** Where a column of a group of rows lies in the file. */
-    private record Chunk(Column column, long offset, long plainBytes, long storedBytes) {}
+    private record Chunk(Column column, long offset, long plainBytes, long storedBytes, Statistics statistics) {}
+
+    /** What a reader may know of a group without reading it; smallest and largest number are missing for texts. */
+    private record Statistics(long missing, Optional<byte[]> least, Optional<byte[]> greatest) {
+
+        static final Statistics OF_TEXTS = new Statistics(0, Optional.empty(), Optional.empty());
+    }
+
+    /** The cells of a column as they stand in the file before they are compressed. */
+    @SuppressWarnings("ArrayRecordComponent")
+    private record Page(byte[] plain, Statistics statistics) {}
 
     /** Rows that were written together. */
     private record Group(int rows, List<Chunk> chunks) {}
@@ -72,7 +87,8 @@ final class ParquetFile extends TableFile {
     }
 
     private Chunk writePage(Column column, int index) throws IOException {
-        byte[] plain = plain(column, index);
+        Page page = page(column, index);
+        byte[] plain = page.plain();
         byte[] stored = compressed(plain);
         byte[] header = new CompactThrift()
                 .number(1, 0)
@@ -85,26 +101,87 @@ final class ParquetFile extends TableFile {
                 .number(4, RUN_LENGTHS)
                 .end()
                 .toBytes();
-        Chunk chunk = new Chunk(column, position, header.length + plain.length, header.length + stored.length);
+        Chunk chunk = new Chunk(
+                column, position, header.length + plain.length, header.length + stored.length, page.statistics());
         append(header);
         append(stored);
         return chunk;
     }
 
-    private byte[] plain(Column column, int index) {
-        if (column.kind() == Column.Kind.TEXT) {
-            return plainTexts(index);
+    private Page page(Column column, int index) {
+        return switch (column.kind()) {
+            case TEXT -> new Page(plainTexts(index), Statistics.OF_TEXTS);
+            case WHOLE -> {
+                long[] all =
+                        waiting.stream().mapToLong(row -> (Long) row.get(index)).toArray();
+                yield new Page(plain(all), statistics(all));
+            }
+            case DECIMAL -> {
+                double[] all = waiting.stream()
+                        .mapToDouble(row -> (Double) row.get(index))
+                        .toArray();
+                yield new Page(plain(all), statistics(all));
+            }
+        };
+    }
+
+    private static byte[] plain(long... all) {
+        byte[] page = new byte[all.length * Long.BYTES];
+        ByteBuffer.wrap(page).order(ByteOrder.LITTLE_ENDIAN).asLongBuffer().put(all);
+        return page;
+    }
+
+    /** First which of the numbers are there, then those. */
+    private static byte[] plain(double... all) {
+        byte[] levels = levels(all);
+        double[] present =
+                Arrays.stream(all).filter(number -> !Double.isNaN(number)).toArray();
+        byte[] page = new byte[Integer.BYTES + levels.length + present.length * Double.BYTES];
+        ByteBuffer content = ByteBuffer.wrap(page).order(ByteOrder.LITTLE_ENDIAN);
+        content.putInt(levels.length).put(levels);
+        for (double number : present) {
+            content.putDouble(number);
         }
-        byte[] bytes = new byte[waiting.size() * Long.BYTES];
-        ByteBuffer numbers = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
-        for (List<Object> row : waiting) {
-            if (column.kind() == Column.Kind.WHOLE) {
-                numbers.putLong((Long) row.get(index));
-            } else {
-                numbers.putDouble((Double) row.get(index));
+        return page;
+    }
+
+    /** Runs of numbers that are there (1) or missing (0): twice the length of each run, then which. */
+    private static byte[] levels(double... numbers) {
+        ByteArrayOutputStream runs = new ByteArrayOutputStream();
+        int start = 0;
+        for (int i = 1; i <= numbers.length; i++) {
+            if (i == numbers.length || Double.isNaN(numbers[i]) != Double.isNaN(numbers[start])) {
+                CompactThrift.writeUnsigned(runs, 2L * (i - start));
+                runs.write(Double.isNaN(numbers[start]) ? 0 : 1);
+                start = i;
             }
         }
-        return bytes;
+        return runs.toByteArray();
+    }
+
+    private static Statistics statistics(long... numbers) {
+        LongSummaryStatistics all = Arrays.stream(numbers).summaryStatistics();
+        return new Statistics(0, Optional.of(bytes(all.getMin())), Optional.of(bytes(all.getMax())));
+    }
+
+    /** Zeros get the sign with which no reader skips a group that has the other zero. */
+    private static Statistics statistics(double... numbers) {
+        DoubleSummaryStatistics all =
+                Arrays.stream(numbers).filter(number -> !Double.isNaN(number)).summaryStatistics();
+        long missing = numbers.length - all.getCount();
+        if (all.getCount() == 0) {
+            return new Statistics(missing, Optional.empty(), Optional.empty());
+        }
+        double least = all.getMin() == 0 ? -0.0 : all.getMin();
+        double greatest = all.getMax() == 0 ? 0.0 : all.getMax();
+        return new Statistics(
+                missing,
+                Optional.of(bytes(Double.doubleToLongBits(least))),
+                Optional.of(bytes(Double.doubleToLongBits(greatest))));
+    }
+
+    private static byte[] bytes(long number) {
+        return littleEndian(Long.BYTES).putLong(number).array();
     }
 
     private byte[] plainTexts(int index) {
@@ -138,14 +215,16 @@ final class ParquetFile extends TableFile {
                         .text(1, fact.getKey())
                         .text(2, fact.getValue())
                         .end());
-        return all.text(6, "RoboNewbie").toBytes();
+        all.text(6, "RoboNewbie").structures(7, columns().size());
+        columns().forEach(column -> all.element().structure(1).end().end()); // the usual order of each type
+        return all.toBytes();
     }
 
     private void describeColumns(CompactThrift all) {
         all.structures(2, columns().size() + 1);
         all.element().text(4, "schema").number(5, columns().size()).end();
         for (Column column : columns()) {
-            all.element().number(1, type(column)).number(3, REQUIRED).text(4, column.name());
+            all.element().number(1, type(column)).number(3, repetition(column)).text(4, column.name());
             if (column.kind() == Column.Kind.TEXT) {
                 all.number(6, UTF_8);
             }
@@ -172,8 +251,15 @@ final class ParquetFile extends TableFile {
                 .longNumber(6, chunk.plainBytes())
                 .longNumber(7, chunk.storedBytes())
                 .longNumber(9, chunk.offset())
-                .end()
-                .end();
+                .structure(12)
+                .longNumber(3, chunk.statistics().missing());
+        chunk.statistics().greatest().ifPresent(number -> all.bytes(5, number));
+        chunk.statistics().least().ifPresent(number -> all.bytes(6, number));
+        all.end().end().end();
+    }
+
+    private static int repetition(Column column) {
+        return column.kind() == Column.Kind.DECIMAL ? OPTIONAL : REQUIRED;
     }
 
     private static int type(Column column) {

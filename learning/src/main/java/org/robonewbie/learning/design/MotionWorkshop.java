@@ -58,6 +58,7 @@ public final class MotionWorkshop {
     private static void write(String name, MotionDesign design, double[] found, Path directory) {
         for (DescribedMotion described : design.motions(found)) {
             MotionFile file = MotionFile.of(described.motion())
+                    .withColumns()
                     .withProperty("coordinates", text(found))
                     .withProperty("made by", "robonewbie optimise " + name + " --again" + seed(design.plan()))
                     .withProperty("end", described.end())

@@ -21,6 +21,8 @@ final class GymConnection {
     private static final int MOST_ENVIRONMENTS = 1024;
     private static final byte MAKE = 'M';
     private static final byte ACT = 'A';
+    private static final byte CHANGE = 'C';
+    private static final byte PICTURE = 'P';
     private static final byte STEP = 1;
     private static final byte RESET = 2;
     private static final byte WELL = 0;
@@ -69,6 +71,8 @@ final class GymConnection {
             switch (kind) {
                 case MAKE -> reply(WELL, make(request));
                 case ACT -> reply(WELL, act(request));
+                case CHANGE -> reply(WELL, change(request));
+                case PICTURE -> reply(WELL, picture(request));
                 default -> throw new IllegalArgumentException("There is no request of kind " + kind + ".");
             }
         } catch (IllegalArgumentException | java.nio.BufferUnderflowException wrong) {
@@ -89,14 +93,35 @@ final class GymConnection {
             throw new IllegalArgumentException(
                     count + " environments were asked for; there can be 1 to " + MOST_ENVIRONMENTS + ".");
         }
-        GymOrder order = usual.completing(StandardCharsets.UTF_8.decode(request).toString());
+        String message = text(request);
+        GymOrder order = usual.completing(message);
+        GymOptions options = GymOrder.options(message.lines().skip(1));
         Supplier<GymEpisode> episodes = order.episodes(classes);
         environments.forEach(GymEnvironment::close);
         environments = IntStream.range(0, count)
                 .parallel()
-                .mapToObj(i -> new GymEnvironment(episodes))
+                .mapToObj(i -> new GymEnvironment(episodes, options))
                 .toList();
         return description(order, environments.get(0)).toString().getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static String text(ByteBuffer request) {
+        return StandardCharsets.UTF_8.decode(request).toString();
+    }
+
+    private byte[] change(ByteBuffer request) {
+        GymOptions options = GymOrder.options(text(request).lines());
+        environments.forEach(environment -> environment.setOptions(options));
+        return new byte[0];
+    }
+
+    private byte[] picture(ByteBuffer request) {
+        int index = request.getInt();
+        if (index < 0 || index >= environments.size()) {
+            throw new IllegalArgumentException(
+                    "There is no environment " + index + "; there are " + environments.size() + ", counted from 0.");
+        }
+        return GymPicture.of(environments.get(index).now()).toString().getBytes(StandardCharsets.UTF_8);
     }
 
     private static JsonObject description(GymOrder order, GymEnvironment environment) {
@@ -118,6 +143,9 @@ final class GymConnection {
         all.addProperty("rangeDegrees", environment.task().rangeDegrees());
         all.add("observation", observation);
         all.add("action", action);
+        JsonArray truth = new JsonArray();
+        GymTruth.NAMES.forEach(truth::add);
+        all.add("truth", truth);
         return all;
     }
 
@@ -169,13 +197,19 @@ final class GymConnection {
             environment.step(action);
         }
         double[] observation = environment.observation();
-        ByteBuffer answer =
-                ByteBuffer.allocate(Double.BYTES * (observation.length + 1) + 1).order(ByteOrder.LITTLE_ENDIAN);
-        for (double number : observation) {
+        double[] truth = environment.truth();
+        ByteBuffer answer = ByteBuffer.allocate(Double.BYTES * (observation.length + 1 + truth.length) + 1)
+                .order(ByteOrder.LITTLE_ENDIAN);
+        put(answer, observation);
+        answer.putDouble(environment.reward());
+        put(answer, truth);
+        return answer.put((byte) (environment.isOver() ? 1 : 0)).array();
+    }
+
+    private static void put(ByteBuffer answer, double... numbers) {
+        for (double number : numbers) {
             answer.putDouble(number);
         }
-        answer.putDouble(environment.reward()).put((byte) (environment.isOver() ? 1 : 0));
-        return answer.array();
     }
 
     private static byte[] joined(byte[][] parts) {

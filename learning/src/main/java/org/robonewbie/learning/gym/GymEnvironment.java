@@ -18,13 +18,20 @@ final class GymEnvironment implements AutoCloseable {
 
     private final Supplier<GymEpisode> episodes;
     private final List<ObservedQuantity> quantities;
+    private GymOptions options;
     private GymEpisode episode;
     private Perception perception;
     private Scene scene;
     private Trial trial;
 
-    /** Begins the episode with seed 0. */
+    /** Begins the episode with seed 0 of tasks as they are. */
     GymEnvironment(Supplier<GymEpisode> episodes) {
+        this(episodes, GymOptions.NONE);
+    }
+
+    /** Begins the episode with seed 0. */
+    GymEnvironment(Supplier<GymEpisode> episodes, GymOptions options) {
+        this.options = options;
         this.episodes = episodes;
         episode = episodes.get();
         perception = new Perception(task().hasCamera());
@@ -33,7 +40,7 @@ final class GymEnvironment implements AutoCloseable {
                 .toList();
         scene = task().scene(new Chance(0));
         trial = Trial.direct(scene, 0, cast());
-        episode.begin(trial);
+        episode.begin(trial, options.draw(0), 0);
     }
 
     /** What is observed; values beyond the ranges are clamped. */
@@ -58,7 +65,12 @@ final class GymEnvironment implements AutoCloseable {
             scene = next;
             trial = Trial.direct(scene, seed, cast());
         }
-        episode.begin(trial);
+        episode.begin(trial, options.draw(seed), seed);
+    }
+
+    /** Changes the episodes that begin from now on. */
+    void setOptions(GymOptions changed) {
+        options = changed;
     }
 
     /** The robot that learns, and others that hold still. */
@@ -86,6 +98,11 @@ final class GymEnvironment implements AutoCloseable {
     /** What is true now. */
     Moment now() {
         return trial.now();
+    }
+
+    /** What is true now, in the order of {@link GymTruth#NAMES}. */
+    double[] truth() {
+        return GymTruth.of(trial, task());
     }
 
     /** The reward of the last step. */

@@ -1,6 +1,8 @@
 package org.robonewbie.learning.gym;
 
+import java.util.ArrayDeque;
 import java.util.List;
+import java.util.Queue;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.Motors;
@@ -9,13 +11,15 @@ import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Script;
 import org.robonewbie.trial.SensorReadings;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.measure.Pushes;
 
 /** One attempt at a task: the robot that does what a learning program wants, and what it earns by that. */
 final class GymEpisode implements Performer {
 
-    private static final Joint[] JOINTS = Joint.values();
+    private static final int CYCLES_BETWEEN_PUSHES = 50;
 
     private final GymTask task;
     private final Measure measure;
@@ -23,6 +27,7 @@ final class GymEpisode implements Performer {
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
     private Posture firstPosture = Posture.ZERO;
+    private final Queue<double[]> underWay = new ArrayDeque<>();
     private double[] action = {};
     private double value;
     private double reward;
@@ -43,17 +48,30 @@ final class GymEpisode implements Performer {
     }
 
     /** Completes the scene of a trial that is at its beginning. */
-    void begin(Trial trial) {
+    void begin(Trial trial, GymOptions.Drawn options, long seed) {
         firstPosture = trial.now().robot().joints();
+        options.place(trial);
         task.begin(trial);
-        trial.with(task);
+        Script pushes = pushes(options.pushNewtons().orElse(task.pushNewtons()), seed);
+        trial.with(world -> {
+            pushes.act(world);
+            task.act(world);
+        });
+        for (int i = 0; i < options.delayCycles(); i++) {
+            underWay.add(new double[task.joints().size()]);
+        }
         see(trial.now());
         reward = 0;
     }
 
+    private static Script pushes(double newtons, long seed) {
+        return newtons == 0 ? world -> {} : new Pushes(seed, CYCLES_BETWEEN_PUSHES, newtons);
+    }
+
     /** Runs one cycle. Actions beyond 1 count as 1. */
     void step(Trial trial, double... newAction) {
-        action = newAction;
+        underWay.add(newAction);
+        action = underWay.remove();
         see(trial.step());
     }
 
@@ -83,9 +101,7 @@ final class GymEpisode implements Performer {
     }
 
     private double[] speeds(SensorReadings readings) {
-        for (Joint joint : JOINTS) {
-            joints.sense(joint, readings.degrees(joint));
-        }
+        readings.sense(joints);
         for (int i = 0; i < action.length; i++) {
             Joint joint = task.joints().get(i);
             double part = Math.max(-1, Math.min(1, action[i]));
@@ -93,11 +109,7 @@ final class GymEpisode implements Performer {
             motors.setTarget(joint, joint.clampDegrees(target), joint.maxDegreesPerSecond());
         }
         motors.endCycle();
-        double[] speeds = new double[Joint.COUNT];
-        for (Joint joint : JOINTS) {
-            speeds[joint.ordinal()] = motors.sentDegreesPerSecond(joint);
-        }
-        return speeds;
+        return motors.sentDegreesPerSecond();
     }
 
     @Override

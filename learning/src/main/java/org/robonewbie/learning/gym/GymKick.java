@@ -16,6 +16,7 @@ final class GymKick extends GymTask {
     private static final Vector3 BALL = new Vector3(-2 + 0.19, -0.055, 0);
     private static final Scene SCENE = scene(-2).withBall(BALL);
     private static final double SPREAD_METRES = 0.01;
+    private static final double GOAL_METRES = 3;
 
     private final KickDistance distance = new KickDistance();
 
@@ -27,8 +28,12 @@ final class GymKick extends GymTask {
 
     @Override
     public void begin(Trial trial) {
-        trial.placeBall(BALL.plus(new Vector3(
-                chance().between(-SPREAD_METRES, SPREAD_METRES), chance().between(-SPREAD_METRES, SPREAD_METRES), 0)));
+        trial.placeBall(trial.ball()
+                .position()
+                .plus(new Vector3(
+                        chance().between(-SPREAD_METRES, SPREAD_METRES),
+                        chance().between(-SPREAD_METRES, SPREAD_METRES),
+                        0)));
     }
 
     @Override
@@ -49,6 +54,12 @@ final class GymKick extends GymTask {
     @Override
     protected void see(Moment first, Moment now) {
         distance.see(now);
+    }
+
+    /** {@return whether the ball gets 3 m ahead and the robot stays on its feet} */
+    @Override
+    public boolean isDone() {
+        return !hasFallen() && distance.value() >= GOAL_METRES;
     }
 
     @Override

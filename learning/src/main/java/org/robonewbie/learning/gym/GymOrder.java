@@ -1,7 +1,9 @@
 package org.robonewbie.learning.gym;
 
+import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.measure.Catalogue;
 import org.robonewbie.trial.measure.Measures;
@@ -22,16 +24,20 @@ public record GymOrder(String task, String reward) {
 
     /** The order of a program as it comes in a message; what it leaves out is taken from this one. */
     GymOrder completing(String message) {
-        String[] lines = message.split("\n", -1);
-        String chosen = reward;
-        for (int i = 1; i < lines.length; i++) {
-            if (!lines[i].startsWith(REWARD)) {
-                throw new IllegalArgumentException(
-                        "There is no option \"" + lines[i] + "\". After the task there can be: " + REWARD + "MEASURE.");
-            }
-            chosen = lines[i].substring(REWARD.length());
-        }
-        return new GymOrder(lines[0].isEmpty() ? task : lines[0], chosen);
+        List<String> lines = message.lines().toList();
+        String wanted = lines.isEmpty() ? "" : lines.get(0);
+        String chosen = lines.stream()
+                .skip(1)
+                .filter(line -> line.startsWith(REWARD))
+                .reduce(reward, (before, line) -> line.substring(REWARD.length()));
+        return new GymOrder(wanted.isEmpty() ? task : wanted, chosen);
+    }
+
+    /** What the same message, or one of its own, changes about episodes. */
+    static GymOptions options(Stream<String> lines) {
+        return lines.filter(line -> !line.startsWith(REWARD))
+                .map(line -> line.split("=", 2))
+                .reduce(GymOptions.NONE, (options, part) -> options.with(part[0], part[part.length - 1]), (a, b) -> b);
     }
 
     /**

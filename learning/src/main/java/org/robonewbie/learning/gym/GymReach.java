@@ -21,6 +21,7 @@ final class GymReach extends GymTask {
             List.of(Joint.LEFT_SHOULDER_PITCH, Joint.LEFT_SHOULDER_YAW, Joint.LEFT_ARM_ROLL, Joint.LEFT_ARM_YAW);
     private static final Vector3 SHOULDER = new Vector3(0, 0.098, 0.075);
     private static final double REACH_METRES = 0.15;
+    private static final double NEAR_METRES = 0.03;
 
     private Vector3 target = Vector3.ZERO;
     private Vector3 arm = Vector3.ZERO;
@@ -69,6 +70,12 @@ final class GymReach extends GymTask {
                 .link(BodyPart.LEFT_LOWER_ARM.simSparkName())
                 .position();
         earned -= arm.distanceTo(target);
+    }
+
+    /** {@return whether the arm is within 3 cm of the target} */
+    @Override
+    public boolean isDone() {
+        return arm.distanceTo(target) <= NEAR_METRES;
     }
 
     @Override

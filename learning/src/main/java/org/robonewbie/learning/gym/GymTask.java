@@ -93,6 +93,16 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
         return new double[0];
     }
 
+    /** {@return by how much pushes that come once per second get harder each time, in newtons; 0 for none} */
+    public double pushNewtons() {
+        return 0;
+    }
+
+    /** {@return whether the robot has done what the task wants; learning programs find it in {@code info["is_success"]}} */
+    public boolean isDone() {
+        return !hasFallen();
+    }
+
     @Override
     public boolean isDecided() {
         return hasFallen();

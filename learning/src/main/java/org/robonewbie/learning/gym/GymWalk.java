@@ -7,13 +7,15 @@ import org.robonewbie.trial.measure.Distance;
 import org.robonewbie.trial.measure.Standing;
 
 /**
- * Walk ahead. Each metre along the first heading pays 10, each second on the feet 1. An episode begins with a light push from
- * any side, so that no two are equal.
+ * Walk ahead. Each metre along the first heading pays 10, each second on the feet 1; a fall costs 5, so that a dive never pays. An
+ * episode begins with a light push from any side, so that no two are equal.
  */
 final class GymWalk extends GymTask {
 
     private static final double FOR_A_METRE = 10;
+    private static final double FOR_A_FALL = 5;
     private static final double MOST_NEWTONS = 40;
+    private static final double GOAL_METRES = 2;
 
     private final Distance distance = new Distance();
     private final Standing standing = new Standing();
@@ -35,8 +37,14 @@ final class GymWalk extends GymTask {
         standing.see(now);
     }
 
+    /** {@return whether the robot has got 2 m ahead on its feet} */
+    @Override
+    public boolean isDone() {
+        return !hasFallen() && distance.value() >= GOAL_METRES;
+    }
+
     @Override
     public double value() {
-        return FOR_A_METRE * distance.value() + standing.value();
+        return FOR_A_METRE * distance.value() + standing.value() - (hasFallen() ? FOR_A_FALL : 0);
     }
 }

@@ -21,23 +21,23 @@ final class EngineChecks {
 
     static List<MotionCheck> all() {
         return List.of(
-                forward(Stage.BARE),
+                forward(CheckStart.BARE),
                 straight(),
-                way(Stage.BARE, "walk engine, backward", BACK, 2, robot -> -robot.forward()),
-                way(Stage.BARE, "walk engine, to the left", LEFT, 2, Rehearsal::left),
-                way(Stage.BARE, "walk engine, to the right", RIGHT, 2, robot -> -robot.left()),
-                turn(Stage.BARE),
+                way(CheckStart.BARE, "walk engine, backward", BACK, 2, robot -> -robot.forward()),
+                way(CheckStart.BARE, "walk engine, to the left", LEFT, 2, Rehearsal::left),
+                way(CheckStart.BARE, "walk engine, to the right", RIGHT, 2, robot -> -robot.left()),
+                turn(CheckStart.BARE),
                 erratic());
     }
 
-    static MotionCheck forward(Stage stage) {
-        return way(stage, "walk engine, forward", AHEAD, 5, Rehearsal::forward);
+    static MotionCheck forward(CheckStart start) {
+        return way(start, "walk engine, forward", AHEAD, 5, Rehearsal::forward);
     }
 
     private static MotionCheck way(
-            Stage stage, String name, WalkVelocity velocity, double metres, ToDoubleFunction<Rehearsal> way) {
+            CheckStart start, String name, WalkVelocity velocity, double metres, ToDoubleFunction<Rehearsal> way) {
         String rule = "walks " + Math.round(metres) + " m, stops, ends in the stance";
-        return stage.check(name, rule, "m/s over the way", (robot, seed) -> {
+        return start.check(name, rule, "m/s over the way", (robot, seed) -> {
             robot.walk(() -> velocity, () -> way.applyAsDouble(robot) < metres);
             double speed = way.applyAsDouble(robot) / robot.seconds();
             return new Outcome(robot.stopWalking() && robot.endsInStance() && speed > 0, speed);
@@ -46,15 +46,15 @@ final class EngineChecks {
 
     private static MotionCheck straight() {
         String rule = "turns by at most 10° on 5 m";
-        return Stage.BARE.check("walk engine, straight", rule, "degrees to either side", (robot, seed) -> {
+        return CheckStart.BARE.check("walk engine, straight", rule, "degrees to either side", (robot, seed) -> {
             boolean up = robot.walk(() -> AHEAD, () -> robot.forward() < 5);
             double turn = Math.abs(robot.turnedDegrees());
             return new Outcome(up && turn <= 10, turn);
         });
     }
 
-    static MotionCheck turn(Stage stage) {
-        return stage.check("walk engine, turn", "turns once around, ends in the stance", "°/s", (robot, seed) -> {
+    static MotionCheck turn(CheckStart start) {
+        return start.check("walk engine, turn", "turns once around, ends in the stance", "°/s", (robot, seed) -> {
             robot.walk(() -> TURN, () -> robot.turnedDegrees() < 360);
             double speed = robot.turnedDegrees() / robot.seconds();
             return new Outcome(robot.stopWalking() && robot.endsInStance(), speed);
@@ -65,7 +65,7 @@ final class EngineChecks {
         return new MotionCheck(
                 "walk engine, erratic",
                 "stance, reached from a posture beside it",
-                "stands after 30 s of velocities at random, a new one every 0.7 s in the mean",
+                "stands after 30 s of velocities at random, a new one every 0.7 s on average",
                 "s on its feet",
                 seed -> {
                     WalkTrial trial = WalkTrial.erratic(STYLE, 30, seed, 3);

@@ -17,21 +17,22 @@ final class KickChecks {
 
     static List<MotionCheck> all() {
         return Stream.of("left", "right")
-                .flatMap(side -> Stream.of(kick(Stage.KICKER, "kick-" + side), pass(Stage.KICKER, "pass-" + side)))
+                .flatMap(side ->
+                        Stream.of(kick(CheckStart.KICKER, "kick-" + side), pass(CheckStart.KICKER, "pass-" + side)))
                 .toList();
     }
 
-    static MotionCheck kick(Stage stage, String name) {
-        return kick(stage, name, "the ball rolls at least 4 m, the robot ends in the stance", STRONG_METRES, 99);
+    static MotionCheck kick(CheckStart start, String name) {
+        return kick(start, name, "the ball rolls at least 4 m, the robot ends in the stance", STRONG_METRES, 99);
     }
 
-    static MotionCheck pass(Stage stage, String name) {
+    static MotionCheck pass(CheckStart start, String name) {
         String rule = "the ball rolls 1 to 2 m, the robot ends in the stance";
-        return kick(stage, name, rule, SHORTEST_PASS_METRES, LONGEST_PASS_METRES);
+        return kick(start, name, rule, SHORTEST_PASS_METRES, LONGEST_PASS_METRES);
     }
 
-    private static MotionCheck kick(Stage stage, String name, String rule, double least, double most) {
-        return stage.check(name, rule, "m", (robot, seed) -> {
+    private static MotionCheck kick(CheckStart start, String name, String rule, double least, double most) {
+        return start.check(name, rule, "m", (robot, seed) -> {
             MotionFile file = ShippedMotions.file(name);
             KickTrial trial =
                     KickTrial.toTheEnd(robot, file.motion(), file.ball().orElseThrow(), seed);

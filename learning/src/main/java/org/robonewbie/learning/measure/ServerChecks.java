@@ -10,18 +10,18 @@ final class ServerChecks {
 
     static List<MotionCheck> all() {
         return List.of(
-                WalkChecks.walk(Stage.SERVER, "walk-forward"),
-                WalkChecks.walk(Stage.SERVER, "walk-forward-fast"),
-                EngineChecks.forward(Stage.SERVER),
-                EngineChecks.turn(Stage.SERVER),
+                WalkChecks.walk(CheckStart.SERVER, "walk-forward"),
+                WalkChecks.walk(CheckStart.SERVER, "walk-forward-fast"),
+                EngineChecks.forward(CheckStart.SERVER),
+                EngineChecks.turn(CheckStart.SERVER),
                 getUp("stand-up-from-back", "fall-back"),
                 getUp("stand-up-from-front", "fall-forward"),
-                KickChecks.kick(Stage.SERVER, "kick-right"),
-                KickChecks.pass(Stage.SERVER, "pass-right"));
+                KickChecks.kick(CheckStart.SERVER, "kick-right"),
+                KickChecks.pass(CheckStart.SERVER, "pass-right"));
     }
 
     private static MotionCheck getUp(String name, String fall) {
-        return Stage.SERVER.check(name, "stands within 10 s after " + fall, "s", (robot, seed) -> {
+        return CheckStart.SERVER.check(name, "stands within 10 s after " + fall, "s", (robot, seed) -> {
             robot.allowFalls();
             robot.play(ShippedMotions.motion(fall));
             robot.hold(1 + 0.1 * (seed % 7));

@@ -15,9 +15,9 @@ final class WalkChecks {
 
     static List<MotionCheck> all() {
         return List.of(
-                walk(Stage.BARE, "walk-forward"),
+                walk(CheckStart.BARE, "walk-forward"),
                 straight("walk-forward"),
-                walk(Stage.BARE, "walk-forward-fast"),
+                walk(CheckStart.BARE, "walk-forward-fast"),
                 straight("walk-forward-fast"),
                 turn("turn-left", 1),
                 turn("turn-right", -1),
@@ -31,8 +31,8 @@ final class WalkChecks {
                 onTheSpot("dance"));
     }
 
-    static MotionCheck walk(Stage stage, String name) {
-        return stage.check(name, "walks 5 m, stops, ends in the stance", "m/s over the 5 m", (robot, seed) -> {
+    static MotionCheck walk(CheckStart start, String name) {
+        return start.check(name, "walks 5 m, stops, ends in the stance", "m/s over the 5 m", (robot, seed) -> {
             walkFiveMetres(robot, name);
             double speed = robot.forward() / robot.seconds();
             robot.play(ShippedMotions.motion("stop-walking"));
@@ -42,7 +42,7 @@ final class WalkChecks {
 
     private static MotionCheck straight(String name) {
         String rule = "turns by at most 10° on 5 m";
-        return Stage.BARE.check(name + ", straight", rule, "degrees to either side", (robot, seed) -> {
+        return CheckStart.BARE.check(name + ", straight", rule, "degrees to either side", (robot, seed) -> {
             walkFiveMetres(robot, name);
             double turn = Math.abs(robot.turnedDegrees());
             return new Outcome(!robot.poise().hasFallen() && turn <= 10, turn);
@@ -59,7 +59,7 @@ final class WalkChecks {
 
     private static MotionCheck turn(String name, int sign) {
         String rule = "turns once around, ends in the stance";
-        return Stage.BARE.check(name, rule, "degrees each time", (robot, seed) -> {
+        return CheckStart.BARE.check(name, rule, "degrees each time", (robot, seed) -> {
             Motion turn = ShippedMotions.motion(name);
             int times = 0;
             while (sign * robot.turnedDegrees() < 360 && robot.seconds() < MOST_SECONDS && robot.play(turn)) {
@@ -70,7 +70,7 @@ final class WalkChecks {
     }
 
     private static MotionCheck sideStep(String name, int sign) {
-        return Stage.BARE.check(name, "ends in the stance after five times", "m each time", (robot, seed) -> {
+        return CheckStart.BARE.check(name, "ends in the stance after five times", "m each time", (robot, seed) -> {
             playFiveTimes(robot, name);
             double metres = sign * robot.left() / 5;
             return new Outcome(robot.endsInStance() && metres > 0, metres);
@@ -78,7 +78,7 @@ final class WalkChecks {
     }
 
     private static MotionCheck onTheSpot(String name) {
-        return Stage.BARE.check(name, "ends in the stance after five times", "s each time", (robot, seed) -> {
+        return CheckStart.BARE.check(name, "ends in the stance after five times", "s each time", (robot, seed) -> {
             playFiveTimes(robot, name);
             double seconds = robot.seconds() / 5;
             return new Outcome(robot.endsInStance(), seconds);

@@ -37,7 +37,7 @@ final class MotionScene {
     private final boolean loop;
     private final boolean endsInStance;
     private final Motion motion;
-    private final boolean keepsDeed;
+    private final boolean keepsEffect;
 
     MotionScene(MotionFile file, Objective objective) {
         this.objective = objective;
@@ -49,7 +49,7 @@ final class MotionScene {
         this.lyingEnd = lying(end);
         this.loop = start.contains("walking") && end.contains("walking");
         this.endsInStance = end.equals("stance") || loop || (end.isEmpty() && lastPosture(motion));
-        this.keepsDeed = objective.temptsToDoLess();
+        this.keepsEffect = objective.temptsToDoLess();
         if (objective.needsBall() && ball.isEmpty()) {
             throw new IllegalArgumentException(
                     file.name() + " does not say where the ball lies, so " + objective.label()
@@ -61,8 +61,8 @@ final class MotionScene {
     Evaluation evaluate(Motion candidate, long seed) {
         Seen seen = play(candidate, seed);
         double flaws = seen.flaws + 0.01 * Math.max(0, beyondMotors(candidate) - beyondMotors(motion));
-        if (keepsDeed) {
-            flaws += seen.deed.difference(play(motion, seed).deed);
+        if (keepsEffect) {
+            flaws += seen.effect.difference(play(motion, seed).effect);
         }
         return new Evaluation(seen.value, seen.success ? 1 : 0, flaws);
     }
@@ -79,16 +79,16 @@ final class MotionScene {
             }
             perform(candidate, robot);
             double value = measure.value();
-            Deed deed = deed(robot, kick);
+            MotionEffect effect = effect(robot, kick);
             if (loop) {
                 robot.play(ShippedMotions.motion("stop-walking"));
             }
             robot.hold(objective.isTimeToScore() ? SECONDS_TO_ROLL : SETTLING_SECONDS);
             if (!loop) {
                 value = measure.value();
-                deed = deed(robot, kick);
+                effect = effect(robot, kick);
             }
-            return new Seen(value, isSuccess(robot), roughness(robot.poise()), deed);
+            return new Seen(value, isSuccess(robot), roughness(robot.poise()), effect);
         }
     }
 
@@ -102,8 +102,8 @@ final class MotionScene {
         return lyingStart.isPresent() ? robot.isAtRest() : !robot.poise().hasFallen();
     }
 
-    private static Deed deed(Rehearsal robot, KickDistance kick) {
-        return new Deed(robot.forward(), robot.left(), robot.turnedDegrees(), kick.value());
+    private static MotionEffect effect(Rehearsal robot, KickDistance kick) {
+        return new MotionEffect(robot.forward(), robot.left(), robot.turnedDegrees(), kick.value());
     }
 
     private Rehearsal start(long seed) {
@@ -147,5 +147,5 @@ final class MotionScene {
     }
 
     /** What one trial showed. */
-    private record Seen(double value, boolean success, double flaws, Deed deed) {}
+    private record Seen(double value, boolean success, double flaws, MotionEffect effect) {}
 }

@@ -1,12 +1,10 @@
 package org.robonewbie.learning.rehearsal;
 
-import java.util.Arrays;
 import java.util.List;
 import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.JointStates;
@@ -19,8 +17,6 @@ import org.robonewbie.trial.SensorReadings;
 
 /** The motion player and the walk engine alone, without an agent around them: much faster, and the walk may have any style. */
 final class MotorPuppet implements Puppet {
-
-    private static final Joint[] JOINTS = Joint.values();
 
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
@@ -54,9 +50,7 @@ final class MotorPuppet implements Puppet {
     }
 
     private double[] degreesPerSecond(SensorReadings readings) {
-        for (Joint joint : JOINTS) {
-            joints.sense(joint, readings.degrees(joint));
-        }
+        readings.sense(joints);
         engine.feel(
                 new TorsoMotion(SimSparkFrame.toBody(readings.gyro()), SimSparkFrame.toBody(readings.acceleration())));
         if (engine.isStanding()) {
@@ -66,7 +60,7 @@ final class MotorPuppet implements Puppet {
             step();
         }
         motors.endCycle();
-        return Arrays.stream(JOINTS).mapToDouble(motors::sentDegreesPerSecond).toArray();
+        return motors.sentDegreesPerSecond();
     }
 
     private void step() {

@@ -1,6 +1,8 @@
 /**
  * Search for numbers that make a cost small, without derivatives. Read {@link
  * org.robonewbie.learning.search.CovarianceMatrixAdaptation} first.
+ *
+ * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.learning.search;

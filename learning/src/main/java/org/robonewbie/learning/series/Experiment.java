@@ -2,6 +2,7 @@ package org.robonewbie.learning.series;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * What is done in each trial of a series. A class that implements it has a public constructor without parameters. Trials run
@@ -24,6 +25,11 @@ public interface Experiment {
 
     /** {@return the names of the table's columns, with units: what a trial measures} */
     List<String> columns();
+
+    /** {@return the names of the parameters that a plan may give; empty if it may give any} */
+    default Optional<List<String>> parameters() {
+        return Optional.empty();
+    }
 
     /**
      * Carries out one trial.

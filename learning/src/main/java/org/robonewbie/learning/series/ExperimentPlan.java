@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import org.robonewbie.agent.log.Spelling;
 
 /**
  * Which experiment is run how often and with which parameters: all combinations of the values in order, repeated as often as
@@ -74,6 +75,24 @@ public record ExperimentPlan(String experiment, int trials, long seed, LinkedHas
             numbers.add(Double.valueOf(part.trim()));
         }
         return List.copyOf(numbers);
+    }
+
+    /**
+     * Refuses parameters that the experiment does not have.
+     *
+     * @param known the names of those that it has
+     * @throws IllegalArgumentException if the plan gives another one; the message names the nearest that there is
+     */
+    public void refuseOthersThan(List<String> known) {
+        for (String name : values.keySet()) {
+            if (!known.contains(name)) {
+                String nearest = Spelling.nearest(name, known)
+                        .map(meant -> " Did you mean " + meant + "?")
+                        .orElse("");
+                throw new IllegalArgumentException("The plan gives a parameter \"" + name + "\", which " + experiment
+                        + " does not have." + nearest + " It has: " + String.join(", ", known) + ".");
+            }
+        }
     }
 
     /** {@return all trials in order; the seed of a trial depends on the plan's seed and the trial's number only} */

@@ -1,7 +1,11 @@
 package org.robonewbie.learning.series;
 
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -35,39 +39,69 @@ public final class LocalEngine implements ExperimentEngine {
 
     @Override
     public List<double[]> run(String experiment, List<PlannedTrial> trials, String master, IntConsumer progress) {
+        Map<PlannedTrial, double[]> results = new ConcurrentHashMap<>();
+        run(experiment, trials, master, progress, new TrialSink() {
+            @Override
+            public void measured(PlannedTrial trial, double[] numbers) {
+                results.put(trial, numbers);
+            }
+
+            @Override
+            public void failed(PlannedTrial trial, String why) {
+                throw new IllegalStateException(why);
+            }
+        });
+        return trials.stream()
+                .map(trial -> Objects.requireNonNull(results.get(trial)))
+                .toList();
+    }
+
+    @Override
+    public void run(String experiment, List<PlannedTrial> trials, String master, IntConsumer progress, TrialSink sink) {
         ClassLoader loader = Thread.currentThread().getContextClassLoader();
         Experiment.of(experiment);
         AtomicInteger done = new AtomicInteger();
         ExecutorService executor = Executors.newFixedThreadPool(threads);
         try {
-            List<Future<double[]>> results = new ArrayList<>(trials.size());
+            List<Future<?>> running = new ArrayList<>(trials.size());
             for (PlannedTrial trial : trials) {
-                results.add(executor.submit(() -> {
+                running.add(executor.submit(() -> {
                     Thread.currentThread().setContextClassLoader(loader);
-                    double[] measured = trial.run(Experiment.of(experiment));
+                    runOne(experiment, trial, sink);
                     progress.accept(done.incrementAndGet());
-                    return measured;
                 }));
             }
-            return collected(results);
+            awaitAll(running);
         } finally {
             executor.shutdownNow();
         }
     }
 
-    private static List<double[]> collected(List<Future<double[]>> results) {
-        List<double[]> all = new ArrayList<>(results.size());
+    private static void runOne(String experiment, PlannedTrial trial, TrialSink sink) {
+        double[] numbers;
         try {
-            for (Future<double[]> result : results) {
-                all.add(result.get());
+            numbers = trial.run(Experiment.of(experiment));
+        } catch (IllegalStateException failed) {
+            sink.failed(trial, String.valueOf(failed.getMessage()));
+            return;
+        }
+        sink.measured(trial, numbers);
+    }
+
+    private static void awaitAll(List<Future<?>> running) {
+        try {
+            for (Future<?> trial : running) {
+                trial.get();
             }
         } catch (ExecutionException failed) {
+            if (failed.getCause() instanceof UncheckedIOException full) {
+                throw full;
+            }
             throw new IllegalStateException(
                     failed.getCause() == null ? "" : failed.getCause().getMessage(), failed);
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
             throw new IllegalStateException("The experiment was interrupted.", interrupted);
         }
-        return all;
     }
 }

@@ -2,6 +2,7 @@ package org.robonewbie.learning.series;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.trial.Chance;
@@ -17,6 +18,7 @@ import org.robonewbie.trial.Trial;
  */
 public final class PushExperiment implements Experiment {
 
+    private static final String NEWTONS = "newtons";
     private static final Scene SCENE = Scene.of(RobotStart.at(1.5, 0).after("stand"));
     private static final double SECONDS = 2;
     private static final double SECONDS_OF_THE_PUSH = 5 * Cycle.SECONDS;
@@ -31,9 +33,14 @@ public final class PushExperiment implements Experiment {
     }
 
     @Override
+    public Optional<List<String>> parameters() {
+        return Optional.of(List.of(NEWTONS));
+    }
+
+    @Override
     public double[] run(Map<String, Double> parameters, long seed) {
         double side = new Chance(seed).between(0, 360);
-        Vector3 push = new Place(0, 0, side).point(parameters.getOrDefault("newtons", USUAL_NEWTONS), 0, 0);
+        Vector3 push = new Place(0, 0, side).point(parameters.getOrDefault(NEWTONS, USUAL_NEWTONS), 0, 0);
         try (Trial trial = Trial.direct(SCENE, seed, Performer.ofSpeeds())) {
             double largestTilt = 0;
             while (trial.seconds() < SECONDS) {

@@ -47,7 +47,12 @@ class TableFileTest {
         ByteBuffer runs = page(file, description, 0, 0);
         assertThat(List.of(runs.getLong(), runs.getLong())).containsExactly(1L, -2L);
         ByteBuffer tilts = page(file, description, 0, 1);
-        assertThat(List.of(tilts.getDouble(), tilts.getDouble())).containsExactly(0.5, Double.NaN);
+        assertThat(tilts.getInt()).isEqualTo(4);
+        byte[] oneIsThereThenOneIsMissing = new byte[4];
+        tilts.get(oneIsThereThenOneIsMissing);
+        assertThat(oneIsThereThenOneIsMissing).containsExactly(2, 1, 2, 0);
+        assertThat(tilts.getDouble()).isEqualTo(0.5);
+        assertThat(tilts.remaining()).isZero();
         ByteBuffer events = page(file, description, 0, 2);
         assertThat(List.of(text(events), text(events))).containsExactly("größer", "");
     }

@@ -79,10 +79,35 @@ class GymServerTest {
         act(order(1, 0, 1, 0, 0, 0));
         ByteBuffer answer = act(order(1, 0, 1, 0, 0, 0));
 
-        assertThat(answer.getDouble(answer.limit() - 9)).isNegative();
+        assertThat(answer.getDouble(answer.limit() - 9 - Double.BYTES * GymTruth.NAMES.size()))
+                .isNegative();
         assertThat(text(make("Reach\nreward=joy", 1))).startsWith("\1There is no measure \"joy\". There are: ");
         assertThat(text(make("Reach\nspeed=9", 1)))
-                .isEqualTo("\1There is no option \"speed=9\". After the task there can be: reward=MEASURE.");
+                .isEqualTo(
+                        "\1There is no option \"speed\". There are: reward, x, y, heading, ball_x, ball_y, push, delay.");
+    }
+
+    @Test
+    void optionsChangeWhatBeginsAndPicturesShowIt() throws IOException {
+        make("Walk\nx=1..1.5\nball_x=0.5", 1);
+        double[] nothing = new double[12];
+
+        double first = truth(act(order(2, 1, nothing)), "x");
+        assertThat(first).isBetween(1.0, 1.5);
+        assertThat(truth(act(order(2, 2, nothing)), "x")).isBetween(1.0, 1.5).isNotEqualTo(first);
+        assertThat(truth(act(order(2, 1, nothing)), "x")).isEqualTo(first);
+        assertThat(text(ask("Cball_x=2".getBytes(StandardCharsets.UTF_8)))).isEqualTo("\0");
+        assertThat(truth(act(order(2, 1, nothing)), "ball_x")).isEqualTo(2);
+        assertThat(text(ask(bytes(little(5).put((byte) 'P').putInt(0))))).contains("\"ball\":[2.0,0.0,");
+        assertThat(text(ask(bytes(little(5).put((byte) 'P').putInt(1)))))
+                .isEqualTo("\1There is no environment 1; there are 1, counted from 0.");
+        assertThat(text(ask("Cball_x=2..1".getBytes(StandardCharsets.UTF_8))))
+                .startsWith("\1The option ball_x=2..1 is neither a number nor a range");
+    }
+
+    private static double truth(ByteBuffer answer, String name) {
+        int fromTheEnd = GymTruth.NAMES.size() - GymTruth.NAMES.indexOf(name);
+        return answer.getDouble(answer.limit() - 1 - Double.BYTES * fromTheEnd);
     }
 
     @Test

@@ -12,6 +12,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class OptimisationTest {
 
@@ -130,6 +132,44 @@ class OptimisationTest {
         assertThatThrownBy(() -> optimisation.run(true, new ArrayList<>()::add))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("cannot be understood: \"1.0 many 2.0 | 1.0 1.0 1.0\"");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void refusesACheckpointWithAnotherDigit(int generation) throws IOException {
+        var optimisation = new Optimisation(new Hill(), OBJECTIVE, plan(2, 1), folder.resolve("hill.txt"));
+        optimisation.run(false, new ArrayList<>()::add);
+        Path checkpoint = optimisation.checkpointFile();
+        List<String> lines = new ArrayList<>(Files.readAllLines(checkpoint));
+        String line = lines.get(generation);
+        char digit = line.charAt(0) == '9' ? '8' : '9';
+        lines.set(generation, digit + line.substring(1));
+        Files.write(checkpoint, lines);
+
+        assertThatThrownBy(() -> optimisation.run(true, new ArrayList<>()::add))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("hill.txt.checkpoint is damaged: the checksum of \"" + digit)
+                .hasMessageContaining("Leave out --resume.");
+    }
+
+    @Test
+    void goesOnFromACheckpointWithoutChecksums() throws IOException {
+        Path file = folder.resolve("hill.txt");
+        OptimisationResult expected =
+                new Optimisation(new Hill(), OBJECTIVE, plan(4, 1), file).run(false, new ArrayList<>()::add);
+        var optimisation = new Optimisation(new Hill(), OBJECTIVE, plan(4, 1), file);
+        List<String> whole = Files.readAllLines(optimisation.checkpointFile());
+        Files.write(
+                optimisation.checkpointFile(),
+                whole.stream()
+                        .limit(3)
+                        .map(line -> line.replaceFirst(" \\| [0-9a-f]{8}$", ""))
+                        .toList());
+
+        OptimisationResult resumed = optimisation.run(true, new ArrayList<>()::add);
+
+        assertThat(resumed).isEqualTo(expected);
+        assertThat(Files.readAllLines(optimisation.checkpointFile())).isEqualTo(whole);
     }
 
     @Test

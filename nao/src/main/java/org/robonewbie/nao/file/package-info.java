@@ -1,3 +1,7 @@
-/** Files that are written as a whole: {@link org.robonewbie.nao.file.AtomicFile}. */
+/**
+ * Files that are written as a whole: {@link org.robonewbie.nao.file.AtomicFile}.
+ *
+ * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.nao.file;

@@ -18,6 +18,8 @@ public final class BodyPoses {
     /** A corner that is not higher than this touches the ground; soles of a robot that stands are a little uneven. */
     private static final double TOUCH_METRES = 0.012;
 
+    private static final int CORNERS = 8;
+
     private final NaoModel model;
     private final List<Pose> poses;
 
@@ -95,24 +97,33 @@ public final class BodyPoses {
     List<Vector3> supportPolygon() {
         List<Vector3> touching = new ArrayList<>();
         for (int i = 0; i < poses.size(); i++) {
-            Link link = model.links().get(i);
-            if (link.collides()) {
-                addTouching(link.shape().size(), poses.get(i), touching);
+            if (model.links().get(i).collides()) {
+                corners(i).stream()
+                        .filter(corner -> corner.z() < TOUCH_METRES)
+                        .map(corner -> new Vector3(corner.x(), corner.y(), 0))
+                        .forEach(touching::add);
             }
         }
         return ConvexHull.of(touching);
     }
 
-    /** Adds those corners of a link's bounding box that touch the ground; sizes are in SimSpark's axes. */
-    private static void addTouching(Vector3 size, Pose pose, List<Vector3> touching) {
-        for (int i = 0; i < 8; i++) {
+    /**
+     * Returns the corners of the smallest box around a link's shape.
+     *
+     * @param link its index in {@link NaoModel#links()}
+     * @return eight points in metres; bit 0 of an index is the side along SimSpark's x axis of the link, bit 1 along y, bit 2
+     *     along z
+     */
+    public List<Vector3> corners(int link) {
+        Vector3 size = model.links().get(link).shape().size();
+        List<Vector3> corners = new ArrayList<>(CORNERS);
+        for (int i = 0; i < CORNERS; i++) {
             double right = (i & 1) == 0 ? size.x() : -size.x();
             double forward = (i & 2) == 0 ? size.y() : -size.y();
             double up = (i & 4) == 0 ? size.z() : -size.z();
-            Vector3 corner = pose.transform(SimSparkFrame.toBody(new Vector3(right, forward, up).times(0.5)));
-            if (corner.z() < TOUCH_METRES) {
-                touching.add(new Vector3(corner.x(), corner.y(), 0));
-            }
+            Vector3 half = new Vector3(right, forward, up).times(0.5);
+            corners.add(poses.get(link).transform(SimSparkFrame.toBody(half)));
         }
+        return corners;
     }
 }

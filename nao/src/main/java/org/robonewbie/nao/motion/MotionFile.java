@@ -2,9 +2,13 @@ package org.robonewbie.nao.motion;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.MotionLine.Frame;
 import org.robonewbie.nao.motion.MotionLine.Note;
 import org.robonewbie.nao.motion.MotionLine.Unreadable;
@@ -165,6 +169,16 @@ public final class MotionFile {
         }
         changed.add(0, Note.ofProperty(key, value, usualLineEnd()));
         return with(changed);
+    }
+
+    /** {@return the file with a comment at the top that says what each column is, in the order of {@link Joint}} */
+    public MotionFile withColumns() {
+        return withProperty(
+                "columns",
+                Stream.concat(
+                                Stream.of("milliseconds"),
+                                Arrays.stream(Joint.values()).map(Joint::name))
+                        .collect(Collectors.joining(", ")));
     }
 
     /**

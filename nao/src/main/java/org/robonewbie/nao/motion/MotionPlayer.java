@@ -30,12 +30,19 @@ import org.robonewbie.nao.math.PortableMath;
  */
 public final class MotionPlayer {
 
+    /** The property of a motion file that names the rule by which it is played. */
+    public static final String RULE = "play";
+
+    /** The value of {@link #RULE} for files that were made for RoboNewbie 1.1. */
+    public static final String ORIGINAL = "1.1";
+
     private static final int CYCLE_MILLIS = 20;
     private static final Joint[] JOINTS = Joint.values();
 
     private final Motion motion;
     private final Interpolation interpolation;
     private final int[] keyframeEnds;
+    private final Optional<OriginalRule> original;
     private Optional<PostureFollower> follower = Optional.empty();
     private List<KeyframeInterval> sections = List.of();
     private double fraction;
@@ -50,9 +57,29 @@ public final class MotionPlayer {
      * @param interpolation how joints move from one keyframe to the next
      */
     public MotionPlayer(Motion motion, Interpolation interpolation) {
+        this(motion, interpolation, Optional.empty());
+    }
+
+    private MotionPlayer(Motion motion, Interpolation interpolation, Optional<OriginalRule> original) {
         this.motion = motion;
         this.interpolation = interpolation;
         this.keyframeEnds = keyframeEnds(motion);
+        this.original = original;
+    }
+
+    /**
+     * Prepares the motion of a file as the file wants to be played: by the rule of RoboNewbie 1.1 if it says {@code // play: 1.1}, else
+     * by the given interpolation.
+     *
+     * @param file the file
+     * @param speed 1 as in the file, 2 twice as fast
+     * @param interpolation how joints move from one keyframe to the next
+     * @return the player
+     */
+    public static MotionPlayer of(MotionFile file, double speed, Interpolation interpolation) {
+        Motion motion = speed == 1 ? file.motion() : file.motion().stretched(1 / speed);
+        boolean old = file.property(RULE).filter(ORIGINAL::equals).isPresent();
+        return new MotionPlayer(motion, interpolation, old ? Optional.of(new OriginalRule(motion)) : Optional.empty());
     }
 
     /**
@@ -66,17 +93,17 @@ public final class MotionPlayer {
 
     /** {@return the index of the keyframe that is being approached, from 0; the last one after the end} */
     public int keyframe() {
-        return keyframe;
+        return original.map(OriginalRule::keyframe).orElse(keyframe);
     }
 
     /** {@return the time since the motion began, or since its last repetition began, in seconds} */
     public double seconds() {
-        return cycle * Cycle.SECONDS;
+        return original.map(OriginalRule::cycles).orElse(cycle) * Cycle.SECONDS;
     }
 
     /** {@return the duration of the motion in seconds, in whole cycles} */
     public double durationSeconds() {
-        return lengthInCycles() * Cycle.SECONDS;
+        return original.map(OriginalRule::lengthInCycles).orElse(lengthInCycles()) * Cycle.SECONDS;
     }
 
     /**
@@ -90,6 +117,10 @@ public final class MotionPlayer {
 
     /** {@return whether the motion is over: all its speeds have been set} */
     public boolean isFinished() {
+        return original.isPresent() ? original.get().isOver() && !looping : isPlanOver();
+    }
+
+    private boolean isPlanOver() {
         return cycle >= lengthInCycles() && !(looping && lengthInCycles() > 0);
     }
 
@@ -101,8 +132,21 @@ public final class MotionPlayer {
     public void step(Motors motors) {
         if (isFinished()) {
             motors.stopMotion();
-            return;
+        } else if (original.isPresent()) {
+            stepAsOriginal(original.get(), motors);
+        } else {
+            stepByPlan(motors);
         }
+    }
+
+    private static void stepAsOriginal(OriginalRule rule, Motors motors) {
+        if (rule.isOver()) {
+            rule.begin();
+        }
+        rule.step(motors);
+    }
+
+    private void stepByPlan(Motors motors) {
         if (cycle == 0) {
             begin(motors);
         } else if (cycle == lengthInCycles()) {

@@ -134,6 +134,11 @@ public final class Motors {
         return sentDegreesPerSecond[joint.ordinal()];
     }
 
+    /** {@return the speeds of all joints that are sent in this cycle, in degrees per second, in the order of {@link Joint}} */
+    public double[] sentDegreesPerSecond() {
+        return sentDegreesPerSecond.clone();
+    }
+
     /**
      * {@return whether the speed that was fixed by the last {@link #endCycle} has to be sent; a motor keeps its speed, so one
      * that rests need not be stopped again}

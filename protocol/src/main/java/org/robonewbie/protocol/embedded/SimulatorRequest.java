@@ -17,6 +17,7 @@ import java.util.OptionalLong;
  * @param report name of the file for the true results as JSON, written at the end
  * @param recording name of the file for the recording of the run
  * @param awaitedAgents how many agents must be connected before the clock starts, at least 1
+ * @param agent name of the program that asks, for the recording's card
  */
 public record SimulatorRequest(
         int agentPort,
@@ -28,4 +29,5 @@ public record SimulatorRequest(
         boolean truth,
         Optional<String> report,
         Optional<String> recording,
-        int awaitedAgents) {}
+        int awaitedAgents,
+        String agent) {}

@@ -6,6 +6,8 @@
  * from their embedded simulator ({@code EmbeddedSimulator.telemetry()}, which is that of the simulator's viewer). Robots of
  * other processes reach it through a {@link org.robonewbie.protocol.tcp.TelemetryServer}, which listens on this computer 200
  * above the agent port of the simulator and works alongside any server, including a real rcssserver3d.
+ *
+ * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.protocol.telemetry;

@@ -3,6 +3,7 @@ package org.robonewbie.simulator.cycle;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
@@ -109,6 +110,11 @@ public final class AgentConnection implements Restorable {
         return heardOf;
     }
 
+    /** Whether an agent that is still there has come through a team's door, or through none, and sent something. */
+    boolean isHeardOf(Optional<String> team) {
+        return heardOf && !hasLeft() && link.team().equals(team);
+    }
+
     /** Whether in sync mode the world need not wait for this agent. */
     boolean isSynchronised() {
         return synchronised
@@ -156,6 +162,11 @@ public final class AgentConnection implements Restorable {
         } else {
             warn("slow", "does not read its messages fast enough; some are thrown away.");
         }
+    }
+
+    /** {@return the number of messages that were answered before the next one was sent} */
+    public long answeredMessages() {
+        return Math.max(0, generatedMessages - unansweredMessages - 1);
     }
 
     /** The number of messages that were not answered before the next one was sent. */

@@ -107,7 +107,7 @@ final class Effectors implements Restorable {
         if (command instanceof SetHingeSpeed speed) {
             setSpeed(agent, robot, speed);
         } else if (command instanceof JoinTeam join) {
-            agent.want(join);
+            agent.want(ownTeam(agent, join));
         } else if (command instanceof Beam beam) {
             agent.want(beam);
         } else if (command instanceof Say say) {
@@ -115,6 +115,14 @@ final class Effectors implements Restorable {
         } else if (command instanceof RequestPass) {
             agent.player().ifPresent(match::requestPass);
         }
+    }
+
+    private static JoinTeam ownTeam(ConnectedAgent agent, JoinTeam join) {
+        return agent.connection()
+                .link()
+                .team()
+                .map(team -> new JoinTeam(join.number(), team))
+                .orElse(join);
     }
 
     private static void wantRobot(ConnectedAgent agent, CreateRobot create) {

@@ -42,6 +42,11 @@ public interface ServerLink {
     /** {@return the address of the other end, such as "at 127.0.0.1:4711"} */
     String address();
 
+    /** {@return the team to which the robot of this connection belongs, whatever the agent says; empty if it may choose} */
+    default Optional<String> team() {
+        return Optional.empty();
+    }
+
     /**
      * Gives the messages that the agent has not taken yet, where they can be saved with the world.
      *

@@ -213,11 +213,15 @@ public final class SimulationCycle implements Restorable {
         new Restoration(this).restore(before, moment);
     }
 
-    /** {@return how many agents are connected and have sent something} */
-    public int heardAgents() {
+    /**
+     * Counts agents that are connected and have sent something.
+     *
+     * @param team the team whose door they came through; empty for those who came through none
+     * @return their number
+     */
+    public int heardAgents(Optional<String> team) {
         return (int) agents.stream()
-                .filter(agent ->
-                        agent.connection().isHeardOf() && !agent.connection().hasLeft())
+                .filter(agent -> agent.connection().isHeardOf(team))
                 .count();
     }
 

@@ -57,7 +57,9 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
 
     /** Runs that people watch are recorded, so that they can look at them again. */
     private static Optional<Path> shelved(SimulatorRequest request) {
-        return request.headless() ? Optional.empty() : RecordingShelf.ofUser().flatMap(RecordingShelf::next);
+        return request.headless()
+                ? Optional.empty()
+                : RecordingShelf.ofUser().flatMap(shelf -> shelf.next(request.agent()));
     }
 
     private static Optional<Viewer.View> openView(Simulator simulator) throws IOException {

@@ -16,7 +16,7 @@ import org.robonewbie.nao.file.AtomicFile;
 
 /**
  * The folder in which the runs of this user are recorded. It never holds more than a given number of bytes: the oldest recordings
- * make room, also while a run is recorded.
+ * make room, also while a run is recorded. Those with a star stay and do not count.
  *
  * @param folder where the recordings are; it need not exist
  * @param mostBytes how much all of them may take
@@ -50,9 +50,10 @@ public record RecordingShelf(Path folder, long mostBytes) {
     /**
      * Makes room for the next recording and names it after the time.
      *
+     * @param agent name of the program that is run, empty if it is not known
      * @return its file, which does not exist yet; empty if the folder cannot be used
      */
-    public Optional<Path> next() {
+    public Optional<Path> next(String agent) {
         try {
             Files.createDirectories(folder);
             makeRoom();
@@ -61,7 +62,8 @@ public record RecordingShelf(Path folder, long mostBytes) {
             for (int i = 2; Files.exists(file) || Files.exists(AtomicFile.part(file)); i++) {
                 file = folder.resolve(name + " (" + i + ")" + ENDING);
             }
-            return Files.isWritable(folder) ? Optional.of(file) : Optional.empty();
+            new RecordingAbout(agent, Path.of("").toAbsolutePath().toString(), false, List.of()).write(file);
+            return Optional.of(file);
         } catch (IOException unusable) {
             return Optional.empty();
         }
@@ -83,13 +85,24 @@ public record RecordingShelf(Path folder, long mostBytes) {
         }
     }
 
+    /**
+     * Removes what lies beside recordings that are gone.
+     *
+     * @throws IOException if the folder cannot be read
+     */
+    public void tidyUp() throws IOException {
+        for (Path file : RecordingGroup.leftOver(folder)) {
+            Files.deleteIfExists(file);
+        }
+    }
+
     /** Removes the oldest recordings if all together take too much; the newest stays. */
     private void makeRoom() throws IOException {
         long bytes = 0;
         for (Path file : list()) {
-            long size = Files.exists(file) ? Files.size(file) : 0;
+            long size = Files.exists(file) && !RecordingAbout.of(file).starred() ? Files.size(file) : 0;
             if (bytes > 0 && bytes + size > mostBytes) {
-                Files.deleteIfExists(file);
+                RecordingGroup.of(file).delete();
             } else {
                 bytes += size;
             }

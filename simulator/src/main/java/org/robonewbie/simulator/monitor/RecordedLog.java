@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.monitor.Foul;
 import org.robonewbie.protocol.monitor.FoulType;
@@ -16,6 +17,7 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.RotationMatrix;
+import org.robonewbie.simulator.recording.DamagedRecordingException;
 import org.robonewbie.simulator.recording.RecordedCycle;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.soccer.SoccerParameter;
@@ -26,6 +28,7 @@ public final class RecordedLog {
 
     private static final int PLACE_SIZE = 16;
     private static final String FOUL = "foul ";
+    private static final Pattern NUMBER = Pattern.compile("[0-9]{1,3}");
 
     private final List<Foul> fouls = new ArrayList<>();
 
@@ -36,6 +39,7 @@ public final class RecordedLog {
      *
      * @param recording the recording
      * @param log the log; a file of the same name is replaced
+     * @throws DamagedRecordingException if the recording is none or is damaged; the message says so
      * @throws IOException if one of the files cannot be used; the message says which
      */
     public static void write(Path recording, Path log) throws IOException {
@@ -47,6 +51,8 @@ public final class RecordedLog {
                 cycle.get().events().forEach(converter::noteFoul);
                 lines.cycleEnded(state.cycle(), () -> converter.snapshot(state));
             }
+        } catch (IllegalArgumentException senseless) {
+            throw new DamagedRecordingException("The recording is damaged. " + senseless.getMessage(), senseless);
         }
     }
 
@@ -70,7 +76,9 @@ public final class RecordedLog {
     /** Reads what {@code MatchEvent.FoulCalled} wrote. */
     private void noteFoul(String event) {
         String[] words = event.split(" ", -1);
-        if (!event.startsWith(FOUL) || words.length != 4) {
+        if (!event.startsWith(FOUL)
+                || words.length != 4
+                || !NUMBER.matcher(words[3]).matches()) {
             return;
         }
         TeamSide side = words[2].equals("left") ? TeamSide.LEFT : TeamSide.RIGHT;

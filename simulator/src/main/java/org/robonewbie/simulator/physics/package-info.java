@@ -4,6 +4,8 @@
  *
  * <p>Angles are in radians here, all other quantities in metres, kilograms, seconds and newtons; every vector is in the
  * world frame unless a method says otherwise.
+ *
+ * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.simulator.physics;

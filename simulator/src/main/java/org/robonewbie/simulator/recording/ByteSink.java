@@ -36,10 +36,10 @@ final class ByteSink {
         length += count;
     }
 
-    /** Writes a number that is not negative, seven bits per byte, the lowest first. */
+    /** Writes the 64 bits of a number without sign, seven bits per byte, the lowest first. */
     void putUnsigned(long value) {
         long rest = value;
-        while (rest > 0x7F) {
+        while ((rest & ~0x7FL) != 0) {
             putByte((int) (rest & 0x7F) | 0x80);
             rest >>>= 7;
         }

@@ -22,7 +22,8 @@ final class ByteSource {
 
     byte[] getBytes(long count) throws IOException {
         if (count < 0 || count > MOST_TEXT_BYTES) {
-            throw new IOException("A piece of " + count + " bytes is too long for a recording. The file is damaged.");
+            throw new DamagedRecordingException(
+                    "A piece of " + count + " bytes is too long for a recording. The file is damaged.");
         }
         byte[] bytes = in.readNBytes((int) count);
         if (bytes.length < count) {
@@ -40,7 +41,7 @@ final class ByteSource {
                 return value;
             }
         }
-        throw new IOException("A number in the recording does not end. The file is damaged.");
+        throw new DamagedRecordingException("A number in the recording does not end. The file is damaged.");
     }
 
     long getSigned() throws IOException {

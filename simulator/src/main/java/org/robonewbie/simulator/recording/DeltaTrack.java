@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.recording;
 
 import java.io.IOException;
+import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
@@ -13,6 +14,11 @@ final class DeltaTrack {
 
     DeltaTrack(int count) {
         last = new long[count];
+    }
+
+    /** The track of a robot, or the first one if none is known or it belongs to a robot with another number of joints. */
+    static DeltaTrack fitting(@Nullable DeltaTrack known, int count) {
+        return known != null && known.last.length == count ? known : new DeltaTrack(count);
     }
 
     void put(int index, double value, double stepsPerUnit, ByteSink sink) {

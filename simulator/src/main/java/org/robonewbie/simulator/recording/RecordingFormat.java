@@ -13,6 +13,9 @@ final class RecordingFormat {
     static final int EVENT = 5;
     static final int CYCLE = 6;
 
+    /** Stands only before a part of a recording that is sent to a page, never in a file. */
+    static final int STATE = 7;
+
     /** Positions are kept in steps of 0.1 mm. */
     static final double STEPS_PER_METRE = 10_000;
 

@@ -63,7 +63,8 @@ public final class RecordingReader implements AutoCloseable {
      * @param raw the bytes of a recording; closed with the reader
      * @param name how to call it in messages, such as its file's name in quotes
      * @return the reader, before the first cycle
-     * @throws IOException if it cannot be read or is no recording; the message says so
+     * @throws DamagedRecordingException if it is no recording; the message says so
+     * @throws IOException if it cannot be read
      */
     public static RecordingReader of(InputStream raw, String name) throws IOException {
         try {
@@ -71,7 +72,7 @@ public final class RecordingReader implements AutoCloseable {
             reader.readBeginning(name);
             return reader;
         } catch (ZipException | EOFException e) {
-            throw new IOException(name + " is not a recording of RoboNewbie, or it is damaged.", e);
+            throw new DamagedRecordingException(name + " is not a recording of RoboNewbie, or it is damaged.", e);
         }
     }
 
@@ -84,7 +85,8 @@ public final class RecordingReader implements AutoCloseable {
      * Reads the next cycle.
      *
      * @return the cycle, or empty at the end of the recording, also if it ends in the middle of a cycle
-     * @throws IOException if the file is damaged
+     * @throws DamagedRecordingException if the file is damaged
+     * @throws IOException if it cannot be read
      */
     public Optional<RecordedCycle> next() throws IOException {
         List<RobotCommands> commands = new ArrayList<>();
@@ -117,12 +119,13 @@ public final class RecordingReader implements AutoCloseable {
     private void readBeginning(String name) throws IOException {
         byte[] magic = source.getBytes(RecordingFormat.MAGIC.length());
         if (!new String(magic, StandardCharsets.US_ASCII).equals(RecordingFormat.MAGIC)) {
-            throw new IOException(name + " is not a recording of RoboNewbie.");
+            throw new DamagedRecordingException(name + " is not a recording of RoboNewbie, or it is damaged.");
         }
         long version = source.getUnsigned();
         if (version != RecordingFormat.VERSION) {
-            throw new IOException("Recording " + name + " has version " + version + ", but this program reads version "
-                    + RecordingFormat.VERSION + ". Use the program that made it.");
+            throw new DamagedRecordingException(
+                    "Recording " + name + " has version " + version + ", but this program reads version "
+                            + RecordingFormat.VERSION + ". Use the program that made it.");
         }
         source.getByte();
         source.getUnsigned();
@@ -149,12 +152,22 @@ public final class RecordingReader implements AutoCloseable {
         long count = source.getUnsigned();
         for (long i = 0; i < count; i++) {
             int id = (int) source.getUnsigned();
-            RobotType type = RobotType.values()[(int) source.getUnsigned()];
-            int side = (int) source.getUnsigned();
-            Optional<TeamSide> teamSide = side == 0 ? Optional.empty() : Optional.of(TeamSide.values()[side - 1]);
+            RobotType type = chosen(RobotType.values(), source.getUnsigned());
+            long side = source.getUnsigned();
+            Optional<TeamSide> teamSide =
+                    side == 0 ? Optional.empty() : Optional.of(chosen(TeamSide.values(), side - 1));
             read.add(new RecordedRobot(id, type, teamSide, (int) source.getUnsigned(), source.getText()));
         }
         return read;
+    }
+
+    private static <E extends Enum<E>> E chosen(E[] values, long index) throws IOException {
+        if (index < 0 || index >= values.length) {
+            throw new DamagedRecordingException("The recording names "
+                    + values.getClass().getComponentType().getSimpleName() + " " + index + ", and the last one is "
+                    + (values.length - 1) + ". The file is damaged.");
+        }
+        return values[(int) index];
     }
 
     private RobotCommands readCommands() throws IOException {
@@ -200,8 +213,8 @@ public final class RecordingReader implements AutoCloseable {
 
     private RobotSnapshot readRobot(RecordedRobot robot) throws IOException {
         int hinges = NaoModel.of(robot.type()).hinges().size();
-        DeltaTrack track = robotTracks.computeIfAbsent(
-                robot.id(), id -> new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE + hinges));
+        DeltaTrack track = robotTracks.compute(
+                robot.id(), (id, known) -> DeltaTrack.fitting(known, RecordingFormat.NUMBERS_PER_POSE + hinges));
         Pose torso = readPose(track);
         double[] degrees = new double[hinges];
         for (int i = 0; i < hinges; i++) {

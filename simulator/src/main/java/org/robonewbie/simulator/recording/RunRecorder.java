@@ -6,6 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.simulator.soccer.Match;
@@ -13,8 +15,13 @@ import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.SoccerWorld;
 
-/** Watches a run on the simulation's thread: writes its recording and gathers what its report tells. */
+/**
+ * Watches a run on the simulation's thread: writes its recording and gathers what its report tells. Of robots that have left only figures are
+ * kept, and those of the last ones only, so that a server on which agents come and go for days does not fill its memory.
+ */
 public final class RunRecorder implements AutoCloseable {
+
+    private static final int MOST_GONE = 1000;
 
     private final SoccerWorld world;
     private final RecordingWriter writer;
@@ -74,10 +81,11 @@ public final class RunRecorder implements AutoCloseable {
         cycles = cycle;
         ball.cycleEnded(world.ball().position());
         for (Participant participant : participants) {
-            Entry entry = entry(participant);
-            entry.statistics().cycleEnded(participant.robot());
-            entries.put(participant.id(), new Entry(entry.statistics(), participant));
+            RobotStatistics statistics = entry(participant).statistics();
+            statistics.cycleEnded(participant.robot());
+            entries.put(participant.id(), Entry.of(statistics, participant));
         }
+        forgetOldest(participants);
         for (MatchEvent event : match.events()) {
             if (event instanceof MatchEvent.GoalScored goal) {
                 goals.add(new RunReport.Goal(match.state().playSeconds(), goal.team()));
@@ -87,6 +95,18 @@ public final class RunRecorder implements AutoCloseable {
                 Snapshots.of(cycle, match, world.ball(), participants),
                 match.events().stream().map(MatchEvent::text).toList(),
                 commands(participants));
+    }
+
+    private void forgetOldest(List<Participant> here) {
+        int surplus = entries.size() - here.size() - MOST_GONE;
+        if (surplus > 0) {
+            Set<Integer> staying = here.stream().map(Participant::id).collect(Collectors.toSet());
+            List<Integer> gone = entries.keySet().stream()
+                    .filter(id -> !staying.contains(id))
+                    .limit(surplus)
+                    .toList();
+            gone.forEach(entries::remove);
+        }
     }
 
     private static Map<Integer, List<EffectorCommand>> commands(List<Participant> participants) {
@@ -121,26 +141,36 @@ public final class RunRecorder implements AutoCloseable {
         writer.close();
     }
 
-    private record Entry(RobotStatistics statistics, Participant participant) {}
+    /** What is known of a robot, without its body. */
+    private record Entry(RobotStatistics statistics, String team, int number, long unansweredMessages) {
+
+        static Entry of(RobotStatistics statistics, Participant participant) {
+            Optional<Player> player = participant.player();
+            return new Entry(
+                    statistics,
+                    player.map(member -> member.team().name()).orElse(""),
+                    player.map(Player::number).orElse(0),
+                    participant.unansweredMessages());
+        }
+    }
 
     private Entry entry(Participant participant) {
         return entries.computeIfAbsent(
                 participant.id(),
-                id -> new Entry(new RobotStatistics(participant.robot().model()), participant));
+                id -> Entry.of(new RobotStatistics(participant.robot().model()), participant));
     }
 
     private static RunReport.RobotResult robot(Entry entry) {
         RobotStatistics statistics = entry.statistics();
-        Optional<Player> player = entry.participant().player();
         return new RunReport.RobotResult(
-                player.map(member -> member.team().name()).orElse(""),
-                player.map(Player::number).orElse(0),
+                entry.team(),
+                entry.number(),
                 statistics.falls(),
                 statistics.metresWalked(),
                 statistics.position(),
                 statistics.headingDegrees(),
                 statistics.isUpright(),
-                entry.participant().unansweredMessages(),
+                entry.unansweredMessages(),
                 RunReport.joints(statistics.model(), statistics.jointDegrees()));
     }
 }

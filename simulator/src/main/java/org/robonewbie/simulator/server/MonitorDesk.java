@@ -63,7 +63,8 @@ final class MonitorDesk {
             log = Optional.of(MonitorLog.open(settings.monitorLog().get(), wanted, console::say));
         }
         if (settings.monitorPort().isPresent()) {
-            port = Optional.of(MonitorPort.open(wanted, console::say, this::order));
+            Consumer<Order> taker = settings.trainers() ? this::order : this::orderOfSpectator;
+            port = Optional.of(MonitorPort.open(wanted, console::say, taker));
         }
     }
 
@@ -89,6 +90,18 @@ final class MonitorDesk {
     /** Carries out an order, on the simulation's thread. */
     void carryOut(Order order) {
         orders.carryOut(order);
+    }
+
+    /** Whoever only watches may ask for the whole scene; all else that changes the world is refused. */
+    private void orderOfSpectator(Order order) {
+        if (order instanceof Order.RequestFullState) {
+            order(order);
+        } else {
+            warnings.warn(
+                    "spectator",
+                    "wants to change the world, which this simulator does not allow. Start it without --no-trainers if it is"
+                            + " to.");
+        }
     }
 
     /** Takes an order from any thread; a trainer that floods the simulation loses orders. */

@@ -120,6 +120,20 @@ final class Simulation implements SimulationControl, Runnable {
         return connectedAgents;
     }
 
+    /** The robots of those who came through a team's own door, playing or not; on the simulation's thread. */
+    int robotsOf(String team) {
+        return (int) cycle.agents().stream()
+                .filter(agent -> agent.robot().isPresent())
+                .filter(agent ->
+                        agent.connection().link().team().filter(team::equals).isPresent())
+                .count();
+    }
+
+    /** Whether a team with a door of its own has kept the world waiting; may be called from any thread. */
+    boolean wasSilent(String team) {
+        return silenceWatch.silentTeams().contains(team);
+    }
+
     /** The number of cycles by which the world fell behind real time; may be called from any thread. */
     long missedCycles() {
         return missedCycles;
@@ -163,6 +177,7 @@ final class Simulation implements SimulationControl, Runnable {
                 || !settings.world().synchronous()
                 || settings.awaitedAgents() == 0
                 || cycle.isAnybodyConnected()
+                || cycle.world().robots().isEmpty()
                 || !isReady();
     }
 
@@ -211,10 +226,19 @@ final class Simulation implements SimulationControl, Runnable {
         int awaited = begun && settings.world().synchronous()
                 ? Math.min(1, settings.awaitedAgents())
                 : settings.awaitedAgents();
-        if ((!begun || settings.world().synchronous()) && cycle.heardAgents() < awaited) {
+        if ((!begun || settings.world().synchronous()) && heardAgents() < awaited) {
             return false;
         }
         return isAnswered();
+    }
+
+    /** Those of whom something was heard; a team with a door of its own cannot stand in for another one. */
+    private long heardAgents() {
+        long heard = cycle.heardAgents(Optional.empty());
+        for (TeamDoor door : settings.doors()) {
+            heard += Math.min(door.robots(), cycle.heardAgents(Optional.of(door.team())));
+        }
+        return heard;
     }
 
     private boolean isAnswered() {
@@ -353,7 +377,8 @@ final class Simulation implements SimulationControl, Runnable {
 
     @Override
     public OptionalInt agentPort() {
-        return OptionalInt.of(acceptor.portNumber());
+        int number = acceptor.portNumber();
+        return number > 0 ? OptionalInt.of(number) : OptionalInt.empty();
     }
 
     @Override

@@ -41,7 +41,9 @@ public final class Simulator implements AutoCloseable {
      * @throws IOException if a port is in use or a file cannot be written; the message says what to do
      */
     public static Simulator start(SimulatorSettings settings, Console console) throws IOException {
-        AgentPort port = AgentPort.open(settings.bindAddress(), settings.agentPort(), console);
+        AgentPort port = settings.doors().isEmpty()
+                ? AgentPort.open(settings.bindAddress(), settings.agentPort(), console)
+                : AgentPort.open(settings.doors(), console);
         Simulation simulation = simulation(settings, port, console);
         Thread thread = new Thread(simulation, "simulation");
         thread.setDaemon(true);
@@ -52,6 +54,37 @@ public final class Simulator implements AutoCloseable {
     /** {@return the TCP port for agents} */
     public int agentPort() {
         return port.number();
+    }
+
+    /**
+     * Returns the port of a team that has a door of its own.
+     *
+     * @param team the team
+     * @return its TCP port; 0 if its door is a file
+     */
+    public int agentPort(String team) {
+        return port.number(team);
+    }
+
+    /**
+     * Counts the robots of those who came through a team's own door, whatever they say of themselves. To be asked by an
+     * observer, on the simulation's thread.
+     *
+     * @param team the team
+     * @return how many robots it has on the pitch or beside it
+     */
+    public int robotsOf(String team) {
+        return simulation.robotsOf(team);
+    }
+
+    /**
+     * Looks whether an agent that came through a team's own door was dropped since it kept the world waiting.
+     *
+     * @param team the team
+     * @return whether one was
+     */
+    public boolean wasSilent(String team) {
+        return simulation.wasSilent(team);
     }
 
     /** {@return the TCP port for monitors; empty if none was wanted} */

@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.server;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
@@ -21,6 +22,7 @@ import org.robonewbie.simulator.world.PhysicsEngine;
  * @param world pitch, rules, noise and seed
  * @param bindAddress address of this computer at which agents may connect; 127.0.0.1 for this computer only
  * @param agentPort TCP port for agents, 0 for any free one
+ * @param doors a door for each team instead of the port for all; none for that port
  * @param speed simulated seconds per second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
  * @param awaitedAgents how many agents must have spoken before the first cycle, 0 not to wait
  * @param silentAgentSeconds real seconds after which an agent of another process that keeps the world waiting is dropped
@@ -29,12 +31,14 @@ import org.robonewbie.simulator.world.PhysicsEngine;
  * @param report file for the report
  * @param monitorPort TCP port for monitors and trainers, 0 for any free one; empty opens none
  * @param monitorStepSeconds simulated seconds between two messages to monitors
+ * @param trainers whether monitors may change the world
  * @param monitorLog file for a log that RoboViz can replay
  */
 public record SimulatorSettings(
         WorldSettings world,
         String bindAddress,
         int agentPort,
+        List<TeamDoor> doors,
         double speed,
         int awaitedAgents,
         double silentAgentSeconds,
@@ -43,7 +47,13 @@ public record SimulatorSettings(
         Optional<Path> report,
         OptionalInt monitorPort,
         double monitorStepSeconds,
+        boolean trainers,
         Optional<Path> monitorLog) {
+
+    /** Makes the list unmodifiable. */
+    public SimulatorSettings {
+        doors = List.copyOf(doors);
+    }
 
     /** The port of the league. */
     public static final int DEFAULT_AGENT_PORT = 3100;
@@ -78,6 +88,7 @@ public record SimulatorSettings(
         private WorldSettings world;
         private String bindAddress = "127.0.0.1";
         private int agentPort = DEFAULT_AGENT_PORT;
+        private List<TeamDoor> doors = List.of();
         private double speed = 1;
         private int awaitedAgents;
         private double silentAgentSeconds = DEFAULT_SILENT_AGENT_SECONDS;
@@ -86,6 +97,7 @@ public record SimulatorSettings(
         private Optional<Path> report = Optional.empty();
         private OptionalInt monitorPort = OptionalInt.empty();
         private double monitorStepSeconds = MonitorSettings.STANDARD_STEP_SECONDS;
+        private boolean trainers = true;
         private Optional<Path> monitorLog = Optional.empty();
 
         private Builder(WorldSettings world) {
@@ -122,6 +134,17 @@ public record SimulatorSettings(
          */
         public Builder agentPort(int value) {
             agentPort = value;
+            return this;
+        }
+
+        /**
+         * Lets each team in through a door of its own and nobody else; the agent port stays closed.
+         *
+         * @param value the doors
+         * @return this
+         */
+        public Builder doors(List<TeamDoor> value) {
+            doors = List.copyOf(value);
             return this;
         }
 
@@ -282,6 +305,17 @@ public record SimulatorSettings(
         }
 
         /**
+         * Sets whether monitors may change the world, as trainers do, or only watch.
+         *
+         * @param value whether orders are carried out; usual is yes
+         * @return this
+         */
+        public Builder trainers(boolean value) {
+            trainers = value;
+            return this;
+        }
+
+        /**
          * Sets where the log for RoboViz is written.
          *
          * @param value the file, or empty for none
@@ -302,6 +336,7 @@ public record SimulatorSettings(
                     world,
                     bindAddress,
                     agentPort,
+                    doors,
                     speed,
                     awaitedAgents,
                     silentAgentSeconds,
@@ -310,6 +345,7 @@ public record SimulatorSettings(
                     report,
                     monitorPort,
                     monitorStepSeconds,
+                    trainers,
                     monitorLog);
         }
     }

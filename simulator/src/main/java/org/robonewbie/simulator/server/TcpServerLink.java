@@ -2,13 +2,14 @@ package org.robonewbie.simulator.server;
 
 import java.io.IOException;
 import java.nio.channels.SocketChannel;
+import java.util.Optional;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.tcp.FrameDecoder;
 import org.robonewbie.protocol.tcp.FrameEncoder;
 import org.robonewbie.protocol.tcp.FrameTooLongException;
 import org.robonewbie.simulator.cycle.ServerLink;
 
-/** The simulator's end of an agent's TCP connection. */
+/** The simulator's end of an agent's connection over TCP or a Unix domain socket. */
 final class TcpServerLink implements ServerLink {
 
     /** Longest message that is accepted, in bytes: some hundred times what a robot needs. */
@@ -16,15 +17,17 @@ final class TcpServerLink implements ServerLink {
 
     private final SocketChannel channel;
     private final String address;
+    private final Optional<String> team;
     private final FrameDecoder decoder = new FrameDecoder(MAXIMUM_LENGTH);
     private final FrameEncoder encoder = new FrameEncoder();
     private String closingReason = "";
     private boolean open = true;
     private boolean ended;
 
-    TcpServerLink(SocketChannel channel, String address) {
+    TcpServerLink(SocketChannel channel, String address, Optional<String> team) {
         this.channel = channel;
         this.address = address;
+        this.team = team;
     }
 
     /** Reads one chunk of what has arrived; the rest waits in the network. */
@@ -90,6 +93,11 @@ final class TcpServerLink implements ServerLink {
     @Override
     public String address() {
         return "at " + address;
+    }
+
+    @Override
+    public Optional<String> team() {
+        return team;
     }
 
     private void end(String reason) {

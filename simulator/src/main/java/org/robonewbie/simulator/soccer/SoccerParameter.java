@@ -15,7 +15,7 @@ public enum SoccerParameter {
     /** Width of the pitch. */
     FIELD_WIDTH("FieldWidth", 20, 8, "metres from side line to side line"),
     /** Height of the hall. */
-    FIELD_HEIGHT("FieldHeight", 40, 40, "metres, told to monitors only"),
+    FIELD_HEIGHT("FieldHeight", 40, 40, "metres, sent to monitors only"),
     /** Width of the goal. */
     GOAL_WIDTH("GoalWidth", 2.1, 1.4, "metres between the posts"),
     /** Depth of the goal. */
@@ -37,7 +37,7 @@ public enum SoccerParameter {
     /** Place of the goal kick. */
     GOAL_KICK_DISTANCE("GoalKickDist", 1, 1, "metres from the goal line to the place of a goal kick"),
     /** Strip around the pitch. */
-    BORDER_SIZE("BorderSize", 0, 0, "metres, told to monitors only"),
+    BORDER_SIZE("BorderSize", 0, 0, "metres, sent to monitors only"),
     /** Kick-off without a human referee. */
     AUTOMATIC_KICK_OFF("AutomaticKickOff", false, true, "whether the game begins without a human referee"),
     /** Time before the automatic kick-off. */
@@ -118,7 +118,7 @@ public enum SoccerParameter {
     /** Tolerance of self-collisions. */
     SELF_COLLISIONS_TOLERANCE("SelfCollisionsTolerance", 0.04, 0.04, "metres that two links may overlap"),
     /** Report of self-collisions. */
-    PRINT_SELF_COLLISIONS("PrintSelfCollisions", true, false, "whether self-collisions are told on the console"),
+    PRINT_SELF_COLLISIONS("PrintSelfCollisions", true, false, "whether the console reports self-collisions"),
     /** Self-collision is a foul. */
     FOUL_ON_SELF_COLLISIONS("FoulOnSelfCollisions", true, false, "whether a robot that hits itself is punished"),
     /** Penalty for self-collision. */
@@ -153,7 +153,7 @@ public enum SoccerParameter {
     /** Time in the referee's hand. */
     FOUL_HOLD_TIME("FoulHoldTime", 0.5, 0.5, "seconds that a punished robot is held in the air"),
     /** Score in messages. */
-    REPORT_SCORE("ReportScore", true, true, "whether agents are told the score"),
+    REPORT_SCORE("ReportScore", true, true, "whether agents receive the score"),
     /** Team names in heard messages. */
     LABEL_MESSAGES("LabelMessages", true, true, "whether a heard message names the team of the speaker"),
     /** Noise of a beam. */

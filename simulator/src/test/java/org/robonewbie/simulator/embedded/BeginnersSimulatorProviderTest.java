@@ -174,6 +174,7 @@ class BeginnersSimulatorProviderTest {
                 false,
                 report.map(Path::toString),
                 recording.map(Path::toString),
-                1);
+                1,
+                "Ada");
     }
 }

@@ -26,7 +26,7 @@ class RecordingShelfTest {
         Path newest = recording("newest.rec", 400, 3000);
         Path other = recording("notes.txt", 5000, 0);
 
-        Path next = new RecordingShelf(folder, 1000).next().orElseThrow();
+        Path next = new RecordingShelf(folder, 1000).next("Ada").orElseThrow();
 
         assertThat(old).doesNotExist();
         assertThat(newer).exists();
@@ -38,11 +38,32 @@ class RecordingShelfTest {
     }
 
     @Test
+    void recordingWithAStarStaysAndWhatLiesBesideTheOthersGoesWithThem() throws IOException {
+        Path kept = recording("kept.rec", 900, 1000);
+        RecordingAbout.NOTHING.withStar(true).write(kept);
+        Path old = recording("old.rec", 400, 2000);
+        Path notes = Files.createFile(folder.resolve("old.notes"));
+        Path index = Files.createFile(folder.resolve("old.index"));
+        recording("newer.rec", 400, 3000);
+        recording("newest.rec", 400, 4000);
+
+        Path next = new RecordingShelf(folder, 1000).next("Agent_Wave").orElseThrow();
+
+        assertThat(kept).exists();
+        assertThat(old).doesNotExist();
+        assertThat(notes).doesNotExist();
+        assertThat(index).doesNotExist();
+        assertThat(RecordingAbout.of(next).agent()).isEqualTo("Agent_Wave");
+        assertThat(RecordingAbout.of(next).project())
+                .isEqualTo(Path.of("").toAbsolutePath().toString());
+    }
+
+    @Test
     void recordingsOfTheSameSecondHaveDifferentNames() throws IOException {
         RecordingShelf shelf = new RecordingShelf(folder, 1000);
-        Path first = Files.createFile(shelf.next().orElseThrow());
+        Path first = Files.createFile(shelf.next("Ada").orElseThrow());
 
-        assertThat(shelf.next().orElseThrow()).isNotEqualTo(first);
+        assertThat(shelf.next("Ada").orElseThrow()).isNotEqualTo(first);
     }
 
     @Test
@@ -57,6 +78,6 @@ class RecordingShelfTest {
     void folderThatCannotBeMadeMeansNoRecording() throws IOException {
         Path file = Files.createFile(folder.resolve("file"));
 
-        assertThat(new RecordingShelf(file.resolve("below"), 1000).next()).isEmpty();
+        assertThat(new RecordingShelf(file.resolve("below"), 1000).next("Ada")).isEmpty();
     }
 }

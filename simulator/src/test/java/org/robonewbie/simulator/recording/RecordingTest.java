@@ -82,6 +82,33 @@ class RecordingTest {
     }
 
     @Test
+    void goesOnBehindSpeedsThatNoJointCanHave() throws Exception {
+        Path file = folder.resolve("run.rec");
+        Player player = match.teams().join("Stars", 7, world.addRobot(RobotType.TYPE_0));
+        try (RecordingWriter writer = RecordingWriter.open(RecordingFile.open(file, sentence -> {}), List.of())) {
+            int cycle = 0;
+            for (double speed : new double[] {1e308, -1e308, 1}) {
+                List<EffectorCommand> commands = List.of(new EffectorCommand.SetHingeSpeed("rle4", speed));
+                List<Participant> robots =
+                        List.of(new Participant(1, Optional.of(player), player.robot(), commands, 0));
+                cycle++;
+                writer.write(Snapshots.of(cycle, match, world.ball(), robots), List.of(), Map.of(1, commands));
+            }
+        }
+
+        List<RecordedCycle> cycles = read(file);
+
+        assertThat(cycles).extracting(cycle -> cycle.snapshot().cycle()).containsExactly(1L, 2L, 3L);
+        assertThat(cycles)
+                .extracting(
+                        cycle -> cycle.commands().get(0).hingeSpeeds().get(0).radiansPerSecond())
+                .satisfiesExactly(
+                        speed -> assertThat(speed).isGreaterThan(1e12),
+                        speed -> assertThat(speed).isLessThan(-1e12),
+                        speed -> assertThat(speed).isCloseTo(1, within(1e-4)));
+    }
+
+    @Test
     void headerTellsSeedAndParameters() throws Exception {
         Path file = folder.resolve("run.rec");
         record(

@@ -20,7 +20,6 @@ import org.robonewbie.simulator.file.ReportFile;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 class RunReportTest {
@@ -134,16 +133,35 @@ class RunReportTest {
         assertThat(json.get("recordingSha256").getAsString()).hasSize(64);
     }
 
+    @Test
+    void keepsTheLastThousandRobotsThatHaveLeft() {
+        for (int id = 2; id <= 1100; id++) {
+            cycle(List.of(participant(id)));
+        }
+
+        List<RunReport.RobotResult> robots = report().robots();
+
+        assertThat(robots).hasSize(1001);
+        cycle(List.of(participant(2), participant(1100)));
+        assertThat(report().robots()).hasSize(1002);
+    }
+
     private void cycles(int count) {
         for (int i = 0; i < count; i++) {
-            Robot robot = player.robot();
-            List<Participant> participants = List.of(new Participant(1, Optional.of(player), robot, List.of(), 0));
-            recorder.beforeStep(participants);
-            world.step();
-            recorder.afterStep();
-            cycle++;
-            recorder.cycleEnded(cycle, match, participants);
+            cycle(List.of(participant(1)));
         }
+    }
+
+    private Participant participant(int id) {
+        return new Participant(id, Optional.of(player), player.robot(), List.of(), 0);
+    }
+
+    private void cycle(List<Participant> participants) {
+        recorder.beforeStep(participants);
+        world.step();
+        recorder.afterStep();
+        cycle++;
+        recorder.cycleEnded(cycle, match, participants);
     }
 
     private RunReport report() {

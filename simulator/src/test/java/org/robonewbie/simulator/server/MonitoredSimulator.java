@@ -29,15 +29,24 @@ final class MonitoredSimulator implements AutoCloseable {
     private Consumer<String> reader = message -> {};
 
     MonitoredSimulator() throws IOException {
+        this(true);
+    }
+
+    MonitoredSimulator(boolean trainers) throws IOException {
         simulator = Simulator.start(
                 SimulatorSettings.league()
                         .agentPort(0)
                         .monitorPort(OptionalInt.of(0))
                         .speed(10)
                         .noise(false)
+                        .trainers(trainers)
                         .build(),
                 console);
         monitor = connect();
+    }
+
+    List<String> told() {
+        return console.sentences();
     }
 
     Simulator simulator() {

@@ -3,6 +3,7 @@ package org.robonewbie.simulator.server;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
@@ -11,6 +12,8 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import javax.management.JMException;
+import javax.management.ObjectName;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -18,6 +21,7 @@ import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.world.Robot;
 
 /** Whatever a client does, its problem is named and a well-behaved agent is served on. */
 @Timeout(120)
@@ -233,6 +237,34 @@ class NastyClientsTest {
         }
 
         assertThat(console.sentences()).noneMatch(sentence -> sentence.contains("could not be accepted"));
+    }
+
+    @Test
+    void bodiesOfRobotsThatHaveLeftAreForgotten() throws Exception {
+        for (int i = 0; i < 300; i++) {
+            try (TestAgent agent = agent()) {
+                agent.exchange(SCENE);
+            }
+        }
+        goodAgent.exchange("(syn)");
+
+        assertThat(instancesOf(Robot.class)).isBetween(1L, 150L);
+    }
+
+    /** How many objects of a class are in use in this process, other tests' included. */
+    private static long instancesOf(Class<?> type) throws JMException {
+        String histogram = (String) ManagementFactory.getPlatformMBeanServer()
+                .invoke(
+                        new ObjectName("com.sun.management:type=DiagnosticCommand"),
+                        "gcClassHistogram",
+                        new Object[] {new String[] {}},
+                        new String[] {String[].class.getName()});
+        return histogram
+                .lines()
+                .map(line -> line.strip().split("\\s+", -1))
+                .filter(words -> words.length >= 4 && words[3].equals(type.getName()))
+                .mapToLong(words -> Long.parseLong(words[1]))
+                .sum();
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -52,11 +53,9 @@ class SyncModeTest {
         try (Simulator simulator = start(0.3);
                 TestAgent silent = agent(simulator);
                 TestAgent lively = agent(simulator)) {
-            CompletableFuture<PerceptorMessage> joined = CompletableFuture.supplyAsync(() -> join(silent, 2));
+            CompletableFuture<Void> played = CompletableFuture.runAsync(() -> playTenCycles(silent));
             lively.join("Stars", 1);
-            joined.join();
-            for (int i = 0; i < 10; i++) {
-                silent.send("(syn)");
+            while (!played.isDone()) {
                 lively.exchange("(syn)");
             }
 
@@ -66,7 +65,42 @@ class SyncModeTest {
 
             assertThat(console.sentences())
                     .anyMatch(sentence ->
-                            sentence.startsWith("Dropped player 2 of Stars") && sentence.contains("not sent (syn)"));
+                            sentence.startsWith("Dropped player 2 of Stars") && sentence.contains("not answered for"));
+        }
+    }
+
+    @Test
+    void fiveWhoJoinAndFallSilentCostTheOthersNoMoreThanOne() throws IOException {
+        try (Simulator simulator = start(3);
+                TestAgent lively = agent(simulator)) {
+            lively.join("Stars", 1);
+            for (int i = 0; i < 100; i++) {
+                lively.exchange("(syn)");
+            }
+
+            for (int i = 0; i < 5; i++) {
+                joinAndFallSilent(simulator, lively);
+            }
+
+            List<Double> standstills = console.sentences().stream()
+                    .filter(sentence -> sentence.startsWith("Dropped"))
+                    .map(sentence -> Double.valueOf(sentence.replaceAll("^.* for ([0-9.]+) s\\.$", "$1")))
+                    .toList();
+            assertThat(standstills).hasSize(5);
+            assertThat(standstills.stream().mapToDouble(Double::doubleValue).sum())
+                    .isBetween(1.0, 3.0);
+        }
+    }
+
+    private static void joinAndFallSilent(Simulator simulator, TestAgent lively) throws IOException {
+        try (TestAgent mute = agent(simulator)) {
+            CompletableFuture<PerceptorMessage> joined = CompletableFuture.supplyAsync(() -> join(mute, 2));
+            while (!joined.isDone()) {
+                lively.exchange("(syn)");
+            }
+            for (int i = 0; i < 20; i++) {
+                lively.exchange("(syn)");
+            }
         }
     }
 
@@ -138,6 +172,17 @@ class SyncModeTest {
 
     private static TestAgent agent(Simulator simulator) throws IOException {
         return new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()));
+    }
+
+    private static void playTenCycles(TestAgent agent) {
+        try {
+            agent.join("Stars", 2);
+            for (int i = 0; i < 10; i++) {
+                agent.exchange("(syn)");
+            }
+        } catch (IOException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     private static PerceptorMessage join(TestAgent agent, int number) {

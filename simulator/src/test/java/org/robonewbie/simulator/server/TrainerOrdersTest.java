@@ -45,6 +45,27 @@ class TrainerOrdersTest {
     }
 
     @Test
+    void simulatorWithoutTrainersShowsEverythingAndObeysNobody() throws IOException {
+        try (MonitoredSimulator closed = new MonitoredSimulator(false)) {
+            closed.join("Stars", 1);
+            closed.order(
+                    new Order.SetScore(3, 0),
+                    new Order.KillRobot(Optional.of(LEFT_1)),
+                    new Order.EndSimulation(),
+                    new Order.RequestFullState());
+            closed.awaitFullMessage();
+            closed.receive();
+
+            assertThat(closed.world().robots()).hasSize(1);
+            assertThat(closed.world().gameState().scoreLeft()).isZero();
+            assertThat(closed.told())
+                    .contains(
+                            "A trainer wants to change the world, which this simulator does not allow. Start it without"
+                                    + " --no-trainers if it is to.");
+        }
+    }
+
+    @Test
     void namedTeamKicksOff() throws IOException {
         match.order(new Order.KickOff(Optional.of(TeamSide.RIGHT)));
 

@@ -1,6 +1,7 @@
 package org.robonewbie.studio.course;
 
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /**
  * How far a student's program is with an exercise.
@@ -57,5 +58,19 @@ public record Attempt(
     /** Takes a copy. */
     public Attempt {
         judged = List.copyOf(judged);
+    }
+
+    /**
+     * Writes the hints in other words.
+     *
+     * @param words what to write in the place of a hint
+     * @return the same attempt with these hints
+     */
+    public Attempt withHints(UnaryOperator<String> words) {
+        List<Judged> translated = judged.stream()
+                .map(trial -> new Judged(
+                        trial.seed(), trial.passed(), trial.points(), trial.finding(), words.apply(trial.hint())))
+                .toList();
+        return new Attempt(id, state, exercise, program, port, trials, translated, points, passed, output);
     }
 }

@@ -38,4 +38,34 @@ public interface Course {
 
     /** {@return the present state of the trials} */
     Attempt attempt();
+
+    /** {@return how far the student is with all exercises} */
+    Standings standings();
+
+    /**
+     * Returns the help that is open.
+     *
+     * @param exercise name of an exercise
+     * @return the help
+     * @throws IllegalArgumentException if there is no such exercise; the message says so
+     */
+    Help help(String exercise);
+
+    /**
+     * Opens the next hint.
+     *
+     * @param exercise name of an exercise
+     * @return the help that is open now
+     * @throws IllegalArgumentException if there is no such exercise; the message says so
+     */
+    Help nextHint(String exercise);
+
+    /**
+     * Shows a solution.
+     *
+     * @param exercise name of an exercise
+     * @return the program
+     * @throws IllegalArgumentException if it is not shown; the message says why
+     */
+    String solution(String exercise);
 }

@@ -24,6 +24,9 @@ import org.jspecify.annotations.Nullable;
  * POST   /api/course/NAME?program=FILE&amp;trials=N   begins to try a program
  * PUT    /api/course/NAME           writes the program to begin with
  * DELETE /api/course/attempt        ends the attempt
+ * GET    /api/course/NAME/help      the hints that are open
+ * POST   /api/course/NAME/hint      opens the next hint
+ * POST   /api/course/NAME/solution  shows a solution
  * </pre>
  */
 public final class CourseApi extends Handler.Abstract {
@@ -72,9 +75,14 @@ public final class CourseApi extends Handler.Abstract {
             JsonObject json = new JsonObject();
             json.add("lessons", GSON.toJsonTree(course.lessons()));
             json.add("programs", GSON.toJsonTree(course.programs()));
+            json.add("standings", GSON.toJsonTree(course.standings()));
             return GSON.toJson(json);
         }
-        String name = URLDecoder.decode(path.substring(COURSE.length() + 1), StandardCharsets.UTF_8);
+        String[] words = path.substring(COURSE.length() + 1).split("/", 2);
+        String name = URLDecoder.decode(words[0], StandardCharsets.UTF_8);
+        if (words.length > 1) {
+            return GSON.toJson(help(course, name, words[1], request.getMethod().equals("POST")));
+        }
         if (request.getMethod().equals("PUT")) {
             return GSON.toJson(course.handOut(name));
         }
@@ -84,6 +92,13 @@ public final class CourseApi extends Handler.Abstract {
             course.begin(name, program, trials(parameters.getValue("trials")));
         }
         return GSON.toJson(course.attempt());
+    }
+
+    private static Object help(Course course, String exercise, String wish, boolean opens) {
+        if (wish.equals("hint") && opens) {
+            return course.nextHint(exercise);
+        }
+        return wish.equals("solution") && opens ? course.solution(exercise) : course.help(exercise);
     }
 
     private static int trials(@Nullable String text) {

@@ -12,6 +12,7 @@ package org.robonewbie.studio.course;
  * @param points the maximum number of points
  * @param worksheet page of the documentation that explains it
  * @param file usual name of the program that solves it
+ * @param standing how far the student is with it
  */
 public record Lesson(
         int number,
@@ -22,4 +23,20 @@ public record Lesson(
         int minutes,
         int points,
         String worksheet,
-        String file) {}
+        String file,
+        Standing standing) {
+
+    /**
+     * How far a student is with an exercise.
+     *
+     * @param tries how often a program was judged
+     * @param best the best grade, 0 to 10
+     * @param passed whether it was passed once
+     * @param minutes time of work until then
+     */
+    public record Standing(int tries, double best, boolean passed, long minutes) {
+
+        /** Nothing was tried yet. */
+        public static final Standing NONE = new Standing(0, 0, false, 0);
+    }
+}

@@ -24,6 +24,8 @@ import org.eclipse.jetty.util.Callback;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.MotionFormatException;
 import org.robonewbie.nao.motion.file.ShippedMotions;
+import org.robonewbie.studio.file.FileVersion;
+import org.robonewbie.studio.file.RefusedException;
 
 /**
  * Serves the motion editor below {@code /api/}: the robot, motion files, drafts of unsaved work, the user's own postures, and
@@ -92,7 +94,7 @@ public final class MotionApi extends Handler.Abstract {
         }
 
         static Answer file(byte[] content) {
-            return new Answer(200, "application/octet-stream", content, MotionFolder.version(content));
+            return new Answer(200, "application/octet-stream", content, FileVersion.of(content));
         }
 
         void send(Response response, Callback callback) {

@@ -5,14 +5,14 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.robonewbie.studio.file.FileVersion;
+import org.robonewbie.studio.file.PlainFile;
+import org.robonewbie.studio.file.RefusedException;
 
 /**
  * A folder with text files that a page may read and write, and nothing else of this computer. Files are named without folder
@@ -22,9 +22,6 @@ final class MotionFolder {
 
     private static final String ENDING = ".txt";
     private static final Pattern NAME = Pattern.compile("[\\p{Alnum}_-][\\p{Alnum}._ -]{0,79}");
-    private static final Pattern DEVICE =
-            Pattern.compile("(con|prn|aux|nul|com\\d|lpt\\d)(\\..*)?", Pattern.CASE_INSENSITIVE);
-    private static final int VERSION_BYTES = 12;
 
     private final Path folder;
 
@@ -63,7 +60,7 @@ final class MotionFolder {
 
     private Stream<Entry> entry(String name) {
         try {
-            return read(name).map(content -> new Entry(name, version(content))).stream();
+            return read(name).map(content -> new Entry(name, FileVersion.of(content))).stream();
         } catch (IOException | RefusedException unreadable) {
             return Stream.empty();
         }
@@ -89,7 +86,7 @@ final class MotionFolder {
      */
     synchronized String write(String name, byte[] content, String knownVersion) throws IOException {
         Path target = checked(name);
-        String present = read(name).map(MotionFolder::version).orElse("");
+        String present = read(name).map(FileVersion::of).orElse("");
         if (!present.equals(knownVersion)) {
             throw new RefusedException(
                     409,
@@ -99,7 +96,7 @@ final class MotionFolder {
                                     + "Load it again, or save under another name.");
         }
         replace(target, content);
-        return version(content);
+        return FileVersion.of(content);
     }
 
     /** Writes a file whatever it was before. */
@@ -132,22 +129,13 @@ final class MotionFolder {
                             + "\" is no name for a motion. Use letters, digits, blanks, dots, - and _, at most 80.");
         }
         Path file = folder.resolve(name + ENDING);
-        if (Files.exists(file) && !file.toRealPath().startsWith(folder.toRealPath())) {
+        if (Files.exists(file) && !PlainFile.isInItsFolder(file)) {
             throw new RefusedException(403, "\"" + name + "\" is a link to a place outside of " + folder + ".");
         }
         return file;
     }
 
     private static boolean isName(String name) {
-        return NAME.matcher(name).matches() && !DEVICE.matcher(name).matches();
-    }
-
-    static String version(byte[] content) {
-        try {
-            byte[] hash = MessageDigest.getInstance("SHA-256").digest(content);
-            return HexFormat.of().formatHex(hash, 0, VERSION_BYTES);
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("Every Java has SHA-256.", e);
-        }
+        return NAME.matcher(name).matches() && PlainFile.isName(name);
     }
 }

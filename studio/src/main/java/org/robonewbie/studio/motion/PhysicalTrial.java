@@ -11,6 +11,7 @@ import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.studio.file.RefusedException;
 import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;

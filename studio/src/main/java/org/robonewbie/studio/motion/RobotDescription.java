@@ -9,7 +9,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.model.Shape;
 import org.robonewbie.nao.motion.Mirror;
 
-/** What the pages need to know about the robot to edit its motions: joints in the order of the files, and masses. */
+/** What the pages need to know about the robot to edit its motions: joints in the order of the files, masses, and shapes. */
 final class RobotDescription {
 
     private RobotDescription() {}
@@ -30,9 +30,7 @@ final class RobotDescription {
             JsonObject json = new JsonObject();
             json.addProperty("massKg", link.massKg());
             json.addProperty("solid", link.collides());
-            if (link.shape() instanceof Shape.Sphere ball) {
-                json.addProperty("radius", ball.radius());
-            }
+            addShape(json, link.shape());
             links.add(json);
         }
         JsonObject json = new JsonObject();
@@ -40,6 +38,16 @@ final class RobotDescription {
         json.add("model", model);
         json.add("links", links);
         return json.toString();
+    }
+
+    /** The shape that the simulator collides, if it is not the box that the model tells. */
+    private static void addShape(JsonObject json, Shape shape) {
+        if (shape instanceof Shape.Sphere ball) {
+            json.addProperty("radius", ball.radius());
+        } else if (shape instanceof Shape.Capsule capsule) {
+            json.addProperty("radius", capsule.radius());
+            json.addProperty("length", capsule.length());
+        }
     }
 
     private static JsonObject joint(Joint joint) {

@@ -1,109 +1,197 @@
 package org.robonewbie.studio.replay;
 
+import com.google.gson.Gson;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.net.URLDecoder;
 import java.nio.ByteBuffer;
-import java.nio.channels.SeekableByteChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
+import java.util.stream.IntStream;
 import java.util.zip.GZIPOutputStream;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
+import org.eclipse.jetty.util.Fields;
+import org.robonewbie.simulator.file.RecordingAbout;
 import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.monitor.RecordedLog;
+import org.robonewbie.simulator.recording.DamagedRecordingException;
 
 /**
- * Serves recordings to the pages.
+ * Serves recordings to the pages, and does with them what people want.
  *
  * <pre>
- * GET /api/recordings                 all recordings, the newest first
- * GET /api/recordings/NAME?from=N     its bytes from the N-th on, at most four million at once
- * GET /api/cards/NAME                 its teams, score, length and events, and where everybody is at its end
+ * GET /api/recordings                 all recordings, the newest first, with what people have noted
+ * GET /api/cards/NAME                 its teams, score, length, events, and the ways of ball and robots
+ * GET /api/index/NAME                 all of that, and at which cycles its pieces begin; at once, even if not all is read yet
+ * GET /api/index/NAME?events=M&amp;pieces=N    only what has come since so many were known
+ * GET /api/pieces/NAME?piece=N&amp;skip=M   the N-th piece without its first M bytes
  * GET /api/log/NAME                   the recording as the log of a SimSpark server, packed with gzip
- * GET /api/notes/NAME                 what robots logged and drew meanwhile, one line of JSON each
+ * GET /api/notes/NAME?skip=M          what robots logged and drew meanwhile, one line of JSON each, without the first M bytes
  * GET /api/models                     the bodies of all robot types
+ * PUT /api/recordings/NAME?was=OLD    renames the recording OLD
+ * PUT /api/recordings/NAME?removed=yes     brings a deleted one back
+ * DELETE /api/recordings/NAME         deletes it
+ * PUT, DELETE /api/stars/NAME         gives it a star, which keeps it, or takes the star away
+ * PUT /api/bookmarks/NAME?seconds=T&amp;note=TEXT    adds a bookmark
+ * DELETE /api/bookmarks/NAME?seconds=T     takes it away
  * </pre>
  */
 public final class ReplayApi extends Handler.Abstract {
 
-    private static final String LIST = "/api/recordings";
-    private static final String CARDS = "/api/cards/";
-    private static final String LOG = "/api/log/";
-    private static final String NOTES = "/api/notes/";
-    private static final String MODELS = "/api/models";
-    private static final String UNFINISHED = ".part";
-    private static final int MOST_BYTES = 4_000_000;
-    private static final long STILL_RUNNING_MILLIS = 4000;
+    private static final List<String> READ =
+            List.of("recordings", "cards", "index", "pieces", "log", "notes", "models");
+    private static final List<String> CHANGED = List.of("recordings", "stars", "bookmarks");
+    private static final List<String> METHODS = List.of("GET", "PUT", "DELETE");
+    private static final String JSON = "application/json";
+    private static final String TEXT = "text/plain;charset=utf-8";
+    private static final String BYTES = "application/octet-stream";
+    private static final long PATIENCE_MILLIS = 250;
+    private static final String GONE = "There is no such recording any more. Choose another one.";
 
-    private final Optional<RecordingShelf> shelf;
-    private final Optional<Path> opened;
+    private final RecordingPlaces places;
+    private final RecordingDesk desk;
+    private final RecordingIndexes indexes = new RecordingIndexes();
     private final String models;
-    private final RecordingCards cards = new RecordingCards();
+
+    @SuppressWarnings("ArrayRecordComponent")
+    private record Answer(int status, String type, byte[] content) {
+
+        static Answer of(String type, String text) {
+            return new Answer(200, type, text.getBytes(StandardCharsets.UTF_8));
+        }
+    }
 
     /**
      * Opens the room.
      *
-     * @param shelf where the recordings are; empty if nothing is recorded
+     * @param shelf where runs are recorded by themselves; empty if nothing is recorded
+     * @param projects folders of the project in which there may be recordings
      * @param opened a recording that lies elsewhere
      * @param models the bodies of all robot types as JSON, by type
      */
-    public ReplayApi(Optional<RecordingShelf> shelf, Optional<Path> opened, JsonObject models) {
-        this.shelf = shelf;
-        this.opened = opened;
+    public ReplayApi(Optional<RecordingShelf> shelf, List<Path> projects, Optional<Path> opened, JsonObject models) {
+        this.places = new RecordingPlaces(shelf, List.copyOf(projects), opened);
+        this.desk = new RecordingDesk(places);
         this.models = models.toString();
     }
 
     @Override
-    public boolean handle(Request request, Response response, Callback callback) throws Exception {
-        String path = Request.getPathInContext(request);
-        Optional<String> kind = Stream.of(LIST, CARDS, LOG, NOTES, MODELS)
-                .filter(path::startsWith)
-                .findFirst();
-        if (!request.getMethod().equals("GET") || kind.isEmpty()) {
+    public boolean handle(Request request, Response response, Callback callback) {
+        String[] path = Request.getPathInContext(request).split("/", 4);
+        String method = request.getMethod();
+        boolean isRead = method.equals("GET");
+        if (!METHODS.contains(method)
+                || path.length < 3
+                || !path[1].equals("api")
+                || !(isRead ? READ : CHANGED).contains(path[2])) {
             return false;
         }
-        if (path.equals(MODELS) || path.equals(LIST)) {
-            byte[] json = (path.equals(MODELS) ? models : list()).getBytes(StandardCharsets.UTF_8);
-            send(response, callback, 200, "application/json", ByteBuffer.wrap(json));
-            return true;
+        String name = path.length < 4 ? "" : URLDecoder.decode(path[3], StandardCharsets.UTF_8);
+        Fields parameters = Request.extractQueryParameters(request);
+        Answer answer;
+        try {
+            answer = isRead ? read(path[2], name, parameters) : change(method, path[2], name, parameters);
+        } catch (NoSuchFileException gone) {
+            answer = new Answer(404, TEXT, GONE.getBytes(StandardCharsets.UTF_8));
+        } catch (IllegalArgumentException | DamagedRecordingException refused) {
+            answer = new Answer(409, TEXT, String.valueOf(refused.getMessage()).getBytes(StandardCharsets.UTF_8));
+        } catch (IOException problem) {
+            String text = "This cannot be done with the recording: " + problem.getMessage()
+                    + ". Is its folder writable, and is there room on the disk?";
+            answer = new Answer(500, TEXT, text.getBytes(StandardCharsets.UTF_8));
         }
-        String name = path.substring(
-                kind.get().equals(LIST) ? LIST.length() + 1 : kind.get().length());
-        Optional<Path> file = find(URLDecoder.decode(name, StandardCharsets.UTF_8));
-        if (file.isEmpty()) {
-            byte[] text = "There is no such recording any more. Choose another one.".getBytes(StandardCharsets.UTF_8);
-            send(response, callback, 404, "text/plain;charset=utf-8", ByteBuffer.wrap(text));
-        } else if (kind.get().equals(CARDS)) {
-            byte[] card = cards.of(file.get()).getBytes(StandardCharsets.UTF_8);
-            send(response, callback, 200, "application/json", ByteBuffer.wrap(card));
-        } else if (kind.get().equals(NOTES)) {
-            byte[] notes = RunNotes.read(file.get()).getBytes(StandardCharsets.UTF_8);
-            send(response, callback, 200, "application/x-ndjson;charset=utf-8", ByteBuffer.wrap(notes));
-        } else if (kind.get().equals(LOG)) {
-            send(response, callback, 200, "application/gzip", ByteBuffer.wrap(log(file.get())));
-        } else {
-            long from = from(request);
-            send(response, callback, 200, "application/octet-stream", read(file.get(), from));
-        }
+        response.setStatus(answer.status());
+        response.getHeaders().put(HttpHeader.CONTENT_TYPE, answer.type()).put(HttpHeader.CACHE_CONTROL, "no-store");
+        response.write(true, ByteBuffer.wrap(answer.content()), callback);
         return true;
     }
 
-    private static void send(Response response, Callback callback, int status, String type, ByteBuffer content) {
-        response.setStatus(status);
-        response.getHeaders().put(HttpHeader.CONTENT_TYPE, type).put(HttpHeader.CACHE_CONTROL, "no-store");
-        response.write(true, content, callback);
+    private Answer read(String kind, String name, Fields parameters) throws IOException {
+        if (kind.equals("models")) {
+            return Answer.of(JSON, models);
+        }
+        if (kind.equals("recordings") && name.isEmpty()) {
+            return Answer.of(JSON, list());
+        }
+        Path file = places.find(name).orElseThrow(() -> new NoSuchFileException(name));
+        return switch (kind) {
+            case "cards" -> Answer.of(JSON, card(file));
+            case "index" -> Answer.of(JSON, index(file, parameters));
+            case "pieces" ->
+                new Answer(
+                        200,
+                        BYTES,
+                        indexes.of(file).piece(file, (int) number(parameters, "piece"), number(parameters, "skip")));
+            case "log" -> new Answer(200, "application/gzip", log(file));
+            case "notes" ->
+                new Answer(200, "application/x-ndjson;charset=utf-8", RunNotes.read(file, number(parameters, "skip")));
+            default -> new Answer(404, TEXT, GONE.getBytes(StandardCharsets.UTF_8));
+        };
+    }
+
+    private Answer change(String method, String kind, String name, Fields parameters) throws IOException {
+        boolean isPut = method.equals("PUT");
+        switch (kind) {
+            case "stars" -> desk.note(name, about -> about.withStar(isPut));
+            case "bookmarks" -> {
+                double seconds = seconds(parameters);
+                String note = Optional.ofNullable(parameters.getValue("note")).orElse("");
+                desk.note(name, about -> mark(about, isPut, seconds, note));
+            }
+            default -> changeFile(isPut, name, parameters);
+        }
+        return Answer.of(JSON, "{}");
+    }
+
+    private static RecordingAbout mark(RecordingAbout about, boolean isPut, double seconds, String note) {
+        return isPut ? about.withBookmark(seconds, note) : about.withoutBookmark(seconds);
+    }
+
+    private void changeFile(boolean isPut, String name, Fields parameters) throws IOException {
+        String old = parameters.getValue("was");
+        if (!isPut) {
+            desk.remove(name);
+        } else if (old == null) {
+            desk.bringBack(name);
+        } else {
+            desk.rename(old, name);
+        }
+    }
+
+    private String card(Path file) throws IOException {
+        RecordingIndex index = indexes.of(file);
+        index.readOn(file, Integer.MAX_VALUE);
+        return index.summary().card();
+    }
+
+    private String index(Path file, Fields parameters) throws IOException {
+        RecordingIndex index = indexes.of(file);
+        index.readOn(file, PATIENCE_MILLIS);
+        boolean isFirst = parameters.getValue("events") == null;
+        RunSummary known = index.summary();
+        JsonObject json = isFirst ? new Gson().toJsonTree(known).getAsJsonObject() : new JsonObject();
+        json.addProperty("count", known.count());
+        json.addProperty("whole", index.isWhole());
+        List<RunSummary.Event> events = known.events();
+        int eventsKnown = (int) Math.min(events.size(), number(parameters, "events"));
+        json.add("events", new Gson().toJsonTree(events.subList(eventsKnown, events.size())));
+        int[] pieces = index.firstMoments();
+        int piecesKnown = (int) Math.min(pieces.length, number(parameters, "pieces"));
+        json.add(
+                "pieces",
+                new Gson().toJsonTree(IntStream.of(pieces).skip(piecesKnown).toArray()));
+        return json.toString();
     }
 
     private static byte[] log(Path recording) throws IOException {
@@ -118,26 +206,24 @@ public final class ReplayApi extends Handler.Abstract {
         return packed.toByteArray();
     }
 
-    private static long from(Request request) {
+    private static long number(Fields parameters, String name) {
         try {
-            String text = Request.extractQueryParameters(request).getValue("from");
-            return text == null ? 0 : Math.max(0, Long.parseLong(text));
-        } catch (NumberFormatException e) {
+            return Math.max(0, Long.parseLong(String.valueOf(parameters.getValue(name))));
+        } catch (NumberFormatException none) {
             return 0;
         }
     }
 
-    private static ByteBuffer read(Path file, long from) throws IOException {
-        try (SeekableByteChannel channel = Files.newByteChannel(file)) {
-            long rest = Math.max(0, channel.size() - from);
-            ByteBuffer content = ByteBuffer.allocate((int) Math.min(rest, MOST_BYTES));
-            channel.position(from);
-            int count = channel.read(content);
-            while (count >= 0 && content.hasRemaining()) {
-                count = channel.read(content);
+    private static double seconds(Fields parameters) {
+        try {
+            double seconds = Double.parseDouble(String.valueOf(parameters.getValue("seconds")));
+            if (seconds >= 0 && Double.isFinite(seconds)) {
+                return seconds;
             }
-            return content.flip();
+        } catch (NumberFormatException none) {
+            // refused below
         }
+        throw new IllegalArgumentException("The moment of the bookmark is missing. Load the page again.");
     }
 
     /**
@@ -148,61 +234,39 @@ public final class ReplayApi extends Handler.Abstract {
      */
     public Optional<Path> recording(String name) {
         try {
-            return find(name);
+            return places.find(name);
         } catch (IOException unreadable) {
             return Optional.empty();
         }
     }
 
-    /** Only what the list names can be read, so no path leads out of the folder; a run that has ended keeps its name. */
-    private Optional<Path> find(String name) throws IOException {
-        return files().stream().filter(file -> name(file).equals(name)).findFirst();
-    }
-
-    private List<Path> files() throws IOException {
-        List<Path> files = new ArrayList<>(opened.stream().toList());
-        if (shelf.isPresent()) {
-            files.addAll(shelf.get().list());
-        }
-        return files;
-    }
-
-    static String name(Path file) {
-        return String.valueOf(file.getFileName()).replace(UNFINISHED, "").replace(RecordingShelf.ENDING, "");
-    }
-
     private String list() throws IOException {
         JsonArray recordings = new JsonArray();
-        for (Path file : files()) {
-            describe(file).ifPresent(recordings::add);
+        for (Map.Entry<String, Path> entry : places.all().entrySet()) {
+            describe(entry.getKey(), entry.getValue()).ifPresent(recordings::add);
         }
         JsonObject json = new JsonObject();
         json.add("recordings", recordings);
-        shelf.ifPresent(place -> json.addProperty("folder", place.folder().toString()));
+        places.shelf()
+                .ifPresent(place -> json.addProperty("folder", place.folder().toString()));
         return json.toString();
     }
 
     /** Empty if the file has just gone. */
-    private static Optional<JsonObject> describe(Path file) throws IOException {
+    private Optional<JsonObject> describe(String name, Path file) throws IOException {
         try {
+            RecordingAbout about = RecordingAbout.of(file);
             JsonObject json = new JsonObject();
-            json.addProperty("name", name(file));
+            json.addProperty("name", name);
             json.addProperty("bytes", Files.size(file));
-            json.addProperty("running", isRunning(file));
+            json.addProperty("running", RecordingPlaces.isRunning(file));
+            json.addProperty("agent", about.agent());
+            json.addProperty("ofProject", places.isOfProject(file, about.project()));
+            json.addProperty("starred", about.starred());
+            json.add("bookmarks", new Gson().toJsonTree(about.bookmarks()));
             return Optional.of(json);
         } catch (NoSuchFileException gone) {
             return Optional.empty();
-        }
-    }
-
-    /** Whether a recording is still being written. */
-    static boolean isRunning(Path file) {
-        try {
-            long age =
-                    System.currentTimeMillis() - Files.getLastModifiedTime(file).toMillis();
-            return file.toString().endsWith(UNFINISHED) && age < STILL_RUNNING_MILLIS;
-        } catch (IOException gone) {
-            return false;
         }
     }
 }

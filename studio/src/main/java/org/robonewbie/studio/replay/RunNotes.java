@@ -2,21 +2,24 @@ package org.robonewbie.studio.replay;
 
 import com.google.gson.JsonObject;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
+import java.nio.channels.Channels;
+import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.robonewbie.protocol.telemetry.TelemetryItem.LogEntry;
 import org.robonewbie.protocol.telemetry.TelemetryItem.Picture;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
+import org.robonewbie.simulator.file.RecordingGroup;
 import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.studio.file.PlainFile;
 
 /**
  * Stores the robots' log lines and drawings next to the recording of the run, one line of JSON each, so that a replay shows them
@@ -24,7 +27,6 @@ import org.robonewbie.simulator.file.RecordingShelf;
  */
 public final class RunNotes {
 
-    static final String ENDING = ".notes";
     private static final int MOST_NOTES = 2000;
     private static final int MOST_LETTERS = 400;
     private static final int MOST_DRAWN_LETTERS = 4_000_000;
@@ -115,35 +117,43 @@ public final class RunNotes {
         if (shelf.isEmpty()) {
             return Optional.empty();
         }
-        List<Path> recordings = shelf.get().list();
-        List<Path> known = recordings.stream().map(RunNotes::of).toList();
-        try (Stream<Path> files = Files.list(shelf.get().folder())) {
-            for (Path old : files.filter(RunNotes::isNotes).toList()) {
-                if (!known.contains(old)) {
-                    Files.deleteIfExists(old);
-                }
-            }
+        try {
+            shelf.get().tidyUp();
         } catch (NoSuchFileException nothingRecordedYet) {
             return Optional.empty();
         }
-        return recordings.stream().filter(ReplayApi::isRunning).findFirst().map(RunNotes::of);
-    }
-
-    private static boolean isNotes(Path file) {
-        return String.valueOf(file.getFileName()).endsWith(ENDING);
+        return shelf.get().list().stream()
+                .filter(RecordingPlaces::isRunning)
+                .findFirst()
+                .map(RunNotes::of);
     }
 
     /** The notes that belong to a recording. */
     static Path of(Path recording) {
-        return recording.resolveSibling(ReplayApi.name(recording) + ENDING);
+        return RecordingGroup.of(recording).beside(RecordingGroup.NOTES);
     }
 
-    /** Reads the notes of a recording; empty if there are none. */
-    static String read(Path recording) throws IOException {
-        try {
-            return Files.readString(of(recording), StandardCharsets.UTF_8);
+    /**
+     * Reads the notes of a recording, without those that are known already.
+     *
+     * @param recording the recording
+     * @param skipped how many bytes are known
+     * @return the lines behind them, only whole ones; nothing if there are no notes
+     */
+    static byte[] read(Path recording, long skipped) throws IOException {
+        if (!PlainFile.isInItsFolder(of(recording))) {
+            return new byte[0];
+        }
+        try (SeekableByteChannel channel = Files.newByteChannel(of(recording))) {
+            channel.position(Math.min(skipped, channel.size()));
+            byte[] bytes = Channels.newInputStream(channel).readAllBytes();
+            int end = bytes.length;
+            while (end > 0 && bytes[end - 1] != '\n') {
+                end--;
+            }
+            return Arrays.copyOf(bytes, end);
         } catch (NoSuchFileException none) {
-            return "";
+            return new byte[0];
         }
     }
 }

@@ -8,6 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.server.Handler;
@@ -15,6 +16,8 @@ import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.Fields;
+import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.simulator.recording.DamagedRecordingException;
 
 /**
  * Stores scenes and starts from them, and from any moment of a recording.
@@ -23,8 +26,7 @@ import org.eclipse.jetty.util.Fields;
  * GET  /api/scenes                  the names of all scenes
  * PUT  /api/scenes/NAME             saves the present state; header Replace: yes overwrites an older scene
  * PUT  /api/scenes/NAME?was=OLD     renames the scene OLD
- * PUT  /api/scenes/NAME?removed=yes restores the scene that was removed
- * DELETE /api/scenes/NAME           removes it
+ * DELETE /api/scenes/NAME           removes it; this can be undone
  * POST /api/scenes/NAME             continues from it
  * POST /api/start/RECORDING?moment=N    continues from the N-th moment of a recording
  * </pre>
@@ -38,6 +40,7 @@ public final class SceneApi extends Handler.Abstract {
 
     private final SceneFolder folder;
     private final LivingWorld world;
+    private final Consumer<Deed> done;
     private final Function<String, Optional<Path>> recordings;
 
     /**
@@ -45,11 +48,13 @@ public final class SceneApi extends Handler.Abstract {
      *
      * @param folder where scenes are saved; it need not exist
      * @param world the running simulation
+     * @param done takes what was done to the files, so that it can be undone
      * @param recordings finds recordings by their names
      */
-    public SceneApi(Path folder, LivingWorld world, Function<String, Optional<Path>> recordings) {
+    public SceneApi(Path folder, LivingWorld world, Consumer<Deed> done, Function<String, Optional<Path>> recordings) {
         this.folder = new SceneFolder(folder);
         this.world = world;
+        this.done = done;
         this.recordings = recordings;
     }
 
@@ -61,7 +66,7 @@ public final class SceneApi extends Handler.Abstract {
         }
         try {
             send(response, callback, 200, "application/json", answer(request, path));
-        } catch (IllegalArgumentException | IllegalStateException refused) {
+        } catch (IllegalArgumentException | IllegalStateException | DamagedRecordingException refused) {
             send(response, callback, 409, "text/plain;charset=utf-8", String.valueOf(refused.getMessage()));
         } catch (IOException problem) {
             String text = "The scene cannot be used: " + problem.getMessage() + ". Is the folder " + folder.folder()
@@ -78,7 +83,7 @@ public final class SceneApi extends Handler.Abstract {
         String name = path.equals(SCENES) ? "" : decoded(path.substring(SCENES.length() + 1));
         switch (request.getMethod()) {
             case "PUT" -> put(request, name);
-            case "DELETE" -> folder.remove(name);
+            case "DELETE" -> done.accept(SceneDeed.removed(folder, name));
             case "POST" -> {
                 return written(world.goOnFrom(folder.load(name)));
             }
@@ -101,8 +106,7 @@ public final class SceneApi extends Handler.Abstract {
         String old = parameters.getValue("was");
         if (old != null) {
             folder.rename(old, name);
-        } else if ("yes".equals(parameters.getValue("removed"))) {
-            folder.bringBack(name);
+            done.accept(SceneDeed.renamed(folder, old, name));
         } else {
             boolean replace = "yes".equals(request.getHeaders().get("Replace"));
             folder.save(name, world.field(), world.now(), world.save(), replace);
@@ -115,8 +119,10 @@ public final class SceneApi extends Handler.Abstract {
                 .orElseThrow(
                         () -> new IllegalArgumentException("There is no such recording any more. Choose another one."));
         return world.goOnFrom(SceneFolder.moment(file, moment)
-                .orElseThrow(() -> new IllegalArgumentException(
-                        "The recording has no moment " + moment + " on the disk yet. Try again in a second.")));
+                .orElseThrow(() -> new IllegalArgumentException("The recording has no moment " + moment
+                        + (file.toString().endsWith(AtomicFile.UNFINISHED)
+                                ? " on the disk yet. Try again in a second."
+                                : ": it ends before, or is damaged there. Choose an earlier one."))));
     }
 
     private static long moment(Request request) {

@@ -19,6 +19,7 @@ import org.robonewbie.simulator.recording.RecordedCycle;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.recording.RecordingWriter;
 import org.robonewbie.simulator.state.WorldState;
+import org.robonewbie.studio.file.PlainFile;
 
 /**
  * The folder of saved scenes. A scene is a recording of one cycle, so whatever shows recordings shows it too.
@@ -33,9 +34,11 @@ record SceneFolder(Path folder) {
 
     List<String> names() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
-            return files.map(file -> String.valueOf(file.getFileName()))
+            return files.filter(PlainFile::isInItsFolder)
+                    .map(file -> String.valueOf(file.getFileName()))
                     .filter(name -> name.endsWith(RecordingShelf.ENDING))
                     .map(name -> name.substring(0, name.length() - RecordingShelf.ENDING.length()))
+                    .filter(SceneFolder::isName)
                     .sorted()
                     .toList();
         } catch (NoSuchFileException | NotDirectoryException none) {
@@ -65,15 +68,17 @@ record SceneFolder(Path folder) {
         }
     }
 
-    /** Takes a scene away; until the next scene of that name is taken away it can be brought back. */
-    void remove(String name) throws IOException {
-        move(file(name), removed(name), name);
+    /** Takes a scene away, and returns where it is kept for being brought back. */
+    Path remove(String name) throws IOException {
+        Path kept = removed(name);
+        move(file(name), kept, name);
+        return kept;
     }
 
     /** Restores a scene that was removed. */
-    void bringBack(String name) throws IOException {
+    void bringBack(String name, Path kept) throws IOException {
         refuseTaken(name);
-        move(removed(name), file(name), name);
+        move(kept, file(name), name);
     }
 
     void rename(String from, String to) throws IOException {
@@ -141,15 +146,30 @@ record SceneFolder(Path folder) {
         return scene.resolveSibling(scene.getFileName() + StateFile.ENDING);
     }
 
+    /** Several scenes of one name can be removed, one after the other. */
     private Path removed(String name) {
-        return file(name).resolveSibling(name + REMOVED);
+        Path first = file(name).resolveSibling(name + REMOVED);
+        Path kept = first;
+        for (int copy = 2; Files.exists(kept); copy++) {
+            kept = first.resolveSibling(name + " " + copy + REMOVED);
+        }
+        return kept;
     }
 
     private Path file(String name) {
-        if (!NAME.matcher(name).matches()) {
+        if (!isName(name)) {
             throw new IllegalArgumentException("A scene cannot be named \"" + name
                     + "\". Use letters, digits, blanks, dots, - and _, beginning with a letter or digit.");
         }
-        return folder.resolve(name + RecordingShelf.ENDING);
+        Path file = folder.resolve(name + RecordingShelf.ENDING);
+        if (Files.exists(file) && !PlainFile.isInItsFolder(file)) {
+            throw new IllegalArgumentException(
+                    "The scene \"" + name + "\" is a link to a place outside of " + folder + ". Choose another one.");
+        }
+        return file;
+    }
+
+    private static boolean isName(String name) {
+        return NAME.matcher(name).matches() && PlainFile.isName(name);
     }
 }

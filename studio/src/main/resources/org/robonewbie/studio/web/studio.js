@@ -1,16 +1,16 @@
 /** The studio: brings connection, picture, rooms and panels together. */
-import { CameraDesk, CAMERAS } from './field/camera-desk.js';
-import { Hand } from './field/hand.js';
-import { chooserFor, openView } from './field/open-view.js';
+import { FieldRoom } from './field/field-room.js';
 import { Connection } from './live/connection.js';
 import { Session } from './live/session.js';
+import { Commentary } from './panels/commentary.js';
 import { CoursePanel } from './panels/course-panel.js';
-import { DrawingDesk } from './panels/drawing-desk.js';
 import { byId } from './panels/elements.js';
 import { watchFreeSpace } from './panels/free-space.js';
 import { FIELD_MOUSE, fieldDeeds, listenToKeys } from './panels/keys.js';
+import { FirstSteps } from './panels/first-steps.js';
 import { Happenings } from './panels/happenings.js';
 import { banner, notes, reportMistakes, tell } from './panels/messages.js';
+import { Mistakes } from './panels/mistakes.js';
 import { PuppetPanel } from './panels/puppet-panel.js';
 import { RoomDesk } from './panels/room-desk.js';
 import { paced } from './panels/pace.js';
@@ -21,7 +21,7 @@ import { cameraPanel, trainerPanel } from './panels/side.js';
 import { themeSwitch } from './panels/theme.js';
 import { timeLineDeeds, timeLinePanel } from './panels/time-line.js';
 import { timeActions, transportPanel } from './panels/transport.js';
-import { QUALITIES, qualityIndex } from './state/quality.js';
+import { Workspace } from './panels/workspace.js';
 import { message } from './state/studio-state.js';
 
 /** Nobody reads faster than that, and letting the browser lay out texts costs time that pictures need. */
@@ -33,8 +33,6 @@ const CYCLES_PER_SECOND = 50;
 export class Studio {
   #hasDrawn = false;
   #lastTurn = 0;
-  /** The scene that the picture is made for. @type {object | undefined} */
-  #pictured;
   /** @type {Array<(shown: import('./state/studio-state.js').StudioState, now: number) => void>} */
   #draws = [];
   #panels = paced((now) => this.#drawPanels(now), PANEL_MILLISECONDS);
@@ -46,22 +44,25 @@ export class Studio {
     this.note = notes();
     reportMistakes(this.note);
     this.session = new Session(this.token !== '', {
-      begun: () => this.robot?.forget(),
-      telemetry: (news) => this.robot?.hear(news),
+      begun: () => (this.rooms?.forget(), this.field?.board.clear()),
+      telemetry: (news) => this.rooms.hear(news),
       happened: (event, teams) => this.happenings?.add(event, teams),
+      drawn: (sets) => this.field.board.hear(sets),
+      mistaken: (mistake) => this.mistakes?.add(mistake),
       note: this.note,
     });
     tell(message(this.state, 0));
-    const asked = qualityIndex(options.get('quality'));
-    this.view = openView(QUALITIES[asked < 0 ? 1 : asked]);
-    this.chooser = chooserFor(this.view, asked);
-    this.desk = new CameraDesk(this.view.camera, () => this.view.free);
+    this.firstSteps = new FirstSteps();
+    this.field = new FieldRoom(this.session, options.get('quality'), {
+      isSteered: () => ['field', 'robot', 'program'].includes(this.room()) && this.session.shown.tense === 'live',
+      send: this.send,
+    });
     const address = `ws://${location.host}/live?token=${encodeURIComponent(this.token)}`;
     this.connection = new Connection(address, this.session);
     this.time = timeActions(() => this.state, this.send);
     this.rooms = this.#makeRooms();
-    this.drawings = new DrawingDesk(this.view, this.touch);
     this.drawTimeLine = timeLinePanel(this.cursor, this.touch);
+    this.workspace = new Workspace((room) => this.rooms.enter(room));
     this.room = roomsPanel((entered) => this.#enter(entered));
   }
 
@@ -72,6 +73,7 @@ export class Studio {
     setInterval(() => {
       this.connection.checkSilence();
       this.#drawPanels(performance.now());
+      this.workspace.markMore();
     }, LOOK_MILLISECONDS);
     if (this.token !== '') {
       this.connection.open();
@@ -85,6 +87,26 @@ export class Studio {
 
   get cursor() {
     return this.session.cursor;
+  }
+
+  get view() {
+    return this.field.view;
+  }
+
+  get desk() {
+    return this.field.desk;
+  }
+
+  get hand() {
+    return this.field.hand;
+  }
+
+  get chooser() {
+    return this.field.chooser;
+  }
+
+  get drawings() {
+    return this.field.drawings;
   }
 
   get motion() {
@@ -103,8 +125,23 @@ export class Studio {
 
   goLive = () => this.session.travel((cursor) => cursor.goLive());
 
-  /** @param {object} command */
-  send = (command) => this.connection.send(command);
+  /** @param {{do?: string}} command */
+  send = (command) => {
+    this.connection.send(command);
+    if (command.do === 'placeBall' || command.do === 'walk') {
+      this.firstSteps.done(command.do === 'walk' ? 'puppet' : 'ball');
+    }
+  };
+
+  /** @param {string} team @param {number} number */
+  #lookInside = (team, number) => {
+    const robots = this.state.scene?.robots ?? [];
+    const index = robots.findIndex((player) => player.team === team && player.number === number);
+    if (index >= 0) {
+      this.desk.choose(index);
+    }
+    location.hash = '#robot';
+  };
 
   /** Asks for another picture after something was done to it. @template {unknown[]} A @param {(...given: A) => void} deed */
   #touching(deed) {
@@ -122,8 +159,11 @@ export class Studio {
       robotOfRun: () => this.session.robot(this.desk.chosen),
       send: this.send,
       goLive: this.goLive,
+      camera: () => this.desk,
       hasClock: () => this.state.scene?.clock !== false,
+      robots: () => this.session.shown.scene?.robots ?? [],
       goTo: (seconds) => this.session.travel((cursor) => cursor.goTo(seconds * CYCLES_PER_SECOND)),
+      fold: (panel) => this.workspace.split.toggle(panel),
     });
   }
 
@@ -140,29 +180,25 @@ export class Studio {
     this.#draws = [
       scoreBoardPanel(),
       transportPanel(this.time),
-      cameraPanel(this.desk, { choose: this.#chooseCamera, shadows, setShadows }),
+      cameraPanel(this.desk, { choose: this.field.chooseCamera, shadows, setShadows, show: this.field.showBeside }),
       trainerPanel(this.send),
       scenePanel(this.token, this.note, this.goLive),
       banner(),
       (shown) => puppet.draw(shown),
     ];
     this.happenings = new Happenings();
+    this.commentary = new Commentary(this.session, (text) => this.happenings?.tell(text));
+    this.mistakes = new Mistakes(this.#lookInside);
+    this.puppet = puppet;
     this.course = new CoursePanel(this.token, this.note, this.goLive);
     setShadows(shadows);
-    this.#putHandOnField();
-  }
-
-  #putHandOnField() {
-    const isSteered = () => this.room() === 'field' && this.session.shown.tense === 'live';
-    this.hand = new Hand(this.view, this.desk, {
-      now: () => ({ ...this.state, ...this.session.shown }),
-      send: (command) => isSteered() && this.send(command),
-      changed: this.touch,
-    });
   }
 
   #listen() {
-    const field = { deeds: [...this.#fieldDeeds(), this.drawings.deed], mouse: FIELD_MOUSE };
+    const field = {
+      deeds: [...fieldDeeds(this.field.looks, this.time, this.send), this.drawings.deed],
+      mouse: FIELD_MOUSE,
+    };
     listenToKeys(() => {
       const keys = this.rooms.keys(this.room(), field);
       const more = this.room() === 'replay' ? [this.drawings.deed] : timeLineDeeds(this.cursor, this.touch);
@@ -173,31 +209,13 @@ export class Studio {
       this.motion?.setTheme(theme);
     });
     themeSwitch(this.options.get('theme'), setTheme);
-    window.addEventListener('beforeunload', (event) => this.motion?.editor.isAtRisk && event.preventDefault());
+    window.addEventListener('beforeunload', (event) => this.rooms.isAtRisk && event.preventDefault());
     const setCovered = (/** @type {import('./field/field-view.js').FieldView['covered']} */ covered) => {
       this.view.setCovered(covered);
       this.desk.refit();
     };
     watchFreeSpace(this.view.stage, this.#touching(setCovered));
   }
-
-  #fieldDeeds() {
-    const { desk } = this;
-    return fieldDeeds(
-      {
-        turn: this.#touching((/** @type {number} */ right, /** @type {number} */ up) => desk.turn(right, up)),
-        zoom: this.#touching((/** @type {number} */ factor) => desk.zoom(factor)),
-        camera: (index) => this.#chooseCamera(CAMERAS[index].mode),
-        next: this.#touching(() => desk.choose((desk.chosen + 1) % Math.max(1, this.state.scene?.robots.length ?? 1))),
-      },
-      this.time,
-      this.send,
-    );
-  }
-
-  #chooseCamera = this.#touching((/** @type {import('./field/camera-desk.js').CameraMode} */ mode) =>
-    this.desk.setMode(mode),
-  );
 
   /** @param {import('./panels/rooms.js').RoomName} entered */
   async #enter(entered) {
@@ -206,6 +224,10 @@ export class Studio {
       this.cursor.goTo(recorded.frame.cycle);
     }
     this.touch();
+    this.workspace.enter(entered);
+    if (entered === 'motion') {
+      this.firstSteps.done('motion');
+    }
     this.#drawPanels(performance.now());
     await this.rooms.enter(entered);
     if (entered === 'replay' && this.cursor.cycle !== undefined) {
@@ -216,8 +238,12 @@ export class Studio {
   /** Draws if anything has changed. Nothing is drawn while the world and the eye stand still. */
   #turn = (/** @type {number} */ now) => {
     requestAnimationFrame(this.#turn);
-    this.#chooseQuality(now - this.#lastTurn);
+    if (this.#hasDrawn) {
+      this.field.pictureTook(now - this.#lastTurn);
+    }
     this.#turnRoom(now, Math.min(LONGEST_TURN_SECONDS, (now - this.#lastTurn) / 1000));
+    this.puppet?.readGamepad();
+    this.commentary?.turn(Math.min(LONGEST_TURN_SECONDS, (now - this.#lastTurn) / 1000));
     this.#panels.turn(now);
     this.#lastTurn = now;
     if (this.session.owesAnswer) {
@@ -225,14 +251,6 @@ export class Studio {
       this.send({ do: 'seen' });
     }
   };
-
-  /** @param {number} milliseconds that the last turn took */
-  #chooseQuality(milliseconds) {
-    if (this.#hasDrawn && this.chooser.pictureTook(milliseconds)) {
-      this.view.setQuality(this.chooser.quality);
-      this.touch();
-    }
-  }
 
   /** @param {number} now milliseconds @param {number} seconds since the last turn */
   #turnRoom(now, seconds) {
@@ -242,10 +260,12 @@ export class Studio {
       this.#drawPicture(now, seconds);
     } else if (here === 'motion') {
       this.motion?.turn(seconds);
-    } else if (here === 'robot') {
-      this.robot?.turn(this.session.shown, this.cursor, now);
     } else if (!this.chooser.fixed) {
       this.view.refine(now);
+    }
+    if (this.workspace.split.isOn && this.robot && this.room() !== 'program') {
+      this.workspace.agreeOnRobot(this.desk, this.robot.watch);
+      this.robot.turn(this.session.shown, this.cursor, now);
     }
   }
 
@@ -254,40 +274,17 @@ export class Studio {
     if (here === 'replay') {
       return this.replay?.turn(seconds) === true || this.session.stale;
     }
-    return here === 'field' && (this.session.stale || (this.#isSmooth() && this.session.smoothing.isMoving(now)));
-  }
-
-  #isSmooth() {
-    return this.session.shown.tense === 'live' && this.chooser.quality.smooth;
+    return here !== 'motion' && (this.session.stale || this.field.isMoving(now));
   }
 
   /** @param {number} now milliseconds @param {number} seconds since the last turn */
   #drawPicture(now, seconds) {
-    const { session, view, desk } = this;
     const recorded = this.room() === 'replay' ? this.replay?.picture : undefined;
     if (recorded) {
       this.cursor.goToRecorded(recorded);
     }
-    const { scene, frame } = session.shown;
-    this.#setScene(scene);
-    const picture = this.#isSmooth() ? session.smoothing.picture(now) : frame;
-    if (picture && picture.robots.length === scene?.robots.length) {
-      view.update(picture);
-    }
-    this.drawings.show(session.shown, session.drawings);
-    session.stale = desk.update(view.crowd.poses, seconds, view.ball.position.toArray());
-    view.light.shine(desk.shown.target, view.camera.position);
-    view.draw();
+    this.field.draw(now, seconds);
     this.#panels.ask();
-  }
-
-  /** @param {import('./live/state-frame.js').Scene | undefined} scene */
-  #setScene(scene) {
-    if (scene && scene !== this.#pictured) {
-      this.#pictured = scene;
-      this.view.setScene(scene);
-      this.desk.setScene(scene);
-    }
   }
 
   /** @param {number} now milliseconds */

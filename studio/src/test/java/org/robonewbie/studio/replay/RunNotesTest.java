@@ -3,6 +3,7 @@ package org.robonewbie.studio.replay;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -28,6 +29,10 @@ class RunNotesTest {
         return new RunNotes(Optional.of(new RecordingShelf(folder, 1_000_000)));
     }
 
+    private static String notesOf(Path recording) throws IOException {
+        return new String(RunNotes.read(recording, 0), StandardCharsets.UTF_8);
+    }
+
     private static TelemetryMessage said(String level, String text) {
         return new TelemetryMessage("Blue", 4, 1.5, new TelemetryItem.LogEntry(level, text));
     }
@@ -43,11 +48,11 @@ class RunNotesTest {
         notes.keep(said("INFO", "more"));
 
         assertThat(folder.resolve("today.notes")).exists();
-        assertThat(RunNotes.read(recording).lines())
+        assertThat(notesOf(recording).lines())
                 .containsExactly(
                         "{\"seconds\":1.5,\"robot\":\"Blue 4\",\"level\":\"WARNING\",\"text\":\"two\\nlines\"}",
                         "{\"seconds\":1.5,\"robot\":\"Blue 4\",\"level\":\"INFO\",\"text\":\"more\"}");
-        assertThat(RunNotes.read(folder.resolve("today.rec")))
+        assertThat(notesOf(folder.resolve("today.rec")))
                 .as("when the run has ended")
                 .hasLineCount(2);
     }
@@ -61,7 +66,7 @@ class RunNotesTest {
             notes.keep(said("INFO", "line " + i));
         }
 
-        assertThat(RunNotes.read(recording)).hasLineCount(2000).contains("line 1999");
+        assertThat(notesOf(recording)).hasLineCount(2000).contains("line 1999");
     }
 
     @Test
@@ -74,13 +79,13 @@ class RunNotesTest {
             notes.keep(drawn(5, cycle, "there"));
         }
 
-        assertThat(RunNotes.read(recording))
+        assertThat(notesOf(recording))
                 .hasLineCount(20)
                 .startsWith("{\"drawn\":\"draw\\t0.0\\tBlue\\t4\\ttext\\tred\\t0.0\\t0.0\\t0.0\\there\"}");
         for (int cycle = 50; cycle < 1050; cycle += 5) {
             notes.keep(drawn(4, cycle, "x".repeat(50_000)));
         }
-        assertThat(RunNotes.read(recording).length()).isBetween(3_900_000, 4_001_000);
+        assertThat(notesOf(recording).length()).isBetween(3_900_000, 4_001_000);
     }
 
     private static TelemetryMessage drawn(int number, int cycle, String text) {
@@ -110,6 +115,6 @@ class RunNotesTest {
         new RunNotes(Optional.empty()).keep(said("INFO", "hello"));
 
         assertThat(folder).isEmptyDirectory();
-        assertThat(RunNotes.read(folder.resolve("none.rec"))).isEmpty();
+        assertThat(notesOf(folder.resolve("none.rec"))).isEmpty();
     }
 }

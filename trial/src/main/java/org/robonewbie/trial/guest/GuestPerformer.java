@@ -1,8 +1,11 @@
 package org.robonewbie.trial.guest;
 
 import java.io.IOException;
+import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
+import java.nio.channels.Channels;
+import java.nio.channels.SocketChannel;
 import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.protocol.effector.EffectorCommand;
@@ -21,23 +24,34 @@ final class GuestPerformer implements Performer {
 
     private static final int MOST_BYTES = 1 << 20;
 
-    private final Socket socket;
+    private static final int MILLISECONDS_PER_SECOND = 1000;
+
+    private final SocketChannel channel;
+    private final double patienceSeconds;
     private final FrameInput input;
     private final FrameOutput output;
     private final EffectorMessageReader reader = new EffectorMessageReader();
     private final MessageBuffer answer = new MessageBuffer();
     private boolean synchronising;
 
-    private GuestPerformer(Socket socket) throws IOException {
-        this.socket = socket;
-        socket.setTcpNoDelay(true);
-        input = new FrameInput(socket.getInputStream(), MOST_BYTES);
-        output = new FrameOutput(socket.getOutputStream());
+    private GuestPerformer(SocketChannel channel, double patienceSeconds) throws IOException {
+        this.channel = channel;
+        this.patienceSeconds = patienceSeconds;
+        if (channel.getRemoteAddress() instanceof InetSocketAddress) {
+            Socket socket = channel.socket();
+            socket.setTcpNoDelay(true);
+            socket.setSoTimeout((int) (patienceSeconds * MILLISECONDS_PER_SECOND));
+            input = new FrameInput(socket.getInputStream(), MOST_BYTES);
+            output = new FrameOutput(socket.getOutputStream());
+        } else {
+            input = new FrameInput(Channels.newInputStream(channel), MOST_BYTES);
+            output = new FrameOutput(Channels.newOutputStream(channel));
+        }
     }
 
     /** Admits an agent, and reads its request for a robot. */
-    static GuestPerformer welcome(Socket socket) throws IOException {
-        GuestPerformer guest = new GuestPerformer(socket);
+    static GuestPerformer welcome(SocketChannel channel, double patienceSeconds) throws IOException {
+        GuestPerformer guest = new GuestPerformer(channel, patienceSeconds);
         guest.listen();
         return guest;
     }
@@ -68,9 +82,7 @@ final class GuestPerformer implements Performer {
                 }
             } catch (SocketTimeoutException silence) {
                 throw new AbsentProgramException(
-                        "The program gave no answer for " + socket.getSoTimeout() / 1000.0
-                                + " s. Is there an endless loop?",
-                        silence);
+                        "The program gave no answer for " + patienceSeconds + " s. Is there an endless loop?", silence);
             }
             reader.read(answer, commands::add, problem -> {});
             boolean end = commands.stream().anyMatch(EffectorCommand.Synchronise.class::isInstance);
@@ -83,7 +95,7 @@ final class GuestPerformer implements Performer {
     @Override
     public void close() {
         try {
-            socket.close();
+            channel.close();
         } catch (IOException broken) {
             throw new AbsentProgramException("The connection of the program cannot be closed.", broken);
         }

@@ -12,6 +12,7 @@ import org.robonewbie.trial.Moment;
 public final class BallToGoal implements Measure {
 
     private double metres = Double.MAX_VALUE;
+    private double lastMetres = Double.MAX_VALUE;
     private double seconds;
     private boolean scored;
 
@@ -22,12 +23,18 @@ public final class BallToGoal implements Measure {
     public void see(Moment moment) {
         seconds = scored ? seconds : moment.seconds();
         scored |= moment.goals(TeamSide.LEFT) > 0;
-        metres = scored ? 0 : Math.min(metres, TimeToScore.metresToGoal(SoccerField.BEGINNER, moment.ball()));
+        lastMetres = scored ? 0 : TimeToScore.metresToGoal(SoccerField.BEGINNER, moment.ball());
+        metres = Math.min(metres, lastMetres);
     }
 
     /** {@return when the goal was scored; without one, how long the trial has taken so far} */
     public double seconds() {
         return seconds;
+    }
+
+    /** {@return how far the ball was from the goal at last, in metres; 0 after a goal} */
+    public double lastMetres() {
+        return lastMetres;
     }
 
     @Override

@@ -1,3 +1,7 @@
-/** Trials that people watch at the pace of their clock: {@link org.robonewbie.trial.watch.WatchedTrial}. */
+/**
+ * Trials that people watch at the pace of their clock: {@link org.robonewbie.trial.watch.WatchedTrial}.
+ *
+ * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.trial.watch;

@@ -28,6 +28,15 @@ class ShippedMotionsTest {
     }
 
     @Test
+    void eachShippedMotionNamesItsColumns() {
+        assertThat(new ShippedMotions().names())
+                .map(ShippedMotions::file)
+                .allSatisfy(file -> assertThat(file.property("columns"))
+                        .isPresent()
+                        .isEqualTo(file.withColumns().property("columns")));
+    }
+
+    @Test
     void namesAMotionThatIsMissing() {
         assertThatThrownBy(() -> ShippedMotions.motion("fly"))
                 .isInstanceOf(IllegalArgumentException.class)

@@ -1,6 +1,8 @@
 /**
  * The rigid-body engine on ode4j, the Java edition of the Open Dynamics Engine that SimSpark uses. Nothing else imports
  * ode4j. Read {@link org.robonewbie.simulator.physics.ode.OdePhysicsWorld} first.
+ *
+ * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.simulator.physics.ode;

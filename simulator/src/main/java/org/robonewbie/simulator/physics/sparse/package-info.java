@@ -18,6 +18,8 @@
  *
  * <p>Read {@link org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld} first, then {@code IslandStepper}, {@code
  * ConstraintRows}, {@code EliminationPlan}, {@code BlockCholesky} and {@code ForceSolver}.
+ *
+ * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.simulator.physics.sparse;

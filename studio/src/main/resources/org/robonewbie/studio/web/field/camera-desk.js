@@ -5,16 +5,17 @@ import { eye, moved, openingShot, overview, turned, zoomed, zoomedTo } from '../
 /**
  * @typedef {import('../state/view-point.js').ViewPoint} ViewPoint
  * @typedef {import('../state/view-point.js').FreeView} FreeView
- * @typedef {'orbit' | 'follow' | 'top' | 'eye'} CameraMode
+ * @typedef {'orbit' | 'follow' | 'top' | 'eye' | 'ball'} CameraMode
  * @typedef {import('../live/state-frame.js').Scene} Scene
  */
 
-/** The cameras in the order of their keys 1 to 4. @type {Array<{mode: CameraMode, name: string, hint: string}>} */
+/** The cameras in the order of their keys 1 to 5. @type {Array<{mode: CameraMode, name: string, hint: string}>} */
 export const CAMERAS = [
   { mode: 'orbit', name: 'Free', hint: 'Turn with the mouse, move with the right button' },
   { mode: 'follow', name: 'Follow', hint: 'Keeps the chosen robot in the middle' },
   { mode: 'top', name: 'Top', hint: 'The whole pitch from above' },
   { mode: 'eye', name: 'Robot’s eyes', hint: 'What the chosen robot looks at' },
+  { mode: 'ball', name: 'Ball', hint: 'Follows the ball, as on television' },
 ];
 
 const FIELD_OF_VIEW = 38;
@@ -69,6 +70,10 @@ export class CameraDesk {
     }
   }
 
+  get #followsSomething() {
+    return this.#needsRobot(this.mode) || this.mode === 'ball';
+  }
+
   /** @param {CameraMode} mode */
   #needsRobot(mode) {
     return mode === 'follow' || mode === 'eye';
@@ -85,6 +90,8 @@ export class CameraDesk {
     this.mode = mode;
     if (mode === 'follow') {
       this.view = { ...this.view, azimuthDegrees: -38, elevationDegrees: 13, distance: 2.1 };
+    } else if (mode === 'ball') {
+      this.view = { ...this.view, azimuthDegrees: -90, elevationDegrees: 24, distance: 6.5 };
     } else if (mode !== 'eye') {
       this.#seeAll();
     }
@@ -110,6 +117,16 @@ export class CameraDesk {
     this.isStill = false;
   }
 
+  /** Looks as another camera does; where that one sees the whole pitch, this one fits it to its own picture. @param {CameraDesk} other */
+  lookAs({ mode, chosen, shown, view, whole }) {
+    this.chosen = chosen;
+    this.setMode(mode);
+    if (view !== whole) {
+      this.view = shown;
+    }
+    this.shown = this.view;
+  }
+
   /** @param {number} robot index of the robot to follow */
   choose(robot) {
     this.chosen = robot;
@@ -127,13 +144,13 @@ export class CameraDesk {
   /** @param {number} factor below 1 goes nearer @param {number[]} [point] stays where it is on the screen */
   zoom(factor, point) {
     this.opens = false;
-    this.view = point && !this.#needsRobot(this.mode) ? zoomedTo(this.view, factor, point) : zoomed(this.view, factor);
+    this.view = point && !this.#followsSomething ? zoomedTo(this.view, factor, point) : zoomed(this.view, factor);
   }
 
   /** @param {number} right part of the distance @param {number} up part of the distance */
   move(right, up) {
     this.#take();
-    if (this.mode === 'follow') {
+    if (this.mode === 'follow' || this.mode === 'ball') {
       this.mode = 'orbit';
     }
     this.view = moved(this.view, right, up);
@@ -166,6 +183,9 @@ export class CameraDesk {
     }
     if (this.mode === 'follow' && robot) {
       this.view = { ...this.view, target: [robot[0], robot[1], FOLLOW_HEIGHT] };
+    }
+    if (this.mode === 'ball' && ball) {
+      this.view = { ...this.view, target: [ball[0], ball[1], 0.15] };
     }
     return this.#glide(Math.min(1, CATCH_UP_PER_SECOND * seconds));
   }

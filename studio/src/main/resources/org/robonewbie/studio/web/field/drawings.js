@@ -34,6 +34,9 @@ export class FieldDrawings {
   /** @param {Placed[]} placed all that is to be seen now */
   show(placed) {
     const drawable = placed.filter(({ drawing }) => isDrawable(drawing));
+    if (drawable.length === 0 && !this.group.visible) {
+      return;
+    }
     this.group.visible = drawable.length > 0;
     this.#fill(drawable);
     this.#write(drawable.filter(({ drawing }) => drawing.shape === 'text').slice(0, MOST_TEXTS));
@@ -98,7 +101,7 @@ function textSprite(look, x, y, text) {
 }
 
 /** A text with a dark edge, so that it is read on grass and lines alike. @param {string} text @param {string} colour */
-function textLook(text, colour) {
+export function textLook(text, colour) {
   const canvas = document.createElement('canvas');
   const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
   const font = `600 ${FONT_PIXELS}px system-ui, sans-serif`;

@@ -1,9 +1,13 @@
 /** The picture of the field: owns the three.js scene and draws it; what is drawn comes from outside. */
 import * as THREE from 'three';
 import { ball, BALL_RADIUS, ballShape } from './ball.js';
+import { BallTrail } from './ball-trail.js';
+import { Board } from './board.js';
 import { FieldDrawings } from './drawings.js';
 import { Light, PALETTES, roomReflections } from './light.js';
+import { NameTags } from './name-tags.js';
 import { pitch } from './pitch.js';
+import { Ring } from './ring.js';
 import { RobotCrowd } from './robot-crowd.js';
 import { SoftShadows } from './soft-shadows.js';
 
@@ -39,7 +43,12 @@ export class FieldView {
     this.drawings = new FieldDrawings();
     this.ball = ball();
     this.ball.visible = false;
+    this.trail = new BallTrail();
+    this.ring = new Ring();
+    this.names = new NameTags(stage);
     this.scene.add(this.crowd.group, this.softShadows.group, this.drawings.group, this.ball);
+    this.board = new Board();
+    this.scene.add(this.trail.dots, this.ring.group, this.board.group);
     this.palette = PALETTES.light;
     this.realShadows = false;
     /** @type {Scene | undefined} */
@@ -128,6 +137,7 @@ export class FieldView {
     this.content = content;
     this.crowd.setScene(content);
     this.softShadows.setScene(content);
+    this.names.setScene(content);
     this.ball.visible = false;
   }
 
@@ -141,14 +151,27 @@ export class FieldView {
     this.setShadows(this.realShadows);
   }
 
-  /** Fits the picture to the page. */
+  /** Fits the picture to the page; at once, since a picture of another size is black until it is drawn. */
   resize() {
+    if (this.#fit() && 'drawn' in this.stage.dataset) {
+      this.#render();
+    }
+  }
+
+  /** @returns {boolean} whether the picture has another number of pixels now */
+  #fit() {
     const { width, height } = this.#size();
     const { left, top, right, bottom } = this.#margins(width, height);
+    const pixelRatio = Math.min(window.devicePixelRatio, this.quality.pixelRatio);
+    const before = this.renderer.getSize(new THREE.Vector2());
     this.isFine = false;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, this.quality.pixelRatio));
-    this.renderer.setSize(width, height);
     this.camera.setViewOffset(width, height, (right - left) / 2, (bottom - top) / 2, width, height);
+    if (before.x === width && before.y === height && this.renderer.getPixelRatio() === pixelRatio) {
+      return false;
+    }
+    this.renderer.setPixelRatio(pixelRatio);
+    this.renderer.setSize(width, height);
+    return true;
   }
 
   #size() {
@@ -197,7 +220,7 @@ export class FieldView {
 
   draw() {
     if (this.isFine) {
-      this.resize();
+      this.#fit();
     }
     this.lastDrawn = performance.now();
     this.#render();
@@ -212,10 +235,18 @@ export class FieldView {
     }
   }
 
+  /** How long a pixel of the page is at a place of the picture, in metres. @param {THREE.Vector3} place */
+  metresPerPixel(place) {
+    return (2 * this.#slope * this.camera.position.distanceTo(place)) / this.#size().height;
+  }
+
   #render() {
-    const metres = this.camera.position.distanceTo(this.ball.position);
-    const least = (LEAST_BALL_PIXELS * 2 * this.#slope * metres) / this.#size().height;
+    const least = LEAST_BALL_PIXELS * this.metresPerPixel(this.ball.position);
     this.ball.scale.setScalar(Math.max(1, least / (2 * BALL_RADIUS)));
+    this.board.follow(this.crowd.poses, this.content?.robots ?? []);
+    this.trail.setPixelRatio(this.renderer.getPixelRatio());
+    this.camera.updateMatrixWorld();
+    this.names.draw(this.crowd.poses, this.camera, { ...this.#size(), slope: this.#slope });
     this.renderer.info.reset();
     this.renderer.render(this.scene, this.camera);
     this.stage.dataset.drawn = '';

@@ -4,6 +4,7 @@ import { Smoothing } from '../state/smoothing.js';
 import {
   initialState,
   withConnection,
+  withDeeds,
   withFrame,
   withoutConnection,
   withRefusal,
@@ -17,6 +18,8 @@ import { readFrame } from './state-frame.js';
  * @property {() => void} begun a simulation is there, perhaps another one than before
  * @property {(news: any) => void} telemetry
  * @property {(event: string, teams: {left: string, right: string}) => void} happened
+ * @property {(mistake: {team: string, number: number, level: string, text: string}) => void} mistaken of a robot's program
+ * @property {(sets: Record<string, import('../state/board-shapes.js').BoardShape[]>) => void} drawn for RoboViz
  * @property {(text: string) => void} note
  */
 
@@ -86,6 +89,12 @@ export class Session {
     } else if (news.kind === 'telemetry') {
       this.drawn.hear([...news.lines, ...news.drawings]);
       this.audience.telemetry(news);
+    } else if (news.kind === 'deeds') {
+      this.#set(withDeeds(this.state, news));
+    } else if (news.kind === 'board') {
+      this.audience.drawn(news.sets);
+    } else if (news.kind === 'mistake') {
+      this.audience.mistaken(news);
     } else if (news.kind === 'event') {
       this.audience.happened(news.text, this.teams);
     } else {

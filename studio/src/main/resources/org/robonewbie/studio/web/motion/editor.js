@@ -1,13 +1,12 @@
 /** The motion editor without its picture: keeps the state, and brings files, drafts and trials together with it. */
 import { Drafts, namelessDrafts } from './drafts.js';
+import { judgeDisk } from '../state/motion/disk.js';
 import { bodyMarks, jointMarks } from '../state/motion/checks.js';
 import {
-  atTime,
   documentOf,
   edited,
   framesOf,
   initialEditor,
-  judgeDisk,
   played,
   selected,
   withFile,
@@ -16,13 +15,12 @@ import {
 import { withInserted } from '../state/motion/motion-document.js';
 import { EMPTY_DOCUMENT, textOf } from '../state/motion/motion-text.js';
 import { readPostures, writePostures } from '../state/motion/poses.js';
-import { secondsText } from '../state/motion/timing.js';
+import { lagOf } from '../state/motion/lag.js';
 
 /**
  * @typedef {import('../state/motion/editor-state.js').EditorState} EditorState
  * @typedef {import('../state/motion/checks.js').Mark} Mark
  * @typedef {import('../state/motion/poses.js').NamedPosture} NamedPosture
- * @typedef {import('../state/motion/motion-text.js').Keyframe} Keyframe
  * @typedef {import('./motion-files.js').MotionFiles} MotionFiles
  * @typedef {import('./motion-files.js').MotionList} MotionList
  */
@@ -45,17 +43,21 @@ export class Editor {
     this.drafts = this.#makeDrafts();
     /** @type {MotionList} */
     this.list = { folder: '', own: [], drafts: [], library: [] };
-    /** @type {readonly Keyframe[]} */
-    this.clip = [];
+    /** @type {import('../state/motion/edits.js').Clip} */
+    this.clip = { frames: [], rows: [] };
     /** @type {NamedPosture[]} */
     this.postures = [];
     /** @type {Mark[]} */
     this.marks = [];
+    /** @type {import('../state/motion/lag.js').Lag | undefined} */
+    this.lag = undefined;
     /** Whether the file was changed on the disk and here, so that the person must decide. */
     this.conflict = false;
     this.busy = false;
     /** Whether the file is being written just now. */
     this.saving = false;
+    /** @type {Promise<void>} */
+    this.lastSave = Promise.resolve();
     /** How often a motion was asked for; an answer that comes after a later wish is not shown. */
     this.wishes = 0;
     this.marksTimer = 0;
@@ -79,6 +81,9 @@ export class Editor {
   set(state) {
     const before = this.state;
     this.state = state;
+    if (state.trial !== before.trial) {
+      this.lag = state.trial && lagOf(state.body, framesOf(state), state.trial);
+    }
     if (state.history !== before.history || state.saved !== before.saved) {
       this.drafts.keepSoon();
     }
@@ -189,15 +194,33 @@ export class Editor {
     await this.#begin(withInserted(EMPTY_DOCUMENT, 0, { millis: 500, degrees: this.state.start }));
   }
 
-  /** @param {readonly Keyframe[]} frames @param {string} name */
-  async take(frames, name) {
-    const document = frames.reduce((each, frame, i) => withInserted(each, i, frame), EMPTY_DOCUMENT);
+  /**
+   * Takes over what another program has written.
+   *
+   * @param {import('../state/motion/motion-text.js').MotionDocument} document
+   * @param {string} name of the file
+   * @param {readonly string[]} notes how it was read
+   */
+  async take(document, name, notes) {
     await this.#begin(document, await this.drafts.newName());
-    this.listener.note(`${frames.length} keyframes were taken from ${name}. Save them under a name of your own.`);
+    const count = framesOf(this.state).length;
+    const taken = `${count} keyframes were taken from ${name}.`;
+    this.listener.note([taken, ...notes, 'Save them under a name of your own.'].join(' '));
   }
 
-  /** @param {string} [asName] another name than before */
-  async save(asName) {
+  /**
+   * Two saves come one after the other: the second one has to know what the first one made.
+   *
+   * @param {string} [asName] another name than before
+   * @returns {Promise<void>}
+   */
+  save(asName) {
+    this.lastSave = this.lastSave.catch(() => {}).then(() => this.#save(asName));
+    return this.lastSave;
+  }
+
+  /** @param {string} [asName] */
+  async #save(asName) {
     const name = asName ?? this.state.name;
     const document = documentOf(this.state);
     const known = asName === undefined || asName === this.state.name ? this.state.version : '';
@@ -218,30 +241,6 @@ export class Editor {
     await this.refresh();
     const hides = this.list.library.includes(name) ? ', instead of the library’s' : '';
     this.listener.note(`Saved. An agent plays it with motions.start("${name}")${hides}.`);
-  }
-
-  /** @param {string} start standing, back or front */
-  async tryPhysically(start) {
-    this.busy = true;
-    this.listener.changed();
-    try {
-      const document = documentOf(this.state);
-      const trial = await this.files.trial(document, start);
-      if (documentOf(this.state) !== document) {
-        this.listener.note('The motion was changed meanwhile. Try it again.');
-        return;
-      }
-      this.set({ ...atTime({ ...this.state, trial }, 0), playing: true });
-      const fall = trial.fallSeconds;
-      if (start === 'standing') {
-        this.listener.note(
-          fall === undefined ? 'The robot stays on its feet.' : `The robot falls after ${secondsText(1000 * fall)}.`,
-        );
-      }
-    } finally {
-      this.busy = false;
-      this.listener.changed();
-    }
   }
 
   /** @param {string} name @param {readonly number[]} degrees */

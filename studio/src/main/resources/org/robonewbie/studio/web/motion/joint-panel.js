@@ -3,6 +3,7 @@ import { button, check, element } from '../panels/elements.js';
 import { postureNow } from '../state/motion/editor-state.js';
 import { JOINT_GROUPS, jointName, shortJointName } from '../state/motion/names.js';
 import { numberText } from '../state/motion/motion-text.js';
+import { numberOf } from '../state/numbers.js';
 import { numberField, showNumber, takeTyped } from './number-field.js';
 
 /**
@@ -21,6 +22,9 @@ import { numberField, showNumber, takeTyped } from './number-field.js';
  * @property {HTMLInputElement} slider
  * @property {HTMLInputElement} number
  */
+
+/** No joint turns so far; what is typed beyond it is a slip. */
+const MOST_DEGREES = 360;
 
 /**
  * @param {HTMLElement} place
@@ -69,8 +73,9 @@ function jointRow({ name, minDegrees, maxDegrees }, index, editor) {
   const label = `${jointName(name)} in degrees`;
   const number = numberField(
     { inputmode: 'decimal', 'aria-label': label, title },
+    MOST_DEGREES,
     (degrees) => editor.turn(index, degrees, ''),
-    (text) => editor.note(`“${text}” is not a number; ${jointName(name).toLowerCase()} stays as it is.`),
+    (text) => editor.note(`“${text}” is not an angle in degrees; ${jointName(name).toLowerCase()} stays as it is.`),
   );
   number.dataset.joint = name;
   slider.dataset.slider = name;
@@ -99,7 +104,10 @@ function listenToArrows(number, turn) {
       event.preventDefault();
       takeTyped();
       const step = (event.shiftKey ? 10 : 1) * (event.key === 'ArrowUp' ? 1 : -1);
-      turn(Math.round((Number(number.value) + step) * 1e4) / 1e4);
+      const degrees = numberOf(number.value);
+      if (degrees !== undefined && Math.abs(degrees + step) <= MOST_DEGREES) {
+        turn(Math.round((degrees + step) * 1e4) / 1e4);
+      }
     }
   });
 }

@@ -1,5 +1,6 @@
 /** The motion files on the disk, as the studio's server gives and takes them. */
 import { decode, encode } from '../state/motion/motion-text.js';
+import { pathPart } from '../state/path-part.js';
 
 /**
  * @typedef {import('../state/motion/motion-text.js').MotionDocument} MotionDocument
@@ -33,7 +34,7 @@ export class MotionFiles {
    * @returns {Promise<{document: MotionDocument, version: string}>}
    */
   async read(shelf, name) {
-    const answer = await this.#ask('GET', `${shelf}/${encodeURIComponent(name)}`);
+    const answer = await this.#ask('GET', `${shelf}/${pathPart(name)}`);
     return {
       document: decode(new Uint8Array(await answer.arrayBuffer())),
       version: answer.headers.get('Version') ?? '',
@@ -47,7 +48,7 @@ export class MotionFiles {
    * @returns {Promise<string>} the new version
    */
   async write(name, document, known) {
-    const answer = await this.#ask('PUT', `motions/${encodeURIComponent(name)}`, encode(document), {
+    const answer = await this.#ask('PUT', `motions/${pathPart(name)}`, encode(document), {
       'Known-Version': known,
     });
     return answer.headers.get('Version') ?? '';
@@ -55,12 +56,12 @@ export class MotionFiles {
 
   /** @param {string} name @param {MotionDocument} document */
   async writeDraft(name, document) {
-    await this.#ask('PUT', `drafts/${encodeURIComponent(name)}`, encode(document));
+    await this.#ask('PUT', `drafts/${pathPart(name)}`, encode(document));
   }
 
   /** @param {string} name */
   async removeDraft(name) {
-    await this.#ask('DELETE', `drafts/${encodeURIComponent(name)}`);
+    await this.#ask('DELETE', `drafts/${pathPart(name)}`);
   }
 
   /** @returns {Promise<string>} */

@@ -1,30 +1,25 @@
 /** The room in which motions are shaped: brings editor, picture, timeline and panels together. */
 import { button, byId, element } from '../panels/elements.js';
-import { balanceOf } from '../state/motion/balance.js';
-import { bodyOf, placed, posesOf, postureOfHinges } from '../state/motion/body.js';
+import { bodyOf, posesOf, postureOfHinges } from '../state/motion/body.js';
+import { atMark } from '../state/motion/marks.js';
 import { sideCopied, timed, turned } from '../state/motion/edits.js';
-import {
-  atTime,
-  framesOf,
-  isOnKeyframe,
-  posed,
-  postureNow,
-  selected,
-  withKeyframeHere,
-} from '../state/motion/editor-state.js';
+import { posed, withKeyframeHere } from '../state/motion/editor-state.js';
 import { mostTurned } from '../state/motion/posture.js';
 import { Editor } from './editor.js';
 import { filesPanel } from './files-panel.js';
 import { jointPanel } from './joint-panel.js';
 import { LimbHand } from './limb-hand.js';
 import { MotionFiles } from './motion-files.js';
+import { MotionPicture } from './motion-picture.js';
 import { MotionStage } from './motion-stage.js';
 import { takeTyped } from './number-field.js';
 import { ordersOf } from './orders.js';
-import { stageOptions } from './stage-options.js';
+import { stageHint, stageOptions } from './stage-options.js';
+import { takePosture } from './take-posture.js';
 import { Timeline } from './timeline.js';
 import { toolbar } from './toolbar.js';
 import { transportBar } from './transport-bar.js';
+import { tryPhysically } from './try-physically.js';
 
 const DISK_MILLISECONDS = 2000;
 
@@ -55,9 +50,6 @@ class MotionRoom {
     this.surroundings = surroundings;
     this.body = body;
     this.stale = true;
-    this.over = -1;
-    /** @type {number[] | undefined} the torso while a limb is dragged */
-    this.heldTorso = undefined;
     this.editor = new Editor(body, files, { changed: () => this.touch(), note: surroundings.note });
     this.run = (/** @type {Promise<unknown>} */ work) =>
       void work.catch((error) => surroundings.note(problemText(error)));
@@ -65,13 +57,20 @@ class MotionRoom {
     const place = byId('motion-room');
     const parts = partsOf(place);
     this.stage = new MotionStage(parts.picture, body, surroundings.quality);
-    parts.picture.append(this.#options(), this.#conflict());
+    this.picture = new MotionPicture(this.stage, this.editor);
+    const { options, draw } = this.#options();
+    parts.picture.append(stageHint(), options, this.#conflict());
     this.timeline = this.#timeline(parts.line);
+    const take = takePosture(
+      () => this.#takePosture(),
+      () => surroundings.robotOfRun()?.name ?? '',
+    );
     this.draws = [
-      toolbar(parts.tools, this.editor, this.orders),
+      toolbar(parts.tools, this.editor, this.orders, take),
       filesPanel(parts.files, this.editor, this.run, this.orders),
       this.#transport(parts.bar),
       this.#joints(parts.joints),
+      () => draw(this.editor.state),
     ];
     this.hand = this.#hand();
     new ResizeObserver(() => {
@@ -84,10 +83,9 @@ class MotionRoom {
   /** @param {HTMLElement} place */
   #timeline(place) {
     const { editor } = this;
-    return new Timeline(place, {
-      select: (index, extending) => editor.apply((state) => selected({ ...state, trial: undefined }, index, extending)),
-      scrub: (time) => editor.apply((state) => ({ ...atTime(state, time), playing: false })),
-      setTime: (index, millis, gesture) => editor.apply((state) => timed(state, index, millis, gesture)),
+    return new Timeline(place, this.body, {
+      apply: (edit) => editor.apply(edit),
+      goTo: (mark) => editor.apply((state) => atMark(state, mark)),
     });
   }
 
@@ -97,9 +95,7 @@ class MotionRoom {
     return transportBar(place, editor, this.orders, {
       setTime: (millis) => editor.apply((state) => timed(state, state.last, millis)),
       note: surroundings.note,
-      tryPhysically: (start) => (takeTyped(), run(editor.tryPhysically(start))),
-      takePosture: () => this.#takePosture(),
-      robotOfRun: () => surroundings.robotOfRun()?.name ?? '',
+      tryPhysically: (start) => (takeTyped(), run(tryPhysically(editor, start))),
     });
   }
 
@@ -119,21 +115,21 @@ class MotionRoom {
   #hand() {
     const { editor } = this;
     return new LimbHand(this.stage, {
-      now: () => (editor.state.trial || editor.state.playing ? undefined : this.posedNow()),
+      now: () => (editor.state.watching || editor.state.playing ? undefined : this.posedNow()),
       pose: (posture, from, torso) => {
-        this.heldTorso = torso;
+        this.picture.heldTorso = torso;
         editor.apply((state) => ({
           ...posed(state, posture, 'Drag a limb', from.gesture),
           joint: mostTurned(from.posture, posture, state.joint),
         }));
       },
       released: () => {
-        this.heldTorso = undefined;
+        this.picture.heldTorso = undefined;
         this.touch();
       },
       over: (link) => {
-        this.stale ||= link !== this.over;
-        this.over = link;
+        this.stale ||= link !== this.picture.over;
+        this.picture.over = link;
       },
       changed: () => this.touch(),
     });
@@ -174,17 +170,16 @@ class MotionRoom {
       return;
     }
     this.stale = false;
-    this.#drawPicture();
+    this.picture.draw();
     this.stale = this.stage.draw(seconds) || this.stale;
     this.draws.forEach((draw) => draw());
-    this.timeline.draw(this.editor.state, this.editor.marks);
+    this.timeline.draw(this.editor.state, this.editor.marks, this.editor.lag);
     byId('disk-conflict').hidden = !this.editor.conflict;
   }
 
   /** The posture that is shown and where its torso is. */
   posedNow() {
-    const posture = postureNow(this.editor.state);
-    return { posture, torso: this.heldTorso ?? placed(this.body, posture, this.editor.state.manner) };
+    return this.picture.posedNow();
   }
 
   /** @param {readonly number[]} posture @param {ArrayLike<number>} torso */
@@ -192,47 +187,11 @@ class MotionRoom {
     return posesOf(this.body, posture, torso);
   }
 
-  #drawPicture() {
-    const { state } = this.editor;
-    if (state.trial) {
-      this.#drawTrial(state.trial, state.time);
-      return;
-    }
-    const { posture, torso } = this.posedNow();
-    const poses = this.posesOf(posture, torso);
-    this.stage.show(this.stage.figure(posture, torso), this.#ghosts(torso));
-    this.stage.marker.setBalance(balanceOf(this.body, poses));
-    this.stage.marker.frameLink(state.playing ? -1 : this.over, poses);
-  }
-
-  /** @param {{frames: readonly number[][], frameSeconds: number}} trial @param {number} time milliseconds */
-  #drawTrial({ frames, frameSeconds }, time) {
-    const frame = frames[Math.min(frames.length - 1, Math.round(time / 1000 / frameSeconds))];
-    const torso = frame.slice(0, 7);
-    this.stage.desk.view = { ...this.stage.desk.view, target: [torso[0], torso[1], 0.31] };
-    this.stage.show({ torso, hinges: frame.slice(7) }, []);
-    this.stage.marker.setBalance(undefined);
-    this.stage.marker.frameLink(-1, new Float64Array());
-  }
-
-  /** The keyframes before and after, if they shall be seen. @param {number[]} torso */
-  #ghosts(torso) {
-    const { state } = this.editor;
-    const frames = framesOf(state);
-    if (!state.ghosts || state.playing || this.heldTorso) {
-      return [];
-    }
-    const next = isOnKeyframe(state) ? state.last + 1 : state.last;
-    return [state.last - 1, next]
-      .filter((index) => index >= 0 && index < frames.length)
-      .map((index) => frames[index].degrees)
-      .map((posture) => this.stage.figure(posture, placed(this.body, posture, state.manner) ?? torso));
-  }
-
   #options() {
     return stageOptions({
       setGhosts: (ghosts) => this.editor.apply((state) => ({ ...state, ghosts })),
       setUpright: (on) => this.editor.apply((state) => ({ ...state, manner: on ? 'upright' : 'soles' })),
+      setWatching: (watching) => this.editor.apply((state) => ({ ...state, watching, playing: false })),
       look: (azimuthDegrees, elevationDegrees) => this.#look(azimuthDegrees, elevationDegrees),
     });
   }

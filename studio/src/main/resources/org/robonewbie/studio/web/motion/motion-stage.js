@@ -5,6 +5,7 @@ import { opaqueRenderer } from '../field/field-view.js';
 import { Light, PALETTES, roomReflections } from '../field/light.js';
 import { ghostMaterial } from '../field/materials.js';
 import { RobotCrowd } from '../field/robot-crowd.js';
+import { LimbPaint } from './limb-paint.js';
 import { Marker } from './marker.js';
 import { hingeDegrees } from '../state/motion/body.js';
 
@@ -19,6 +20,9 @@ import { hingeDegrees } from '../state/motion/body.js';
 
 const FLOORS = { light: { ground: 0xd3dce3, line: 0xb4c0ca }, dark: { ground: 0x1d252d, line: 0x35414c } };
 const FLOOR_METRES = 3;
+
+/** Where a ghost is that is not seen. */
+const FAR_BELOW = [0, 0, -50, 1, 0, 0, 0];
 
 export class MotionStage {
   /**
@@ -41,8 +45,9 @@ export class MotionStage {
     });
     this.ghosts.group.visible = false;
     this.marker = new Marker(body);
+    this.paint = new LimbPaint(body);
     this.floor = new THREE.Group();
-    this.scene.add(this.robot.group, this.ghosts.group, this.marker.group, this.floor);
+    this.scene.add(this.robot.group, this.ghosts.group, this.marker.group, this.paint.group, this.floor);
     this.renderer = opaqueRenderer(true);
     this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
     this.scene.environmentIntensity = 0.5;
@@ -88,13 +93,13 @@ export class MotionStage {
 
   /**
    * @param {Figure} figure
-   * @param {Figure[]} ghosts at most two: before and after
+   * @param {Array<Figure | undefined>} ghosts a blue and an orange one
    */
   show(figure, ghosts) {
     this.robot.update([stateOf(figure)], this.camera.position);
-    this.ghosts.group.visible = ghosts.length > 0;
-    if (ghosts.length > 0) {
-      const two = [ghosts[0], ghosts[1] ?? ghosts[0]];
+    this.ghosts.group.visible = ghosts.some(Boolean);
+    if (this.ghosts.group.visible) {
+      const two = [ghosts[0], ghosts[1]].map((ghost) => ghost ?? { ...figure, torso: FAR_BELOW });
       this.ghosts.update(two.map(stateOf), this.camera.position);
     }
   }

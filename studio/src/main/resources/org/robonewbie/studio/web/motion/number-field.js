@@ -1,24 +1,26 @@
 /** Fields for numbers: what is typed is taken once, by Enter, when the field is left, or before anything else is done. */
 import { element } from '../panels/elements.js';
+import { numberOf } from '../state/numbers.js';
 
 /** Which field the person writes in, for an order that must not miss what was typed. */
 const TYPED = 'typed';
 
 /**
  * @param {Record<string, string>} attributes
+ * @param {number} most that is taken, and its negative
  * @param {(value: number) => void} take
- * @param {(text: string) => void} refuse hears what is not a number
+ * @param {(text: string) => void} refuse hears what is not such a number
  */
-export function numberField(attributes, take, refuse) {
+export function numberField(attributes, most, take, refuse) {
   const field = element('input', { type: 'text', ...attributes });
   const commit = () => {
     if (field.dataset[TYPED] !== 'yes') {
       return;
     }
     field.dataset[TYPED] = '';
-    const text = field.value.trim().replace(',', '.');
-    if (text !== '' && Number.isFinite(Number(text))) {
-      take(Number(text));
+    const value = numberOf(field.value);
+    if (value !== undefined && Math.abs(value) <= most) {
+      take(value);
     } else {
       refuse(field.value);
     }

@@ -10,13 +10,13 @@ import {
   scaledMotion,
   shifted,
 } from '../state/motion/edits.js';
-import { framesOf, lengthOf, selected, withKeyframeHere, withRedo, withUndo } from '../state/motion/editor-state.js';
-import { keyframesOf } from '../state/motion/motion-document.js';
-import { parse } from '../state/motion/motion-text.js';
-import { readWebots, writeWebots } from '../state/motion/webots.js';
-import { offer } from '../panels/elements.js';
+import { lengthOf, selected, withKeyframeHere, withRedo, withUndo } from '../state/motion/editor-state.js';
+import { atMark, nextMark } from '../state/motion/marks.js';
+import { withAllChosen } from '../state/motion/selection.js';
 import { takeTyped } from './number-field.js';
-import { ask, askFile, askName } from './questions.js';
+import { makeBalanced } from './balance-order.js';
+import { exportFile, importFile } from './exchange.js';
+import { ask, askName } from './questions.js';
 
 /**
  * @typedef {import('./editor.js').Editor} Editor
@@ -31,6 +31,9 @@ import { ask, askFile, askName } from './questions.js';
  * @property {boolean} [ctrl] whether Ctrl must be held
  * @property {() => void} act
  */
+
+const BALANCE_HINT =
+  'Shifts the torso over the feet until the centre of mass is over them, in all keyframes, or in the chosen ones if there are several';
 
 /**
  * @param {Editor} editor
@@ -50,15 +53,14 @@ export function ordersOf(editor, run) {
 /** @param {Editor} editor @param {(work: Promise<unknown>) => void} run @returns {Order[]} */
 function fileOrders(editor, run) {
   const save = () => run(needsName(editor) ? saveAs(editor) : editor.save());
-  const send = () => offer(`${editor.state.name || 'motion'}.motion`, writeWebots(framesOf(editor.state)));
-  const importHint = 'Take over a motion of Webots (.motion) or another text file';
+  const importHint = 'Take over a motion of Webots, Choregraphe, the original motion editor, or a table';
   return [
     ctrl('save', 'Save', 'Write the motion to its file', ['s'], save),
     order('save-as', 'Save as…', 'Write the motion to another file', [], '', () => run(saveAs(editor))),
     ctrl('undo', '↶ Undo', '', ['z'], () => editor.apply(withUndo)),
     ctrl('redo', '↷ Redo', '', ['y', 'Z'], () => editor.apply(withRedo)),
     order('import', 'Import…', importHint, [], '', () => run(importFile(editor))),
-    order('export', 'Export .motion', 'Give the motion to Webots', [], '', send),
+    order('export', 'Export…', 'Give the motion to another program', [], '', () => run(exportFile(editor))),
   ];
 }
 
@@ -74,6 +76,7 @@ function keyframeOrders(editor) {
     order('duplicate', 'Duplicate', 'The chosen keyframes once more', ['d'], 'D', does(duplicated)),
     order('delete', 'Delete', 'Remove the chosen keyframes', ['Delete', 'Backspace'], 'Del', does(deleted)),
     ctrl('copy', 'Copy', 'Keep the chosen keyframes for any motion', ['c'], () => copy(editor)),
+    ctrl('cut', 'Cut', 'Copy the chosen keyframes and remove them', ['x'], () => (copy(editor), editor.apply(deleted))),
     ctrl('paste', 'Paste', 'Put the copied keyframes in after the chosen one', ['v'], paste),
     order('earlier', '◂ Move', 'The chosen keyframes one place earlier', ['['], '[', earlier),
     order('later', 'Move ▸', 'The chosen keyframes one place later', [']'], ']', later),
@@ -87,6 +90,7 @@ function motionOrders(editor, run) {
   return [
     order('mirror-all', 'Mirror all', 'Exchange left and right in the whole motion', [], '', does(mirroredMotion)),
     order('reverse', 'Reverse', 'Play the motion backwards', [], '', does(reversedMotion)),
+    order('balance', 'Make it balanced', BALANCE_HINT, [], '', () => makeBalanced(editor)),
     order('scale', 'Tempo…', 'Make the whole motion slower or faster', [], '', () => run(scale(editor))),
   ];
 }
@@ -94,7 +98,18 @@ function motionOrders(editor, run) {
 /** @param {Editor} editor @returns {Order[]} */
 function timeOrders(editor) {
   const step = (/** @type {number} */ by) => () => editor.apply((state) => selected(state, state.last + by));
+  const layout = () => editor.apply((state) => ({ ...state, layout: state.layout === 'rows' ? 'curves' : 'rows' }));
+  const all = () => editor.apply(withAllChosen);
+  const nextTrouble = () => {
+    const mark = nextMark(editor.marks, editor.state.time);
+    if (mark) {
+      editor.apply((state) => atMark(state, mark));
+    }
+  };
   return [
+    ctrl('all', 'Choose all', 'Choose all keyframes', ['a'], all),
+    order('layout', 'Joints or curves', 'Timeline: a row for each joint, or curves', ['r'], 'R', layout),
+    order('next-mark', 'Next warning', 'Go to the next warning of the timeline', ['w'], 'W', nextTrouble),
     order('play', 'Play', 'Show the motion', [' '], 'Space', () => editor.apply(withPlayToggled)),
     order('previous', 'Previous keyframe', '', ['ArrowLeft'], '←', step(-1)),
     order('next', 'Next keyframe', '', ['ArrowRight'], '→', step(1)),
@@ -128,15 +143,18 @@ function ctrl(id, name, hint, keys, act) {
 
 /** @param {import('../state/motion/editor-state.js').EditorState} state */
 function withPlayToggled(state) {
-  const atEnd = state.time >= lengthOf(state) - 1 && !state.trial;
+  const atEnd = state.time >= lengthOf(state) - 1 && !state.watching;
   return { ...state, playing: !state.playing, time: atEnd && !state.playing ? 0 : state.time };
 }
 
 /** @param {Editor} editor */
 function copy(editor) {
   editor.clip = copied(editor.state);
-  const count = editor.clip.length;
-  editor.listener.note(`${count} ${count === 1 ? 'keyframe' : 'keyframes'} copied. Paste them into any motion.`);
+  const { frames, rows } = editor.clip;
+  const angles =
+    rows.length === 0 ? '' : `, of these the angles of ${rows.length === 1 ? 'a joint' : `${rows.length} joints`}`;
+  const count = `${frames.length} ${frames.length === 1 ? 'keyframe' : 'keyframes'}`;
+  editor.listener.note(`${count} copied${angles}. Paste them into any motion.`);
 }
 
 /** @param {Editor} editor */
@@ -162,15 +180,5 @@ async function scale(editor) {
   });
   if (answer !== undefined) {
     editor.apply((state) => scaledMotion(state, Number(answer) / 100));
-  }
-}
-
-/** @param {Editor} editor */
-async function importFile(editor) {
-  const file = await askFile('.motion,.txt');
-  if (file) {
-    const text = await file.text();
-    const frames = text.startsWith('#WEBOTS') ? readWebots(text) : keyframesOf(parse(text));
-    await editor.take(frames, file.name);
   }
 }

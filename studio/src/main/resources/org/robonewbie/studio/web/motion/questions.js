@@ -1,5 +1,5 @@
-/** Asks the person for a word in a small dialog. */
-import { element } from '../panels/elements.js';
+/** Asks the person for something in a small dialog, or tells what needs more room than a note. */
+import { button, choice, element } from '../panels/elements.js';
 
 /**
  * @param {object} question
@@ -13,36 +13,94 @@ import { element } from '../panels/elements.js';
  */
 export function ask({ title, label, value, action, pattern, hint }) {
   const input = element('input', { type: 'text', value, 'aria-label': label, id: 'answer' });
+  const answer = opened({ title, label, action, hint }, input, () => pattern.test(input.value.trim()));
+  input.select();
+  return answer;
+}
+
+/**
+ * @param {object} question
+ * @param {string} question.title
+ * @param {string} question.label
+ * @param {string} question.action text of the button
+ * @param {string} question.hint
+ * @param {ReadonlyArray<readonly [value: string, text: string]>} question.entries
+ * @returns {Promise<string | undefined>} the value of the chosen entry, or undefined if the person wants nothing
+ */
+export function askChoice({ entries, ...question }) {
+  const list = choice({ 'aria-label': question.label, id: 'answer' }, entries, () => {});
+  const answer = opened(question, list, () => true);
+  list.focus();
+  return answer;
+}
+
+/**
+ * @param {{title: string, label: string, action: string, hint: string}} question
+ * @param {HTMLInputElement | HTMLSelectElement} field
+ * @param {() => boolean} isPossible
+ * @returns {Promise<string | undefined>}
+ */
+function opened({ title, label, action, hint }, field, isPossible) {
   const accept = element('button', { type: 'submit', class: 'primary', id: 'accept' }, action);
   const cancel = element('button', { type: 'button' }, 'Cancel');
   const form = element(
     'form',
     { method: 'dialog' },
     element('h2', {}, title),
-    element('label', {}, element('span', {}, label), input),
+    element('label', {}, element('span', {}, label), field),
     element('p', { class: 'faint' }, hint),
     element('div', { class: 'dialog-buttons' }, cancel, accept),
   );
-  const dialog = element('dialog', { class: 'question', 'aria-label': title }, form);
-  document.body.append(dialog);
-  input.addEventListener('input', () => {
-    accept.disabled = !pattern.test(input.value.trim());
+  const dialog = shown(title, form);
+  field.addEventListener('input', () => {
+    accept.disabled = !isPossible();
+  });
+  cancel.addEventListener('click', () => dialog.close());
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    if (isPossible()) {
+      dialog.close('yes');
+    }
   });
   return new Promise((resolve) => {
-    cancel.addEventListener('click', () => dialog.close());
-    dialog.addEventListener('close', () => {
-      dialog.remove();
-      resolve(dialog.returnValue === 'yes' ? input.value.trim() : undefined);
-    });
-    form.addEventListener('submit', (event) => {
-      event.preventDefault();
-      if (pattern.test(input.value.trim())) {
-        dialog.close('yes');
-      }
-    });
-    dialog.showModal();
-    input.select();
+    dialog.addEventListener('close', () => resolve(dialog.returnValue === 'yes' ? field.value.trim() : undefined));
   });
+}
+
+/** @param {string} title @param {HTMLElement} content */
+function shown(title, content) {
+  const dialog = element('dialog', { class: 'question', 'aria-label': title }, content);
+  document.body.append(dialog);
+  dialog.addEventListener('close', () => dialog.remove());
+  dialog.showModal();
+  return dialog;
+}
+
+/**
+ * Tells several things, each with a place to go to.
+ *
+ * @param {string} title
+ * @param {string} text
+ * @param {Array<{text: string, go: () => void}>} places
+ */
+export function tell(title, text, places) {
+  const rows = places.map((place) =>
+    element(
+      'li',
+      {},
+      button(place.text, 'Go there', () => (dialog.close(), place.go())),
+    ),
+  );
+  const close = button('Close', '', () => dialog.close(), { class: 'primary' });
+  const content = element(
+    'div',
+    {},
+    element('h2', {}, title),
+    element('p', {}, text),
+    element('ul', { class: 'places' }, ...rows),
+    element('div', { class: 'dialog-buttons' }, close),
+  );
+  const dialog = shown(title, content);
 }
 
 /** @param {string} value @returns {Promise<string | undefined>} */

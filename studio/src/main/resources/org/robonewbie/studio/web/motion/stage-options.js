@@ -1,24 +1,41 @@
 /** What one can choose at the picture of the motion room. */
 import { button, check, element } from '../panels/elements.js';
 
+const WATCHING_HINT =
+  'Shows the robot of the trial, and the plan as a ghost; else the plan, and the robot as an orange ghost';
 const UPRIGHT_HINT = 'Keeps the torso upright instead of laying the lower sole flat on the ground';
+
+/** What the mouse does, in the picture. */
+export function stageHint() {
+  return element('p', { class: 'hint' }, 'Drag a limb · Shift: whole arm or leg follows · drag the torso: feet stay');
+}
 
 /**
  * @param {object} room
  * @param {(on: boolean) => void} room.setGhosts
  * @param {(on: boolean) => void} room.setUpright
  * @param {(azimuthDegrees: number, elevationDegrees: number) => void} room.look
+ * @param {(on: boolean) => void} room.setWatching
  */
 export function stageOptions(room) {
   const ghosts = check('ghosts', 'Ghosts', 'Shows the keyframes before (blue) and after (orange)', room.setGhosts);
   ghosts.box.checked = true;
-  return element(
+  const watching = check('watching', 'Physical robot', WATCHING_HINT, room.setWatching);
+  const options = element(
     'div',
     { class: 'stage-options' },
-    element('p', { class: 'hint' }, 'Drag a limb · Shift: whole arm or leg follows · drag the torso: feet stay'),
+    watching.label,
     ghosts.label,
     check('upright', 'Torso upright', UPRIGHT_HINT, room.setUpright).label,
     button('Front', 'Look from the front', () => room.look(62, 12)),
     button('Side', 'Look from the side', () => room.look(0, 8)),
   );
+  return {
+    options,
+    /** @param {import('../state/motion/editor-state.js').EditorState} state */
+    draw(state) {
+      watching.label.hidden = state.trial === undefined;
+      watching.box.checked = state.watching;
+    },
+  };
 }

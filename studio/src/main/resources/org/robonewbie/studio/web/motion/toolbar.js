@@ -1,5 +1,6 @@
 /** The buttons of the motion editor. */
 import { button, element, setText } from '../panels/elements.js';
+import { menu } from './menu.js';
 import { framesOf, isUnsaved } from '../state/motion/editor-state.js';
 
 /**
@@ -7,26 +8,28 @@ import { framesOf, isUnsaved } from '../state/motion/editor-state.js';
  * @typedef {import('./orders.js').Order} Order
  */
 
-const TOP = [
-  ['save', 'save-as', 'undo', 'redo'],
-  ['duplicate', 'delete', 'copy', 'paste', 'earlier', 'later'],
-  ['mirror', 'mirror-all', 'reverse', 'scale'],
-  ['export'],
-];
+const FILE = ['save', 'save-as', 'undo', 'redo'];
+const KEYFRAMES = ['duplicate', 'delete', 'copy', 'paste', 'earlier', 'later', 'mirror'];
+const MOTION = ['balance', 'mirror-all', 'reverse', 'scale', 'export'];
 
 /**
  * @param {HTMLElement} place
  * @param {Editor} editor
  * @param {Order[]} orders
+ * @param {{button: HTMLButtonElement, draw: () => void}} take
  * @returns {() => void} draws names and what is possible
  */
-export function toolbar(place, editor, orders) {
+export function toolbar(place, editor, orders, take) {
   const title = element('strong', { class: 'file-name', id: 'file-name' });
   const buttons = new Map(orders.map((order) => [order.id, orderButton(order)]));
-  const groups = TOP.map((ids) =>
-    element('div', { class: 'group' }, ...ids.map((id) => /** @type {HTMLElement} */ (buttons.get(id)))),
+  const some = (/** @type {string[]} */ ids) => ids.map((id) => /** @type {HTMLElement} */ (buttons.get(id)));
+  const file = element('div', { class: 'group' }, ...some(FILE));
+  place.append(
+    title,
+    file,
+    menu('Keyframes', 'unfolding', [...some(KEYFRAMES), take.button]),
+    menu('Motion', '', some(MOTION)),
   );
-  place.append(title, ...groups);
   return () => {
     const { state } = editor;
     setText(title, (state.name || state.draft || 'new motion') + (isUnsaved(state) ? ' •' : ''));
@@ -35,6 +38,7 @@ export function toolbar(place, editor, orders) {
       made.disabled = !isPossible(id, editor);
     }
     drawHistory(buttons, state.history);
+    take.draw();
   };
 }
 
@@ -53,9 +57,9 @@ function isPossible(id, { state, clip }) {
   const possible = {
     undo: state.history.past.length > 0,
     redo: state.history.future.length > 0,
-    paste: clip.length > 0,
-    earlier: Math.min(state.first, state.last) > 0,
-    later: Math.max(state.first, state.last) < frames - 1,
+    paste: clip.frames.length > 0,
+    earlier: Math.min(...state.chosen) > 0,
+    later: Math.max(...state.chosen) < frames - 1,
   };
   return possible[id] ?? frames > 0;
 }

@@ -3,10 +3,12 @@ import { button, check, choice, element, setText } from '../panels/elements.js';
 import { balanceOf } from '../state/motion/balance.js';
 import { placed, posesOf } from '../state/motion/body.js';
 import { documentOf, framesOf, lengthOf, postureNow } from '../state/motion/editor-state.js';
+import { jointName } from '../state/motion/names.js';
+import { MOST_MILLIS } from '../state/motion/motion-document.js';
 import { problemOf } from '../state/motion/motion-text.js';
 import { secondsText } from '../state/motion/timing.js';
 import { numberField, showNumber } from './number-field.js';
-import { MARK_KINDS } from './timeline.js';
+import { MARK_KINDS } from './timeline-head.js';
 import { orderButton } from './toolbar.js';
 
 /**
@@ -16,9 +18,7 @@ import { orderButton } from './toolbar.js';
  * @typedef {object} Deeds
  * @property {(millis: number) => void} setTime of the chosen keyframe
  * @property {(start: string) => void} tryPhysically
- * @property {() => void} takePosture
  * @property {(text: string) => void} note
- * @property {() => string} robotOfRun who gives the posture, empty if there is no robot
  */
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
@@ -44,15 +44,14 @@ const STARTS = [
  */
 export function transportBar(place, editor, orders, deeds) {
   const parts = partsOf(editor, orders, deeds);
-  const { play, loop, speed, reading, millis, insert, take, verdict, trial, start } = parts;
+  const { play, loop, speed, reading, millis, insert, verdict, trial, start } = parts;
   place.append(
-    ...[play, loop.label, speed, reading, timeField(millis), insert, take, verdict],
+    ...[play, loop.label, speed, reading, timeField(millis), insert, verdict],
     element('div', { class: 'group trial' }, trial, start),
   );
   return () => {
     drawPlaying(parts, editor);
     drawTrial(parts, editor);
-    drawTake(take, deeds.robotOfRun());
   };
 }
 
@@ -74,17 +73,16 @@ function partsOf(editor, orders, deeds) {
     millis: millisField(deeds),
     start,
     trial: button(TRIAL, TRIAL_HINT, () => deeds.tryPhysically(start.value), { id: 'trial' }),
-    take: button('Take posture', '', deeds.takePosture, { id: 'take-posture' }),
     reading: element('span', { class: 'seconds' }),
-    verdict: element('span', { class: 'verdict', role: 'status', title: VERDICT_HINT }),
+    verdict: element('span', { class: 'verdict', role: 'status' }),
   };
 }
 
 /** @param {Deeds} deeds */
 function millisField({ setTime, note }) {
   const label = 'Time of the way to this keyframe in milliseconds';
-  return numberField({ inputmode: 'numeric', id: 'millis', 'aria-label': label }, setTime, (text) =>
-    note(`“${text}” is not a time in milliseconds; the keyframe stays where it is.`),
+  return numberField({ inputmode: 'numeric', id: 'millis', 'aria-label': label }, MOST_MILLIS, setTime, (text) =>
+    note(`“${text}” is not a time of up to ${MOST_MILLIS} milliseconds; the keyframe stays where it is.`),
   );
 }
 
@@ -112,22 +110,15 @@ function drawTrial({ trial, verdict }, editor) {
   const { state, marks, busy } = editor;
   trial.disabled = framesOf(state).length === 0 || busy;
   setText(trial, busy ? 'Trying…' : TRIAL);
-  setText(verdict, verdictText(editor));
-  verdict.dataset.tone = (marks.length > 0 || problemOf(documentOf(state)) !== '') && !state.trial ? 'warning' : '';
-}
-
-/** @param {HTMLButtonElement} take @param {string} robot */
-function drawTake(take, robot) {
-  take.disabled = robot === '';
-  take.title =
-    robot === ''
-      ? 'Start an agent: the posture of its robot can then become a keyframe'
-      : `The posture of ${robot} in the run becomes a keyframe`;
+  const text = verdictText(editor);
+  setText(verdict, text);
+  verdict.title = text ? `${text}\n${VERDICT_HINT}` : VERDICT_HINT;
+  verdict.dataset.tone = (marks.length > 0 || problemOf(documentOf(state)) !== '') && !state.watching ? 'warning' : '';
 }
 
 /** @param {Editor} editor */
 function verdictText({ state, marks }) {
-  if (state.trial) {
+  if (state.trial && state.watching) {
     return state.trial.fallSeconds === undefined
       ? 'Physical robot'
       : `Physical robot falls after ${secondsText(1000 * state.trial.fallSeconds)}`;
@@ -139,15 +130,27 @@ function verdictText({ state, marks }) {
   if (problem) {
     return `${problem}. Agents refuse this file.`;
   }
-  const here = marks.find(({ from, to, kind }) => kind !== 'balance' && state.time >= from - 1 && state.time <= to + 1);
+  const here = marks.find(({ from, to }) => state.time >= from - 1 && state.time <= to + 1);
   if (here) {
-    return here.text;
+    return [chosenText(state), here.text].filter(Boolean).join(' · ');
   }
   const found = MARK_KINDS.map(({ kind, name }) => ({
     name,
     count: marks.filter((mark) => mark.kind === kind).length,
   })).filter(({ count }) => count > 0);
-  return [...found.map(({ name, count }) => `${name}: ${count}`), balanceText(state)].filter(Boolean).join(' · ');
+  const counts = found.map(({ name, count }) => `${name}: ${count}`);
+  return [chosenText(state), ...counts, balanceText(state)].filter(Boolean).join(' · ');
+}
+
+/** What edits will change, if it is not just the keyframe at the playhead. @param {Editor['state']} state */
+function chosenText(state) {
+  const { chosen, rows, body } = state;
+  const frames = chosen.length === 1 ? `keyframe ${chosen[0] + 1}` : `${chosen.length} keyframes`;
+  if (rows.length === 1) {
+    return `${jointName(body.joints[rows[0]].name)} of ${frames} chosen`;
+  }
+  const joints = rows.length === 0 ? '' : `${rows.length} joints of `;
+  return rows.length === 0 && chosen.length === 1 ? '' : `${joints}${frames} chosen`;
 }
 
 /** @param {Editor['state']} state */

@@ -1,5 +1,7 @@
 /** Exercises: choose one, let a program try it, and see live how it is judged. */
-import { hints, lessonLine, progressText, trialText, usualProgram } from '../state/course.js';
+import { hints, lessonLine, lessonTitle, progressText, trialText, usualProgram } from '../state/course.js';
+import { CourseHelp } from './course-help.js';
+import { CourseStandings } from './course-standings.js';
 import { button, byId, element, setEntries, setText } from './elements.js';
 
 /**
@@ -22,7 +24,9 @@ export class CoursePanel {
   #chosen;
   #shown = '';
   #looking = false;
-  #parts = parts();
+  #help = new CourseHelp((path, method) => this.#ask(path, method));
+  #standings = new CourseStandings();
+  #parts = parts(this.#help.element);
 
   /**
    * @param {string} token
@@ -34,7 +38,7 @@ export class CoursePanel {
     this.#note = note;
     this.#goLive = goLive;
     const { back, write, start, stop, list, detail } = this.#parts;
-    byId('course').append(element('h2', {}, 'Exercises'), list, detail);
+    byId('course').append(element('h2', {}, 'Exercises'), this.#standings.element, list, detail);
     back.addEventListener('click', () => this.#choose(undefined));
     write.addEventListener('click', () => this.#attemptTo(() => this.#write()));
     start.addEventListener('click', () => this.#attemptTo(() => this.#start()));
@@ -49,15 +53,15 @@ export class CoursePanel {
     await this.#refresh();
     const link = document.querySelector(`#rooms a[href='${PLACE}']`);
     link?.toggleAttribute('hidden', this.#lessons.length === 0);
-    this.#parts.list.replaceChildren(...this.#lessons.map((lesson) => this.#entry(lesson)));
     this.#choose(undefined);
     this.#show();
   }
 
   /** @param {Lesson} lesson */
   #entry(lesson) {
-    const made = button(`${lesson.number} ${lesson.title}`, lesson.goal, () => this.#choose(lesson));
+    const made = button(lessonTitle(lesson), lesson.goal, () => this.#choose(lesson));
     made.dataset.exercise = lesson.name;
+    made.dataset.passed = String(lesson.standing.passed);
     made.append(element('small', {}, lessonLine(lesson)));
     return element('li', {}, made);
   }
@@ -78,8 +82,9 @@ export class CoursePanel {
     this.#chosen = lesson;
     list.hidden = lesson !== undefined;
     detail.hidden = lesson === undefined;
+    this.#standings.element.hidden = lesson !== undefined;
     if (lesson) {
-      setText(title, `${lesson.number} ${lesson.title}`);
+      setText(title, lessonTitle(lesson));
       setText(line, lessonLine(lesson));
       setText(goal, lesson.goal);
       worksheet.href = lesson.worksheet;
@@ -88,10 +93,18 @@ export class CoursePanel {
   }
 
   async #refresh() {
-    const { lessons, programs } = await this.#ask('course');
+    const { lessons, programs, standings } = await this.#ask('course');
     this.#lessons = lessons;
+    this.#parts.list.replaceChildren(...this.#lessons.map((lesson) => this.#entry(lesson)));
+    if (standings) {
+      this.#standings.show(standings);
+    }
+    this.#chosen = this.#lessons.find(({ name }) => name === this.#chosen?.name);
     const lesson = this.#chosen;
     if (lesson) {
+      setText(this.#parts.title, lessonTitle(lesson));
+      setText(this.#parts.line, lessonLine(lesson));
+      await this.#help.show(lesson.name);
       const { program, write } = this.#parts;
       const before = program.value;
       setEntries(program, [
@@ -147,6 +160,9 @@ export class CoursePanel {
       return;
     }
     this.#shown = text;
+    if (attempt.state === 'OVER') {
+      this.#attemptTo(() => this.#refresh());
+    }
     stop.hidden = attempt.state === 'NONE';
     setText(stop, attempt.state === 'OVER' ? 'Back to the free pitch' : 'Stop');
     setText(progress, progressText(attempt));
@@ -175,7 +191,7 @@ export class CoursePanel {
 }
 
 /** The parts of the panel. */
-function parts() {
+function parts(/** @type {HTMLElement} */ help) {
   const made = { ...words(), ...controls(), ...verdicts() };
   const { program, trials, start, stop, write } = made;
   made.output.append(made.printed);
@@ -185,7 +201,7 @@ function parts() {
     ...[made.back, made.title, made.line, made.goal, element('p', {}, made.worksheet)],
     element('div', { class: 'scene-line' }, program, trials),
     element('div', { class: 'scene-line' }, start, stop, write),
-    ...[made.progress, made.judged, made.advice, made.output],
+    ...[made.progress, made.judged, made.advice, made.output, help],
   );
   return { ...made, detail };
 }

@@ -1,8 +1,10 @@
 /** Shows in the picture what robots draw, and the tree of layers in which each of them is switched on and off. */
+import { CYCLE_SECONDS } from '../state/cycle.js';
 import { ALL_DRAWINGS, DrawingLayers, KINDS, layerOf } from '../state/drawing-layers.js';
 import { standOf } from '../state/drawing-shapes.js';
 import { robotKey } from '../state/robot/telemetry.js';
 import { byId, element } from './elements.js';
+import { keep, recall } from './memory.js';
 
 /**
  * @typedef {import('../state/robot/drawing-memory.js').DrawingMemory} DrawingMemory
@@ -10,7 +12,6 @@ import { byId, element } from './elements.js';
  */
 
 const KEY = 'robonewbie-drawings-off';
-const CYCLE_SECONDS = 0.02;
 
 export class DrawingDesk {
   /**
@@ -20,7 +21,7 @@ export class DrawingDesk {
   constructor(view, changed) {
     this.view = view;
     this.changed = changed;
-    this.layers = new DrawingLayers(remembered());
+    this.layers = new DrawingLayers(recall(KEY, /** @type {string[]} */ ([])));
     this.listed = '';
     this.tree = element('div', { class: 'layer-tree' });
     this.panel = byId('drawings');
@@ -85,28 +86,10 @@ export class DrawingDesk {
   /** @param {string} layer @param {boolean} on */
   #set(layer, on) {
     this.layers.set(layer, on);
-    remember([...this.layers.off]);
+    keep(KEY, [...this.layers.off]);
     for (const box of this.panel.querySelectorAll('input')) {
       box.checked = this.layers.isOn(box.dataset.layer ?? '');
     }
     this.changed();
-  }
-}
-
-/** A page that is a file may have no memory. @returns {string[]} */
-function remembered() {
-  try {
-    return JSON.parse(localStorage.getItem(KEY) ?? '[]');
-  } catch {
-    return [];
-  }
-}
-
-/** @param {string[]} off */
-function remember(off) {
-  try {
-    localStorage.setItem(KEY, JSON.stringify(off));
-  } catch {
-    // The choice holds until the page is closed.
   }
 }

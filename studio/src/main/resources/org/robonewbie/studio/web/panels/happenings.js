@@ -16,7 +16,11 @@ export class Happenings {
    * @param {{left: string, right: string}} teams
    */
   add(event, teams) {
-    const text = foulText(event, teams);
+    this.tell(foulText(event, teams));
+  }
+
+  /** @param {string} text nothing is shown if it is empty */
+  tell(text) {
     if (text) {
       const line = element('li', {}, text);
       this.list.append(line);

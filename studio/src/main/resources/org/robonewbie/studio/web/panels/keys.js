@@ -29,6 +29,8 @@ export function fieldDeeds(desk, time, send) {
     { keys: ['+', '='], shown: '+', text: 'faster', act: time.faster },
     { keys: ['-'], shown: '−', text: 'slower', act: time.slower },
     { keys: ['r', 'R'], shown: 'R', text: 'reset', act: time.reset },
+    { keys: ['z'], ctrl: true, shown: 'Ctrl+Z', text: 'undo what was done to the world', act: time.undo },
+    { keys: ['Z', 'y'], ctrl: true, shown: 'Ctrl+Shift+Z', text: 'do it again', act: time.redo },
     { keys: ['k'], shown: 'K', text: 'kick-off of the left team', act: () => send({ do: 'kickOff', side: 'left' }) },
     { keys: ['l'], shown: 'L', text: 'kick-off of the right team', act: () => send({ do: 'kickOff', side: 'right' }) },
     { keys: ['b'], shown: 'B', text: 'drop ball', act: () => send({ do: 'dropBall' }) },
@@ -51,12 +53,18 @@ export function fieldDeeds(desk, time, send) {
 /** With Ctrl, these go to the motion even while an angle is typed: it is the motion that is saved and undone. */
 const FOR_DOCUMENT = ['s', 'z', 'y'];
 
+/** Fields with an undo of their own. */
+const WRITTEN = new Set(['text', 'search', 'number', 'textarea']);
+
 /** What the mouse does on the pitch. */
 export const FIELD_MOUSE = [
   ['Drag the ground', 'turn the view'],
   ['Right button, Shift', 'drag to move the view'],
   ['Wheel', 'nearer, farther'],
   ['Drag ball, robot', 'put it elsewhere'],
+  ['Drag a robot’s ring', 'turn the robot'],
+  ['Pull the ball’s ring', 'throw the ball; Shift: high'],
+  ['Ctrl, drag', 'turn or throw without the ring'],
   ['Click a robot', 'follow it'],
 ];
 
@@ -86,12 +94,16 @@ export function listenToKeys(current) {
   });
 }
 
-/** @param {KeyboardEvent} event @returns {boolean} whether a key goes to the page and not to a field, a button or a dialog */
+/** @param {KeyboardEvent} event @returns {boolean} whether a key goes to the page and not to a field, an editor, a button or a dialog */
 function isForPage(event) {
   const target = /** @type {HTMLElement} */ (event.target);
+  if (target.shadowRoot) {
+    return false;
+  }
   const pressing = ['BUTTON', 'A', 'SUMMARY'].includes(target.tagName) && event.key === ' ';
   const forDocument = hasCtrl(event) && FOR_DOCUMENT.includes(keyOf(event).toLowerCase());
-  const isElsewhere = !isTyping(target) || (forDocument && target.closest('#motion-room') !== null);
+  const takesUndo = target.closest('#motion-room') === null && WRITTEN.has(/** @type {any} */ (target).type);
+  const isElsewhere = !isTyping(target) || (forDocument && !takesUndo);
   return isElsewhere && !pressing && !event.altKey && !document.querySelector('dialog[open]');
 }
 

@@ -1,4 +1,5 @@
 /** A robot in one's own hands before a line of code is written: keys let it walk and kick, sliders move its joints. */
+import { buttonsOfPad, PAD_TEXT, walkOfPad } from '../state/gamepad.js';
 import { PUPPET_KEYS, puppetKey, turned, walkOf } from '../state/puppet.js';
 import { isTyping } from './keys.js';
 import { button, byId, element, setText } from './elements.js';
@@ -7,6 +8,8 @@ import { button, byId, element, setText } from './elements.js';
  * @typedef {import('../state/studio-state.js').StudioState} StudioState
  * @typedef {import('../live/state-frame.js').Player} Player
  */
+
+const STANDING = JSON.stringify({ forward: 0, left: 0, turn: 0 });
 
 export class PuppetPanel {
   /**
@@ -24,6 +27,10 @@ export class PuppetPanel {
     /** @type {[number, number]} */
     this.gaze = [0, 0];
     this.waitsForNew = 0;
+    /** Buttons of the gamepad that are down. @type {Set<number>} */
+    this.padDown = new Set();
+    this.padWalk = '';
+    this.pad = element('p', { class: 'faint', id: 'gamepad', hidden: '' }, PAD_TEXT);
     this.add = button('Add a puppet', 'A robot that you steer yourself', () => this.#add());
     this.add.id = 'add-puppet';
     this.away = button('Take away', 'Takes this puppet off the pitch', () => this.#order({ do: 'removePuppet' }));
@@ -46,7 +53,15 @@ export class PuppetPanel {
     this.help = element('details', { id: 'puppet-keys' }, element('summary', {}, 'Keys'), this.keys);
     this.tools = element('div', { class: 'grid' }, this.stand, this.away);
     this.joints.addEventListener('toggle', () => this.joints.open && this.#showJoints());
-    byId('puppet').append(element('h2', {}, 'Puppet'), this.add, this.hint, this.tools, this.help, this.joints);
+    byId('puppet').append(
+      element('h2', {}, 'Puppet'),
+      this.add,
+      this.hint,
+      this.pad,
+      this.tools,
+      this.help,
+      this.joints,
+    );
     document.addEventListener('keydown', (event) => this.#press(event), { capture: true });
     document.addEventListener('keyup', (event) => this.#release(event.key.toLowerCase()));
     window.addEventListener('blur', () => this.#releaseAll());
@@ -81,6 +96,26 @@ export class PuppetPanel {
     }
     if (player && this.joints.open) {
       this.#drawJoints(scene.models[player.type].hinges, frame.robots[this.world.chosen()].degrees);
+    }
+  }
+
+  /** Obeys the first gamepad, if there is one; to be called for each picture. */
+  readGamepad() {
+    const pad = navigator.getGamepads?.().find((each) => each?.connected);
+    this.pad.hidden = !pad;
+    if (!pad || !this.player || !this.world.isHere()) {
+      return;
+    }
+    const walk = walkOfPad(pad);
+    const wanted = JSON.stringify(walk);
+    if (this.padWalk !== wanted && !(this.padWalk === '' && wanted === STANDING)) {
+      this.padWalk = wanted;
+      this.#order({ do: 'walk', ...walk });
+    }
+    const { down, motion } = buttonsOfPad(pad, this.padDown);
+    this.padDown = down;
+    if (motion) {
+      this.#order({ do: 'perform', motion });
     }
   }
 

@@ -12,14 +12,18 @@ const MOTION_MOUSE = [
   ['Shift, drag', 'the whole arm or leg follows'],
   ['Drag the torso', 'the feet stay where they are'],
   ['Drag the ground', 'turn the view'],
-  ['Drag a keyframe', 'change its time'],
-  ['Shift, click', 'choose several keyframes'],
+  ['Drag a keyframe', 'change its time, those after it follow; with Alt they stay'],
+  ['Shift, Ctrl, click', 'choose several keyframes'],
+  ['Drag over joints', 'choose what is in the box'],
+  ['Drag a point of a curve', 'change the angle'],
+  ['Wheel', 'on the timeline: closer and farther, with Shift scroll'],
 ];
 
 const ROBOT_MOUSE = [
   ['Click a curve', 'all rooms show this moment'],
   ['Drag over a curve', 'zoom in; H lets it go on'],
   ['Click a log time', 'all rooms show this moment'],
+  ['Drag an edge', 'panels become larger, smaller'],
 ];
 
 const REPLAY_MOUSE = [
@@ -28,7 +32,13 @@ const REPLAY_MOUSE = [
   ['Click a robot', 'follow it'],
 ];
 
-const MOTION_STYLES = ['motion.css', 'motion-timeline.css'];
+const PROGRAM_MOUSE = [
+  ['Drag the edge', 'the program gets more or less room'],
+  ['Double click an edge', 'all panels go back to where they were'],
+];
+
+const MOTION_STYLES = ['motion.css', 'motion-bars.css', 'motion-timeline.css', 'motion-tracks.css'];
+const PROGRAM_STYLES = ['program.css'];
 const ROBOT_STYLES = ['vendor/uplot/uplot.min.css', 'robot.css', 'robot-sheets.css'];
 
 export class RoomDesk {
@@ -41,6 +51,9 @@ export class RoomDesk {
    * @param {() => void} surroundings.goLive shows what happens now
    * @param {() => boolean} surroundings.hasClock whether time can be stopped
    * @param {(seconds: number) => void} surroundings.goTo shows a moment of the running simulation
+   * @param {(panel: import('../state/layout.js').PanelName) => void} surroundings.fold folds or unfolds a panel
+   * @param {() => import('../field/camera-desk.js').CameraDesk} surroundings.camera of the field
+   * @param {() => readonly import('../live/state-frame.js').Player[]} surroundings.robots that are there now
    * @param {() => {name: string, degrees: ArrayLike<number>} | undefined} surroundings.robotOfRun
    */
   constructor(surroundings) {
@@ -51,6 +64,10 @@ export class RoomDesk {
     this.replay = undefined;
     /** @type {ReturnType<typeof import('../robot/robot-room.js').openRobotRoom> | undefined} */
     this.robot = undefined;
+    /** @type {Awaited<ReturnType<typeof import('../program/program-room.js').openProgramRoom>> | undefined} */
+    this.program = undefined;
+    /** @type {RoomName} */
+    this.here = 'field';
     /** @type {Set<RoomName>} */
     this.opening = new Set();
   }
@@ -58,19 +75,43 @@ export class RoomDesk {
   /** @param {RoomName} room */
   async enter(room) {
     this.motion?.touch();
+    if (room !== this.here && (room === 'program' || this.here === 'program')) {
+      this.forget();
+    }
+    this.here = room;
     const isOpen = room === 'field' || this[room] !== undefined || this.opening.has(room);
     if (isOpen || this.surroundings.token === '') {
       return;
     }
     this.opening.add(room);
     try {
-      await { motion: () => this.#openMotion(), replay: () => this.#openReplay(), robot: () => this.#openRobot() }[
-        room
-      ]();
+      await {
+        motion: () => this.#openMotion(),
+        replay: () => this.#openReplay(),
+        robot: () => this.#openRobot(),
+        program: () => this.#openProgram(),
+      }[room]();
     } catch (error) {
       this.surroundings.note(`This room cannot open: ${/** @type {Error} */ (error).message}`);
     }
     this.opening.delete(room);
+  }
+
+  /** @returns {boolean} whether something is lost if the page is closed now */
+  get isAtRisk() {
+    return this.motion?.editor.isAtRisk === true || this.program?.isAtRisk === true;
+  }
+
+  /** The simulator, or the room that has asked it for a robot, is another one now. */
+  forget() {
+    this.robot?.forget();
+    this.program?.forget();
+  }
+
+  /** @param {any} news of robots */
+  hear(news) {
+    this.robot?.hear(news);
+    this.program?.hear(news);
   }
 
   /** @param {RoomName} room @param {Keys} field @returns {Keys} what keys and mouse do in a room */
@@ -79,7 +120,12 @@ export class RoomDesk {
       return { deeds: this.motion?.deeds ?? [], mouse: MOTION_MOUSE };
     }
     if (room === 'robot') {
-      return { deeds: this.robot?.deeds ?? [], mouse: ROBOT_MOUSE };
+      const own = this.robot?.deeds ?? [];
+      const others = field.deeds.filter(({ shown }) => !own.some((deed) => deed.shown === shown));
+      return { deeds: [...own, ...others], mouse: [...field.mouse, ...ROBOT_MOUSE] };
+    }
+    if (room === 'program') {
+      return { deeds: [...(this.program?.deeds ?? []), ...field.deeds], mouse: [...field.mouse, ...PROGRAM_MOUSE] };
     }
     return room === 'replay' ? { deeds: this.replay?.deeds ?? [], mouse: REPLAY_MOUSE } : field;
   }
@@ -90,6 +136,11 @@ export class RoomDesk {
     const wanted = decodeURIComponent(location.hash.split('/')[1] ?? '') || undefined;
     this.motion = await openMotionRoom({ ...others, quality: quality(), wanted });
     this.motion.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
+  }
+
+  async #openProgram() {
+    const [{ openProgramRoom }] = await Promise.all([import('../program/program-room.js'), loadStyles(PROGRAM_STYLES)]);
+    this.program = await openProgramRoom(this.surroundings);
   }
 
   async #openRobot() {

@@ -1,12 +1,13 @@
 /** The rooms of the studio and the way from one to the other: the fragment of the address names the room. */
 import { byId, element } from './elements.js';
 
-/** @typedef {'field' | 'robot' | 'motion' | 'replay'} RoomName */
+/** @typedef {'field' | 'program' | 'robot' | 'motion' | 'replay'} RoomName */
 
 /** Only rooms that one can enter are listed. @type {Array<{room: RoomName, place: string, name: string, hint: string, part?: string}>} */
 const ROOMS = [
   { room: 'field', place: 'field-room', name: 'Field', hint: 'Watch and steer the game' },
-  { room: 'robot', place: 'robot-room', name: 'Robot', hint: 'See one robot from inside' },
+  { room: 'program', place: 'field-room', name: 'Program', hint: 'Write a program beside the robot' },
+  { room: 'robot', place: 'field-room', name: 'Robot', hint: 'See one robot from inside' },
   { room: 'motion', place: 'motion-room', name: 'Motion', hint: 'Shape motions' },
   { room: 'replay', place: 'field-room', name: 'Replay', hint: 'See runs again' },
   { room: 'field', place: 'field-room', name: 'Exercises', hint: 'Let your program be judged', part: '/exercises' },
@@ -27,6 +28,7 @@ export function roomsPanel(entered) {
     const { place: shown } = ROOMS.find(({ room }) => room === now) ?? ROOMS[0];
     byId('field-room').dataset.room = now;
     byId('replay').hidden = now !== 'replay';
+    byId('workspace').hidden = shown === 'motion-room';
     ROOMS.forEach(({ room, place, part = '' }, i) => {
       const isHere = room === now && (now !== 'field' || location.hash.endsWith('/exercises') === (part !== ''));
       byId(place).hidden = place !== shown;

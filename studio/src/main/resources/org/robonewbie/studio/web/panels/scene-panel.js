@@ -1,4 +1,5 @@
 /** Scenes: the present state is kept under a name, and one can go back to it as often as one likes. */
+import { pathPart } from '../state/path-part.js';
 import { button, byId, element, setEntries } from './elements.js';
 
 /** @param {string} token @param {string} path @param {RequestInit} [options] */
@@ -32,7 +33,7 @@ export function restoredText({ exact, agents }) {
  * @returns {Promise<{exact: boolean, agents: number}>}
  */
 export function startFrom(token, recording, moment) {
-  return ask(token, `start/${encodeURIComponent(recording)}?moment=${moment}`, { method: 'POST' });
+  return ask(token, `start/${pathPart(recording)}?moment=${moment}`, { method: 'POST' });
 }
 
 /**
@@ -43,15 +44,15 @@ export function startFrom(token, recording, moment) {
  */
 export function scenePanel(token, note, goLive) {
   const panel = new ScenePanel(token, note, goLive);
-  return ({ scene, frame }) => panel.show(scene !== undefined && frame !== undefined && scene.clock !== false);
+  return ({ scene, frame, deeds }) =>
+    panel.show(scene !== undefined && frame !== undefined && scene.clock !== false, `${deeds.undo}\n${deeds.redo}`);
 }
 
 class ScenePanel {
   /** Deeds are done one after the other, however fast one clicks. @type {Promise<void>} */
   #last = Promise.resolve();
-  /** What would undo each change, the newest last. @type {Array<() => Promise<void>>} */
-  #undoing = [];
-  #hasAsked = false;
+  /** What could be undone when the list was read: a scene may have come back or gone since. */
+  #known = '';
 
   /** @param {string} token @param {(text: string) => void} note @param {() => void} goLive */
   constructor(token, note, goLive) {
@@ -77,20 +78,19 @@ class ScenePanel {
     this.remove = this.#control('scene-remove', 'Delete', 'Takes the chosen scene away; Undo brings it back', () =>
       this.#remove(),
     );
-    this.undo = this.#control('scene-undo', 'Undo', 'Takes the last rename or deletion back', () => this.#undo());
     this.place.append(
       element('h2', {}, 'Scenes'),
       element('div', { class: 'scene-line' }, this.name, save),
       element('div', { class: 'scene-line' }, this.list, this.back),
-      element('div', { class: 'scene-line' }, this.rename, this.remove, this.undo),
+      element('div', { class: 'scene-line' }, this.rename, this.remove),
     );
   }
 
-  /** @param {boolean} isPossible */
-  show(isPossible) {
+  /** @param {boolean} isPossible @param {string} deeds what can be undone and redone */
+  show(isPossible, deeds) {
     this.place.hidden = !isPossible;
-    if (isPossible && !this.#hasAsked) {
-      this.#hasAsked = true;
+    if (isPossible && this.#known !== deeds) {
+      this.#known = deeds;
       this.#refresh().catch(() => {});
     }
   }
@@ -114,7 +114,6 @@ class ScenePanel {
     for (const control of [this.list, this.back, this.rename, this.remove]) {
       control.disabled = scenes.length === 0;
     }
-    this.undo.disabled = this.#undoing.length === 0;
   }
 
   async #save() {
@@ -137,30 +136,16 @@ class ScenePanel {
       this.name.focus();
       throw new Error('Write the new name first, in the field above.');
     }
-    await this.#renameTo(from, to);
-    this.#undoing.push(() => this.#renameTo(to, from));
-    this.undo.disabled = false;
-    this.#forgetName(to);
-  }
-
-  /** @param {string} from @param {string} to */
-  async #renameTo(from, to) {
     await this.#put(to, `?was=${encodeURIComponent(from)}`);
     await this.#refresh(to);
+    this.#forgetName(to);
   }
 
   async #remove() {
     const scene = this.list.value;
     await this.#ask(scene, '', 'DELETE');
-    this.#undoing.push(() => this.#put(scene, '?removed=yes').then(() => this.#refresh(scene)));
     await this.#refresh();
     this.note(`Scene "${scene}" is deleted. Undo brings it back.`);
-  }
-
-  async #undo() {
-    await this.#undoing.at(-1)?.();
-    this.#undoing.pop();
-    await this.#refresh();
   }
 
   /** @param {string} scene */
@@ -170,7 +155,7 @@ class ScenePanel {
 
   /** @param {string} scene @param {string} how @param {string} method */
   #ask(scene, how, method) {
-    return ask(this.token, `scenes/${encodeURIComponent(scene)}${how}`, { method });
+    return ask(this.token, `scenes/${pathPart(scene)}${how}`, { method });
   }
 
   /** Empties the field, unless another name was written meanwhile. @param {string} used */

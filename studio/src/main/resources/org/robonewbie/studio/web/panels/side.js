@@ -2,12 +2,16 @@
 import { CAMERAS } from '../field/camera-desk.js';
 import { playModeText } from '../state/play-mode.js';
 import { button, byId, check, choice, element, setEntries } from './elements.js';
+import { keep, recall } from './memory.js';
 
 /**
  * @typedef {import('../state/studio-state.js').StudioState} StudioState
  * @typedef {import('../field/camera-desk.js').CameraDesk} CameraDesk
  * @typedef {import('../field/camera-desk.js').CameraMode} CameraMode
+ * @typedef {{names: boolean, trail: boolean}} Picture what is shown beside robots and ball
  */
+
+const PICTURE_KEY = 'robonewbie-picture';
 
 /**
  * @param {CameraDesk} desk
@@ -15,6 +19,7 @@ import { button, byId, check, choice, element, setEntries } from './elements.js'
  * @param {(mode: CameraMode) => void} options.choose
  * @param {boolean} options.shadows
  * @param {(on: boolean) => void} options.setShadows
+ * @param {(shown: Picture) => void} options.show
  * @returns {(state: StudioState) => void} draws the camera buttons
  */
 export function cameraPanel(desk, options) {
@@ -26,7 +31,7 @@ export function cameraPanel(desk, options) {
   const shadows = check('shadows', 'Real shadows', '', options.setShadows);
   shadows.box.checked = options.shadows;
   const grid = element('div', { class: 'grid' }, ...buttons);
-  byId('cameras').append(element('h2', {}, 'Camera'), grid, shadows.label);
+  byId('cameras').append(element('h2', {}, 'Camera'), grid, shadows.label, ...pictureChecks(options.show));
   return (state) => {
     const robots = state.scene?.robots.length ?? 0;
     for (const each of buttons) {
@@ -35,6 +40,25 @@ export function cameraPanel(desk, options) {
       each.hidden = robots === 0 && (mode === 'follow' || mode === 'eye');
     }
   };
+}
+
+/** @param {(shown: Picture) => void} show @returns {HTMLElement[]} switches that the browser remembers */
+function pictureChecks(show) {
+  /** @type {Picture} */
+  const shown = { names: true, trail: true, ...recall(PICTURE_KEY, {}) };
+  const set = (/** @type {keyof Picture} */ what, /** @type {boolean} */ on) => {
+    shown[what] = on;
+    keep(PICTURE_KEY, shown);
+    show(shown);
+  };
+  const names = check('names', 'Names', 'Team and number above each robot', (on) => set('names', on));
+  const trail = check('trail', 'Trail of the ball', 'Where the ball was in the last three seconds', (on) =>
+    set('trail', on),
+  );
+  names.box.checked = shown.names;
+  trail.box.checked = shown.trail;
+  show(shown);
+  return [names.label, trail.label];
 }
 
 /**

@@ -1,9 +1,8 @@
 /** The line on which one goes back in the running simulation, the same in all rooms; and the way back to now. */
+import { CYCLE_SECONDS } from '../state/cycle.js';
 import { button, byId, element, setText } from './elements.js';
 
 /** @typedef {import('../state/time-cursor.js').TimeCursor} TimeCursor */
-
-const CYCLE_SECONDS = 0.02;
 
 /**
  * @param {TimeCursor} cursor
@@ -30,9 +29,10 @@ export function timeLinePanel(cursor, changed) {
   line.addEventListener('input', () => act(() => cursor.goTo(Number(line.value))));
   return (tense, isHidden) => {
     const { first, last, kept } = cursor.history;
-    place.hidden = isHidden || (kept.length < 2 && tense !== 'recorded');
+    place.hidden = isHidden;
     place.dataset.tense = tense;
     line.hidden = tense === 'recorded';
+    line.disabled = kept.length < 2;
     line.min = String(first);
     line.max = String(last);
     line.value = String(cursor.cycle ?? last);

@@ -28,6 +28,8 @@ export function timeActions(now, send) {
     /** @param {string} factor */
     speed: (factor) => send({ do: 'speed', factor: factor === 'fastest' ? factor : Number(factor) }),
     reset: () => send({ do: 'reset' }),
+    undo: () => send({ do: 'undo' }),
+    redo: () => send({ do: 'redo' }),
   };
 }
 
@@ -37,10 +39,10 @@ export function timeActions(now, send) {
  */
 export function transportPanel(actions) {
   const parts = partsOf(actions);
-  const { toggle, step, reset, speed, seconds, cycle, factor, why } = parts;
-  const speedLabel = element('label', { class: 'speed' }, 'Speed', speed);
+  const { toggle, step, reset, undo, redo, speed, seconds, cycle, factor, why } = parts;
+  const speedLabel = element('label', { class: 'speed' }, element('span', {}, 'Speed'), speed);
   byId('transport').append(
-    element('div', { class: 'buttons' }, toggle, step, reset, speedLabel),
+    element('div', { class: 'buttons' }, toggle, step, reset, undo, redo, speedLabel),
     element('div', { class: 'reading' }, seconds, cycle, factor),
     why,
   );
@@ -48,6 +50,8 @@ export function transportPanel(actions) {
     const shown = transport(state);
     drawControls(parts, shown, state.scene?.clock !== false);
     reset.disabled = state.connection !== 'live' || !state.frame;
+    drawDeed(undo, 'Undo', state.deeds.undo, 'Ctrl+Z');
+    drawDeed(redo, 'Redo', state.deeds.redo, 'Ctrl+Shift+Z');
     setText(seconds, shown.seconds);
     setText(cycle, shown.cycle);
     setText(factor, shown.realTimeFactor);
@@ -62,12 +66,20 @@ function partsOf(actions) {
     toggle: button('', '', actions.toggle, { id: 'toggle', class: 'primary' }),
     step: button('Step', '', () => actions.step(1), { id: 'step' }),
     reset: button('Reset', resetHint, actions.reset, { id: 'reset' }),
+    undo: button('↶', '', actions.undo, { id: 'world-undo', 'aria-label': 'Undo' }),
+    redo: button('↷', '', actions.redo, { id: 'world-redo', 'aria-label': 'Redo' }),
     speed: choice({ id: 'speed', 'aria-label': 'Speed' }, speeds, actions.speed),
     seconds: element('span', { class: 'seconds' }),
     cycle: element('span', { class: 'faint' }),
     factor: element('span', { class: 'faint', title: 'Simulated seconds per second' }),
     why: element('p', { class: 'faint', id: 'no-clock' }, NO_CLOCK),
   };
+}
+
+/** @param {HTMLButtonElement} control @param {string} verb @param {string} deed @param {string} keys */
+function drawDeed(control, verb, deed, keys) {
+  control.disabled = deed === '';
+  control.title = deed === '' ? `Nothing to ${verb.toLowerCase()} (${keys})` : `${verb}: ${deed} (${keys})`;
 }
 
 /** @param {string | number} speed */

@@ -6,7 +6,7 @@ import { RecordingFile } from './recordings.js';
 
 /**
  * @typedef {import('../state/replay/comparison.js').Picture} Picture
- * @typedef {import('./recordings.js').RecordingEntry} RecordingEntry
+ * @typedef {import('./recording-api.js').RecordingEntry} RecordingEntry
  */
 
 const POINTS = 200;
@@ -77,11 +77,11 @@ export class ComparisonPanel {
 
   /** @param {Picture} own @param {number} index @returns {Picture} what is to be seen, with ghosts if there is a second run */
   picture(own, index) {
-    const moment = this.file?.reader.moments[Math.round(index)];
+    const moment = this.file?.run.at(Math.round(index));
     if (!moment || !this.file) {
       return own;
     }
-    const scene = sceneOf(moment, this.file.reader.header, this.models, 0);
+    const scene = sceneOf(moment, this.file.run.header, this.models, 0);
     const other = { scene, frame: frameOf(moment, scene) };
     const both = withGhosts(own, other);
     const same = this.last?.own === own.scene && this.last.other === moment.robots;
@@ -97,14 +97,14 @@ export class ComparisonPanel {
     return picture;
   }
 
-  /** @param {readonly import('../state/replay/recording-reader.js').Moment[]} own */
+  /** @param {import('../state/replay/recorded-run.js').RecordedRun | undefined} own */
   draw(own) {
-    const other = this.file?.reader.moments;
+    const other = this.file?.run;
     this.line.hidden = !other;
-    const key = `${own.length} ${other?.length} ${this.file?.name}`;
-    if (other && key !== this.drawn) {
+    const key = `${own?.count} ${other?.count} ${this.file?.name}`;
+    if (own && other && key !== this.drawn) {
       this.drawn = key;
-      const curve = curveOf(own, other, POINTS);
+      const curve = curveOf({ count: own.count, ...own.summary }, { count: other.count, ...other.summary }, POINTS);
       const most = Math.max(0.05, ...curve);
       setText(this.scale, `Apart, 0 to ${most.toFixed(2)} m`);
       this.polyline.setAttribute(

@@ -7,7 +7,15 @@ import { DrawingDesk } from '../panels/drawing-desk.js';
 import { scoreBoardPanel } from '../panels/score-board.js';
 import { QUALITIES, QualityChooser, qualityRange } from '../state/quality.js';
 import { RecordingReader } from '../state/replay/recording-reader.js';
-import { advanced, atMoment, BEGINNING, frameOf, MOMENTS_PER_SECOND, sceneOf } from '../state/replay/replay-state.js';
+import {
+  advanced,
+  atMoment,
+  BEGINNING,
+  evenly,
+  frameOf,
+  MOMENTS_PER_SECOND,
+  sceneOf,
+} from '../state/replay/replay-state.js';
 import { DrawingMemory } from '../state/robot/drawing-memory.js';
 import { initialState, withConnection, withScene, withFrame } from '../state/studio-state.js';
 import { ReplayLine } from './replay-line.js';
@@ -17,6 +25,7 @@ const models = JSON.parse(byId('models').textContent ?? '{}');
 const reader = new RecordingReader((type) => models[type].hinges.length);
 const packed = Uint8Array.from(atob(byId('recording').textContent ?? ''), (letter) => letter.charCodeAt(0));
 await unpack([packed], (part) => reader.push(part));
+const { moments, events } = evenly(reader.moments, reader.events);
 
 document.documentElement.dataset.theme = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
 const view = new FieldView(byId('stage'), QUALITIES[1]);
@@ -24,13 +33,14 @@ const chooser = new QualityChooser(qualityRange(view.graphics), false);
 view.setQuality(chooser.quality);
 view.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
 const desk = new CameraDesk(view.camera, () => view.free);
-let replay = { ...BEGINNING, count: reader.moments.length, playing: true };
+let replay = { ...BEGINNING, count: moments.length, playing: true };
 let state = withConnection(initialState(true));
 let revision = 0;
 let stale = true;
 let last = 0;
 new Hand(view, desk, {
   now: () => state,
+  isSteered: () => false,
   send: () => {},
   changed: () => {
     stale = true;
@@ -77,7 +87,7 @@ function turn(now) {
 
 /** @param {number} now @param {number} seconds */
 function draw(now, seconds) {
-  const moment = reader.moments[Math.round(replay.index)];
+  const moment = moments[Math.round(replay.index)];
   if (!moment) {
     setText(reading, 'This recording is empty.');
     return;
@@ -89,13 +99,15 @@ function draw(now, seconds) {
     desk.setScene(scene);
   }
   state = withFrame(withScene(state, scene), frameOf(moment, scene), now);
-  view.update(/** @type {any} */ (state.frame));
+  const frame = /** @type {import('../live/state-frame.js').Frame} */ (state.frame);
+  view.update(frame);
+  view.trail.follow(frame.cycle, frame.ball);
   layers.show(state, drawings);
   stale = desk.update(view.crowd.poses, seconds, view.ball.position.toArray());
   view.light.shine(desk.shown.target, view.camera.position);
   view.draw();
   board(state, now);
-  line.draw(replay, reader.events);
+  line.draw(replay, events);
   setText(play, replay.playing ? '❚❚ Pause' : '▶ Play');
   const text = (/** @type {number} */ index) => (index / MOMENTS_PER_SECOND).toFixed(1);
   setText(reading, `${text(replay.index)} of ${text(replay.count - 1)} s`);

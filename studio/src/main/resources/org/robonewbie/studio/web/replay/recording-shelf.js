@@ -1,39 +1,52 @@
-/** The recordings as cards: what happened in each, and where everybody stood at its end. */
-import { shape } from '../panels/drawing.js';
-import { button, byId, element, setText } from '../panels/elements.js';
-import { clock } from '../state/studio-state.js';
-import { loadCard } from './recordings.js';
+/** The recordings as cards: what happened in each, and the ways of ball and robots. */
+import { button, byId, choice, element, setText } from '../panels/elements.js';
+import { bringBackRecording, deleteRecording, loadCard, renameRecording, starRecording } from './recording-api.js';
+import { RecordingTile } from './recording-tile.js';
 
-/**
- * @typedef {import('./recordings.js').RecordingEntry} RecordingEntry
- * @typedef {import('./recordings.js').RecordingCard} RecordingCard
- * @typedef {{card: HTMLButtonElement, picture: HTMLElement, teams: HTMLElement, facts: HTMLElement, words: string}} Drawn
- */
+/** @typedef {import('./recording-api.js').RecordingEntry} RecordingEntry */
 
-const SIDES = ['left', 'right'];
-
-/** @type {Record<string, [one: string, more: string]>} */
-const EVENTS = { goal: ['goal', 'goals'], fall: ['fall', 'falls'], foul: ['foul', 'fouls'] };
+/** @type {Array<[value: string, text: string]>} */
+const FILTERS = [
+  ['', 'All runs'],
+  ['project', 'Of this project'],
+  ['starred', 'With a star'],
+  ['empty', 'Without robots'],
+];
 
 export class RecordingShelf {
-  /** @type {Map<string, Drawn>} */
-  #cards = new Map();
+  /** @type {Map<string, RecordingTile>} */
+  #tiles = new Map();
   #grid = element('div', { class: 'recording-cards' });
   #nothing = element('p', { class: 'faint' });
   #search = element('input', {
     type: 'search',
     id: 'recording-search',
-    placeholder: 'Search: team, date…',
+    placeholder: 'Team, agent, date…',
     'aria-label': 'Search recordings',
   });
+  #filter = choice({ id: 'recording-filter', 'aria-label': 'Which recordings' }, FILTERS, () => this.#sift());
+  #undo = button('Undo', 'Brings the recording back that was deleted last', () => this.#act(() => this.#bringBack()), {
+    id: 'recording-undo',
+    hidden: '',
+  });
+  /** Names of the recordings that were deleted, the last one at the end. @type {string[]} */
+  #deleted = [];
 
-  /** @param {string} token @param {(name: string) => void} choose */
-  constructor(token, choose) {
+  /**
+   * @param {string} token
+   * @param {object} listener
+   * @param {(name: string) => void} listener.choose
+   * @param {() => Promise<void>} listener.changed the list has to be fetched again
+   * @param {(from: string, to: string) => void} listener.renamed to nothing, if it was deleted
+   * @param {(text: string) => void} listener.note
+   */
+  constructor(token, listener) {
     this.token = token;
-    this.choose = choose;
+    this.listener = listener;
     this.place = byId('recordings');
     this.#search.addEventListener('input', () => this.#sift());
-    const head = element('div', { class: 'list-head' }, element('h2', {}, 'Recordings'), this.#search);
+    const tools = element('span', { class: 'list-tools' }, this.#undo, this.#filter, this.#search);
+    const head = element('div', { class: 'list-head' }, element('h2', {}, 'Recordings'), tools);
     this.place.append(head, this.#nothing, this.#grid);
   }
 
@@ -49,79 +62,88 @@ export class RecordingShelf {
   /** @param {readonly RecordingEntry[]} entries the newest first */
   list(entries) {
     const names = new Set(entries.map(({ name }) => name));
-    for (const name of [...this.#cards.keys()].filter((each) => !names.has(each))) {
-      this.#cards.get(name)?.card.remove();
-      this.#cards.delete(name);
+    for (const name of [...this.#tiles.keys()].filter((each) => !names.has(each))) {
+      this.#tiles.get(name)?.card.remove();
+      this.#tiles.delete(name);
     }
-    const fresh = entries.filter(({ name }) => !this.#cards.has(name));
-    fresh.forEach((entry) => this.#cards.set(entry.name, this.#empty(entry)));
+    const fresh = entries.filter(({ name }) => !this.#tiles.has(name));
+    fresh.forEach((entry) => this.#tiles.set(entry.name, new RecordingTile(entry, this.#deeds(entry.name))));
+    const ended = entries.filter((entry) => this.#tiles.get(entry.name)?.update(entry));
     if (fresh.length > 0) {
-      this.#grid.replaceChildren(...entries.map(({ name }) => /** @type {Drawn} */ (this.#cards.get(name)).card));
-      this.#fetch(fresh.map(({ name }) => name));
+      this.#grid.replaceChildren(
+        ...entries.map(({ name }) => /** @type {RecordingTile} */ (this.#tiles.get(name)).card),
+      );
     }
+    this.#fetch([...fresh, ...ended].map(({ name }) => name));
     this.#sift();
   }
 
-  /** @param {RecordingEntry} entry @returns {Drawn} */
-  #empty({ name, running }) {
-    const card = button('', `Open ${name}`, () => this.choose(name));
-    card.dataset.recording = name;
-    const picture = element('div', { class: 'recording-picture' });
-    const teams = element('strong', {}, '…');
-    const facts = element('span', { class: 'faint' });
-    card.append(picture, teams, facts, element('span', { class: 'faint' }, running ? `${name} · now` : name));
-    return { card, picture, teams, facts, words: name.toLowerCase() };
+  /** @param {string} name @returns {import('./recording-tile.js').TileDeeds} */
+  #deeds(name) {
+    return {
+      open: () => this.listener.choose(name),
+      star: (on) => this.#act(() => starRecording(this.token, name, on)),
+      rename: (to) => this.#act(() => this.#rename(name, to)),
+      remove: () => this.#act(() => this.#remove(name)),
+    };
+  }
+
+  /** @param {() => Promise<unknown>} deed */
+  async #act(deed) {
+    try {
+      await deed();
+    } catch (error) {
+      this.listener.note(/** @type {Error} */ (error).message);
+    }
+    await this.listener.changed().catch(() => {});
+  }
+
+  /** @param {string} from @param {string} to */
+  async #rename(from, to) {
+    await renameRecording(this.token, from, to);
+    this.listener.renamed(from, to);
+  }
+
+  /** @param {string} name */
+  async #remove(name) {
+    await deleteRecording(this.token, name);
+    this.#deleted.push(name);
+    this.#undo.hidden = false;
+    this.listener.renamed(name, '');
+    this.listener.note(`“${name}” is deleted. Undo brings it back for an hour.`);
+  }
+
+  async #bringBack() {
+    const name = this.#deleted.pop();
+    this.#undo.hidden = this.#deleted.length === 0;
+    if (name) {
+      await bringBackRecording(this.token, name);
+      this.listener.note(`“${name}” is back.`);
+    }
   }
 
   /** One after the other, so that the newest come first and the server is not flooded. @param {string[]} names */
   async #fetch(names) {
     for (const name of names) {
-      const drawn = this.#cards.get(name);
-      const content = drawn && (await loadCard(this.token, name).catch(() => undefined));
-      if (drawn && content) {
-        fill(drawn, content);
-      } else if (drawn) {
-        setText(drawn.teams, 'cannot be read');
+      const tile = this.#tiles.get(name);
+      if (tile) {
+        tile.fill(await loadCard(this.token, name).catch(() => undefined));
+        this.#sift();
       }
-      this.#sift();
     }
   }
 
   #sift() {
     const wanted = this.#search.value.trim().toLowerCase();
-    let found = 0;
-    for (const { card, words } of this.#cards.values()) {
-      card.hidden = !words.includes(wanted);
-      found += card.hidden ? 0 : 1;
-    }
+    const tiles = [...this.#tiles.values()];
+    tiles.forEach((tile) => tile.card.toggleAttribute('hidden', !tile.fits(wanted, this.#filter.value)));
+    const found = tiles.filter(({ card }) => !card.hidden).length;
     this.#nothing.hidden = found > 0;
-    setText(this.#nothing, this.#cards.size === 0 ? 'Nothing is recorded yet.' : `Nothing is found for “${wanted}”.`);
+    setText(this.#nothing, this.#tiles.size === 0 ? 'Nothing is recorded yet.' : nothingFound(wanted));
   }
 }
 
-/** @param {Drawn} drawn @param {RecordingCard} content */
-function fill(drawn, content) {
-  const { left, right, score, seconds } = content;
-  const title = left && right ? `${left} ${score.join(' : ')} ${right}` : left || right || 'no robot';
-  const events = Object.entries(content.events).map(([kind, count]) => `${count} ${EVENTS[kind][count === 1 ? 0 : 1]}`);
-  const robots = content.robots === 1 ? '1 robot' : `${content.robots} robots`;
-  setText(drawn.teams, title);
-  setText(drawn.facts, [clock(seconds), robots, ...events].join(' · '));
-  drawn.picture.replaceChildren(smallPitch(content));
-  drawn.words = `${drawn.words} ${title} ${events.join(' ')}`.toLowerCase();
-}
-
-/** @param {RecordingCard} content */
-function smallPitch({ pitch: [length, width], ball, places }) {
-  const [x, y] = [-length / 2 - 1, -width / 2 - 1];
-  const line = { class: 'line' };
-  return shape(
-    'svg',
-    { viewBox: `${x} ${y} ${length + 2} ${width + 2}`, 'aria-hidden': 'true' },
-    shape('rect', { x: -length / 2, y: -width / 2, width: length, height: width, ...line }),
-    shape('line', { y1: -width / 2, y2: width / 2, ...line }),
-    shape('circle', { r: length / 12, ...line }),
-    ...places.map(([px, py, side]) => shape('circle', { cx: px, cy: -py, r: length / 40, class: SIDES[side] })),
-    shape('circle', { cx: ball[0], cy: -ball[1], r: length / 80, class: 'ball' }),
-  );
+/** @param {string} wanted */
+function nothingFound(wanted) {
+  return wanted === '' ? 'There is no such recording.' : `Nothing is found for “${wanted}”.`;
 }

@@ -6,7 +6,7 @@ import { legend, ReplayLine } from './replay-line.js';
 
 /**
  * @typedef {import('../state/replay/replay-state.js').ReplayState} ReplayState
- * @typedef {import('./recordings.js').RecordingEntry} RecordingEntry
+ * @typedef {import('./recording-api.js').RecordingEntry} RecordingEntry
  *
  * @typedef {object} Deeds
  * @property {(key: string) => void} press does what a key does
@@ -14,7 +14,7 @@ import { legend, ReplayLine } from './replay-line.js';
  * @property {(speed: number) => void} setSpeed
  * @property {(index: number) => void} goTo
  * @property {() => void} startHere
- * @property {Record<'csv' | 'log' | 'html', () => void>} save
+ * @property {Record<'csv' | 'log' | 'html' | 'video', () => void>} save
  *
  * @typedef {object} Shown
  * @property {ReplayState} state
@@ -31,10 +31,13 @@ export class ReplayBar {
   /**
    * @param {HTMLElement} place
    * @param {import('./comparison-panel.js').ComparisonPanel} comparison
+   * @param {import('./bookmark-list.js').BookmarkList} bookmarks
    * @param {Deeds} deeds
    */
-  constructor(place, comparison, deeds) {
+  constructor(place, comparison, bookmarks, deeds) {
     this.deeds = deeds;
+    /** What needs an open recording. @type {HTMLButtonElement[]} */
+    this.keys = [];
     this.play = this.#key('replay-play', '', 'Play or pause', 'Space');
     this.play.className = 'primary';
     this.loop = this.#key('replay-loop', 'Loop', 'Repeat two seconds around this moment', 'L');
@@ -50,7 +53,7 @@ export class ReplayBar {
     this.saves = saveButtons(deeds.save);
     const line = element('div', { class: 'replay-line', id: 'replay-line', title: 'Drag to any moment' });
     this.line = new ReplayLine(line, deeds.goTo);
-    place.append(comparison.line, line, legend(), this.#bar(comparison));
+    place.append(comparison.line, line, legend(), this.#bar(comparison, bookmarks));
   }
 
   /** @param {Shown} shown */
@@ -61,7 +64,9 @@ export class ReplayBar {
     this.speed.value = String(state.speed);
     const nothing = list.length === 0 ? 'Nothing is recorded yet.' : 'Choose a recording.';
     setText(this.reading, file ? readingOf(state) : nothing);
-    this.play.disabled = state.count === 0;
+    for (const control of this.keys) {
+      control.disabled = state.count === 0;
+    }
     this.start.disabled = state.count === 0 || !hasClock;
     this.start.title = hasClock ? START_HINT : NO_CLOCK;
     for (const control of this.saves) {
@@ -70,8 +75,8 @@ export class ReplayBar {
     this.line.draw(state, file?.events ?? []);
   }
 
-  /** @param {import('./comparison-panel.js').ComparisonPanel} comparison */
-  #bar(comparison) {
+  /** @param {import('./comparison-panel.js').ComparisonPanel} comparison @param {import('./bookmark-list.js').BookmarkList} bookmarks */
+  #bar(comparison, bookmarks) {
     return element(
       'div',
       { class: 'replay-bar' },
@@ -83,6 +88,7 @@ export class ReplayBar {
       this.#key('replay-on', '▸', 'One cycle on', '→'),
       this.#key('event-next', '▸|', 'Next event', ']'),
       this.loop,
+      bookmarks.element,
       this.start,
       this.speed,
       this.reading,
@@ -93,17 +99,22 @@ export class ReplayBar {
 
   /** A button that does what a key does. @param {string} id @param {string} name @param {string} hint @param {string} key */
   #key(id, name, hint, key) {
-    return button(name, `${hint} (${key})`, () => this.deeds.press(key), { id });
+    const made = button(name, `${hint} (${key})`, () => this.deeds.press(key), { id });
+    this.keys.push(made);
+    return made;
   }
 }
 
 /** @param {Deeds['save']} save */
 function saveButtons(save) {
   return [
-    button('CSV', 'Save all cycles as a table', save.csv, { id: 'export-csv' }),
+    button('CSV', 'Save all cycles as a table, or those of the loop', save.csv, { id: 'export-csv' }),
     button('Log', 'Save the run as the log of a SimSpark server, for RoboViz', save.log, { id: 'export-log' }),
-    button('HTML', 'Save one file that plays this run in any browser, without network', save.html, {
+    button('HTML', 'Save one file that plays this run, or the loop, in any browser without network', save.html, {
       id: 'export-html',
+    }),
+    button('Video', 'Save a video (WebM, 720p) of this run, or of the loop, as this camera sees it', save.video, {
+      id: 'export-video',
     }),
   ];
 }

@@ -70,7 +70,7 @@ export class ReplayLine {
     set(this.track, { width: String(width) });
     set(this.done, { width: String(Math.max(0, x(state.index) - SIDE)) });
     set(this.knob, { cx: String(x(state.index)) });
-    set(this.loop, { x: String(x(from)), width: String(x(to) - x(from)) });
+    set(this.loop, { x: String(x(from)), width: String(Math.max(0, x(to) - x(from))) });
     const key = `${width} ${state.count} ${events.length}`;
     if (key !== this.drawn) {
       this.drawn = key;

@@ -1,36 +1,39 @@
 /** The room in which runs are seen again: recordings, the time line, and what the picture of the field shows of them. */
-import { byId, offer } from '../panels/elements.js';
+import { byId } from '../panels/elements.js';
 import {
   advanced,
   atMoment,
   BEGINNING,
-  csvOf,
   frameOf,
   looped,
   MOMENTS_PER_SECOND,
   neighbourEvent,
-  sceneOf,
+  placeOf,
   stepped,
 } from '../state/replay/replay-state.js';
 import { restoredText, startFrom } from '../panels/scene-panel.js';
+import { BookmarkList, momentLink } from './bookmark-list.js';
 import { ComparisonPanel } from './comparison-panel.js';
+import { ExportDesk } from './export-desk.js';
 import { ReplayBar } from './replay-bar.js';
 import { RecordingShelf } from './recording-shelf.js';
+import { SceneMemory } from './scene-memory.js';
 import { eventText } from './replay-line.js';
-import { listRecordings, loadLog, loadModels, RecordingFile } from './recordings.js';
+import { listRecordings, loadModels } from './recording-api.js';
+import { RecordingFile } from './recordings.js';
 
 /**
  * @typedef {import('../state/replay/replay-state.js').ReplayState} ReplayState
- * @typedef {import('../live/state-frame.js').Scene} Scene
- * @typedef {import('../live/state-frame.js').Frame} Frame
- * @typedef {{token: string, note: (text: string) => void, goLive: () => void, hasClock: () => boolean}} Surroundings
+ * @typedef {object} Surroundings
+ * @property {string} token
+ * @property {(text: string) => void} note
+ * @property {() => void} goLive
+ * @property {() => boolean} hasClock
+ * @property {() => import('../field/camera-desk.js').CameraDesk} camera
  */
 
 const LIST_MILLISECONDS = 3000;
 const BEHIND_MOMENTS = 100;
-
-/** @type {Record<string, string>} */
-const TYPES = { csv: 'text/csv', html: 'text/html' };
 
 /** @param {Surroundings} surroundings */
 export async function openReplayRoom(surroundings) {
@@ -54,20 +57,33 @@ class ReplayRoom {
     this.state = BEGINNING;
     /** @type {RecordingFile | undefined} */
     this.file = undefined;
-    /** @type {import('./recordings.js').RecordingEntry[]} */
+    /** @type {import('./recording-api.js').RecordingEntry[]} */
     this.list = [];
-    /** @type {Scene | undefined} */
-    this.scene = undefined;
     this.stale = true;
-    this.revision = 0;
-    /** @type {object | undefined} */
-    this.roster = undefined;
+    this.scenes = new SceneMemory(models);
+    /** The moment that is to be shown as soon as it has come. @type {number | undefined} */
+    this.wanted = undefined;
     this.comparison = new ComparisonPanel(surroundings.token, models, {
       note: surroundings.note,
       changed: () => this.#set(this.state),
     });
-    this.shelf = new RecordingShelf(surroundings.token, (name) => this.choose(name));
+    this.shelf = new RecordingShelf(surroundings.token, {
+      choose: (name) => this.choose(name),
+      changed: () => this.refresh(),
+      renamed: (from, to) => this.#renamed(from, to),
+      note: surroundings.note,
+    });
+    this.bookmarks = this.#bookmarkList();
+    this.exports = new ExportDesk({
+      token: surroundings.token,
+      models,
+      note: surroundings.note,
+      file: () => this.file,
+      section: () => this.#section(),
+      camera: surroundings.camera,
+    });
     this.bar = this.#bar();
+    addEventListener('hashchange', () => this.#followAddress());
     setInterval(() => {
       if (!byId('replay').hidden && !document.hidden) {
         this.refresh().catch(() => {});
@@ -80,18 +96,45 @@ class ReplayRoom {
     const { recordings } = await listRecordings(this.surroundings.token);
     this.list = recordings;
     this.shelf.list(recordings);
-    const wanted = decodeURIComponent(location.hash.split('/')[1] ?? '');
-    if (!this.file && recordings.some(({ name }) => name === wanted)) {
-      this.choose(wanted);
+    if (!this.file) {
+      this.#followAddress();
     }
     this.shelf.show(this.shelf.isOpen || !this.file);
     this.stale = true;
+  }
+
+  /** Opens the recording that the address names, at the moment that it names. */
+  #followAddress() {
+    const { name, seconds } = placeOf(location.hash);
+    const isHere = location.hash.startsWith('#replay/') && this.list.some((each) => each.name === name);
+    if (isHere && this.file?.name !== name) {
+      this.choose(name);
+    }
+    if (isHere && seconds !== undefined) {
+      this.wanted = seconds * MOMENTS_PER_SECOND;
+      this.#grow();
+    }
+  }
+
+  /** The open recording has another name now, or is deleted. @param {string} from @param {string} to */
+  #renamed(from, to) {
+    if (this.file?.name === from) {
+      this.file.close();
+      this.file = undefined;
+      this.state = BEGINNING;
+      this.surroundings.goLive();
+      history.replaceState(undefined, '', to === '' ? '#replay' : momentLink(to, 0));
+    }
   }
 
   /** @param {string} name */
   choose(name) {
     this.file?.close();
     this.shelf.show(false);
+    this.wanted = undefined;
+    if (placeOf(location.hash).name !== name) {
+      history.replaceState(undefined, '', `#replay/${encodeURIComponent(name)}`);
+    }
     const entry = this.list.find((each) => each.name === name);
     const file = new RecordingFile(this.surroundings.token, name, this.models, () => this.#grow());
     this.file = file;
@@ -123,41 +166,22 @@ class ReplayRoom {
 
   /** Shows a cycle of the running simulation, if its recording is open. @param {number} cycle */
   showRunning(cycle) {
-    const index = this.isRunning ? (this.file?.reader.moments.findIndex((moment) => moment.cycle >= cycle) ?? -1) : -1;
-    if (index >= 0) {
-      this.#set({ ...atMoment(this.state, index), playing: false });
+    const index = cycle - (this.file?.run.firstCycle ?? 0);
+    if (this.isRunning && index >= 0) {
+      this.#goTo(index);
     }
   }
 
   /** @returns {import('../state/time-cursor.js').RecordedMoment | undefined} what the picture shows */
   get picture() {
-    const moment = this.file?.reader.moments[Math.round(this.state.index)];
+    const moment = this.file?.run.at(Math.round(this.state.index));
     if (!moment || !this.file) {
       return undefined;
     }
-    const scene = this.#sceneAt(moment, this.file.reader.header);
+    const scene = this.scenes.at(moment, this.file.run.header);
     const seen = this.comparison.picture({ scene, frame: frameOf(moment, scene) }, this.state.index);
-    const { name, reader, drawings } = this.file;
-    return { ...seen, name, reader, drawings, running: this.isRunning };
-  }
-
-  /**
-   * The scene changes only with the robots, the teams and the play mode, since a new one costs a new picture.
-   *
-   * @param {import('../state/replay/recording-reader.js').Moment} moment
-   * @param {Parameters<typeof sceneOf>[1]} header
-   */
-  #sceneAt(moment, header) {
-    const { robots: roster, game } = moment;
-    const known = this.roster === roster ? this.scene : undefined;
-    const { teams, playModes } = known ?? { teams: { left: '', right: '' }, playModes: [] };
-    if (known && teams.left === game.left && teams.right === game.right && playModes[0] === game.playMode) {
-      return known;
-    }
-    this.revision += this.roster === roster ? 0 : 1;
-    this.roster = roster;
-    this.scene = sceneOf(moment, header, this.models, this.revision);
-    return this.scene;
+    const { name, run, drawings } = this.file;
+    return { ...seen, name, run, drawings, running: this.isRunning };
   }
 
   /** What keys do here. */
@@ -172,12 +196,18 @@ class ReplayRoom {
       deed(['End'], 'End', 'to the end', () => this.#set(atMoment(this.state, this.state.count - 1))),
       deed(['['], '[', 'event before', () => this.#jump(-1)),
       deed([']'], ']', 'next event', () => this.#jump(1)),
+      deed(['m', 'M'], 'M', 'set a bookmark', () => this.bookmarks.ask()),
       deed(['l', 'L'], 'L', 'repeat two seconds around this moment', () => this.#set(looped(this.state))),
     ];
   }
 
   #restarted() {
     return this.state.index >= this.state.count - 1 ? atMoment(this.state, 0) : this.state;
+  }
+
+  /** @param {number} index of a moment, at which it stands still then */
+  #goTo(index) {
+    this.#set({ ...atMoment(this.state, index), playing: false });
   }
 
   /** @param {ReplayState} state */
@@ -188,12 +218,13 @@ class ReplayRoom {
 
   #grow() {
     const { count, index } = this.state;
-    const moments = this.file?.reader.moments.length ?? 0;
+    const moments = this.file?.run.count ?? 0;
     const atEnd = index >= count - 1 - BEHIND_MOMENTS && !this.state.playing;
     const follows = atEnd && this.list.find(({ name }) => name === this.file?.name)?.running;
     this.#set({ ...this.state, count: moments, index: follows ? Math.max(0, moments - 1) : index });
-    if (this.file?.problem && moments === 0) {
-      this.surroundings.note(this.file.problem);
+    if (this.wanted !== undefined && this.wanted < moments) {
+      this.#goTo(this.wanted);
+      this.wanted = undefined;
     }
   }
 
@@ -205,32 +236,37 @@ class ReplayRoom {
       direction,
     );
     if (event) {
-      this.#set({ ...atMoment(this.state, Math.max(0, event.index)), playing: false });
+      this.#goTo(event.index);
       this.surroundings.note(eventText(event));
     }
   }
 
+  #bookmarkList() {
+    return new BookmarkList(this.surroundings.token, {
+      now: () => this.state.index,
+      goTo: (index) => this.#goTo(index),
+      changed: () => this.refresh(),
+      note: this.surroundings.note,
+    });
+  }
+
   #bar() {
-    return new ReplayBar(byId('replay'), this.comparison, {
+    return new ReplayBar(byId('replay'), this.comparison, this.bookmarks, {
       press: (key) => this.deeds.find(({ shown }) => shown === key)?.act(),
       showShelf: () => this.shelf.show(!this.shelf.isOpen),
       setSpeed: (speed) => this.#set({ ...this.state, speed }),
-      goTo: (index) => this.#set({ ...atMoment(this.state, index), playing: false }),
+      goTo: (index) => this.#goTo(index),
       startHere: () => this.#startHere(),
-      save: {
-        csv: () => this.#save('csv', async () => csvOf(this.file?.reader.moments ?? [], this.models)),
-        log: () => this.#save('log.gz', () => loadLog(this.surroundings.token, this.file?.name ?? '')),
-        html: () => this.#save('html', () => this.#page()),
-      },
+      save: this.exports.deeds,
     });
   }
 
   draw() {
     const { state, list, file } = this;
-    const moments = file?.reader.moments ?? [];
+    this.bookmarks.draw(file?.name ?? '', list.find(({ name }) => name === file?.name)?.bookmarks ?? []);
     this.bar.draw({ state, list, file, hasClock: this.surroundings.hasClock() });
     this.comparison.list(list, file?.name ?? '');
-    this.comparison.draw(moments);
+    this.comparison.draw(file?.run);
   }
 
   async #startHere() {
@@ -245,19 +281,9 @@ class ReplayRoom {
     }
   }
 
-  async #page() {
-    const { standalonePage } = await import('./standalone.js');
-    const { packed = [], name = '', pictures = [] } = this.file ?? {};
-    return standalonePage({ packed, name, pictures }, this.models);
-  }
-
-  /** @param {string} ending of the file @param {() => Promise<string | Blob>} make */
-  async #save(ending, make) {
-    const name = this.file?.name ?? 'run';
-    try {
-      offer(`${name}.${ending}`, await make(), TYPES[ending]);
-    } catch (error) {
-      this.surroundings.note(`The file cannot be made: ${/** @type {Error} */ (error).message}`);
-    }
+  /** What files hold: the part that is repeated, or all. @returns {import('./exports.js').Section} */
+  #section() {
+    const [from, to] = this.state.loop ?? [0, this.state.count - 1];
+    return [Math.round(from), Math.round(to)];
   }
 }

@@ -1,18 +1,15 @@
 /** Makes one HTML file that plays a recording anywhere: with all scripts, styles and the recording inside. */
 
-import { withoutCommands } from '../state/replay/recording-source.js';
-import { unpack } from './unpack.js';
-
 const SCRIPT = /^(import|export)([^'"]*?from\s*|\s*)(['"])(\.{1,2}\/[^'"]+|three)\3/gm;
 const START = 'replay/player.js';
-const STYLES = ['theme.css', 'layout.css', 'replay.css', 'drawings.css'];
+const STYLES = ['theme.css', 'layout.css', 'field.css', 'replay.css', 'drawings.css'];
 
 /** The page has no bar above its picture, so the picture takes the first row and all of the height. */
 const WHOLE_PAGE = 'body { grid-template-rows: minmax(0, 1fr); }';
 
 /**
  * @param {object} run
- * @param {Uint8Array[]} run.packed the recording as it is on the disk
+ * @param {Uint8Array} run.packed the recording without commands, packed with gzip
  * @param {string} run.name
  * @param {string[]} run.pictures lines of telemetry with what robots drew
  * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
@@ -31,7 +28,6 @@ export async function standalonePage({ packed, name, pictures }, models) {
     ['three', dataAddress(three[1].replaceAll('./three.core.min.js', 'three-core'))],
   ]);
   const styles = (await Promise.all(STYLES.map(text))).join('\n');
-  const recording = base64(await withoutWhatThePageLeavesOut(packed));
   return `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>${name.replaceAll(/[<&]/g, '')} · RoboNewbie</title>
 <style>${styles}
@@ -40,18 +36,8 @@ ${WHOLE_PAGE}</style>
 <body><main id="field-room"><div id="stage"></div><section id="score-board" class="panel"></section><section id="drawings" class="panel" hidden></section><section id="replay" class="panel"></section></main>
 <script type="application/json" id="models">${JSON.stringify(models)}</script>
 <script type="application/json" id="pictures">${JSON.stringify(pictures).replaceAll('<', '\\u003c')}</script>
-<script type="text/plain" id="recording">${recording}</script>
+<script type="text/plain" id="recording">${base64(packed)}</script>
 <script type="module">import 'studio/${START}';</script></body></html>`;
-}
-
-/** @param {Uint8Array[]} packed @returns {Promise<Uint8Array>} packed again */
-async function withoutWhatThePageLeavesOut(packed) {
-  /** @type {Uint8Array[]} */
-  const parts = [];
-  await unpack(packed, (part) => parts.push(part));
-  const whole = new Uint8Array(await new Blob(/** @type {BlobPart[]} */ (parts)).arrayBuffer());
-  const shown = new Blob(/** @type {BlobPart[]} */ (withoutCommands(whole)));
-  return new Uint8Array(await new Response(shown.stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer());
 }
 
 /** @param {string} path @param {Map<string, string>} scripts */

@@ -1,5 +1,6 @@
 /** The room in which one robot is seen from inside: joints, senses, surroundings, thoughts, messages and curves. */
 import { button, byId, element, setText } from '../panels/elements.js';
+import { PANEL_TITLES } from '../state/layout.js';
 import { fixed } from '../state/numbers.js';
 import { placeOf } from '../state/robot/robot-facts.js';
 import { RobotWatch } from '../state/robot/robot-watch.js';
@@ -16,7 +17,7 @@ import { surroundingsMap } from './surroundings-map.js';
  * @typedef {import('../state/time-cursor.js').TimeCursor} TimeCursor
  * @typedef {import('../state/time-cursor.js').Shown} Shown
  * @typedef {import('../state/robot/robot-watch.js').RobotMoment} RobotMoment
- * @typedef {{send: (command: object) => void, goTo: (seconds: number) => void}} Surroundings
+ * @typedef {{send: (command: object) => void, goTo: (seconds: number) => void, fold: (panel: import('../state/layout.js').PanelName) => void}} Surroundings
  */
 
 const PICTURE_MILLISECONDS = 90;
@@ -29,18 +30,15 @@ export function openRobotRoom(surroundings) {
 
 class RobotRoom {
   /** @param {Surroundings} surroundings */
-  constructor({ send, goTo }) {
+  constructor(surroundings) {
+    const { send, goTo } = surroundings;
+    this.surroundings = surroundings;
     this.watch = new RobotWatch(send);
     this.lastPicture = 0;
-    const place = byId('robot-room');
-    const part = (/** @type {string} */ id, /** @type {string} */ label) => {
-      const made = element('section', { id, 'aria-label': label });
-      place.append(made);
-      return made;
-    };
-    const joints = part('robot-joints', 'Joints');
-    const middle = part('robot-thoughts', 'Surroundings and thoughts');
-    const right = part('robot-curves', 'Curves');
+    const joints = this.#panel('joints');
+    const middle = this.#panel('surroundings');
+    const words = this.#panel('words');
+    const right = this.#panel('curves');
     this.choice = element('select', { id: 'robot-choice', 'aria-label': 'Robot' });
     this.choice.addEventListener('change', () => this.choose(Number(this.choice.value)));
     this.facts = element('p', { class: 'robot-facts', role: 'status' });
@@ -52,18 +50,27 @@ class RobotRoom {
       element('figcaption', { class: 'faint' }, 'From above: rings are true, filled is believed'),
     );
     const senses = element('div', { class: 'senses-row' });
-    middle.append(
-      element('div', { class: 'robot-head' }, this.choice, this.facts, besideButtons(place)),
-      this.motion,
-      element('div', { class: 'robot-views' }, camera, map),
-      senses,
-      this.#sheets(goTo),
-    );
+    const head = element('div', { class: 'robot-head' }, this.choice, this.facts);
+    middle.append(this.motion, element('div', { class: 'robot-views' }, camera, map), senses);
+    words.append(head, this.#sheets(goTo));
     this.drawJoints = jointBars(joints);
     this.drawCamera = cameraPicture(camera);
     this.drawMap = surroundingsMap(map);
     this.drawSenses = sensesPanel(senses);
     this.plots = new PlotDesk(right, goTo);
+  }
+
+  /** A panel below its name, which folds it. @param {import('../state/layout.js').PanelName} name */
+  #panel(name) {
+    const title = PANEL_TITLES[name];
+    const fold = button(title, 'Fold and unfold', () => this.surroundings.fold(name), {
+      class: 'panel-title',
+      'aria-expanded': 'true',
+    });
+    const inside = element('div', { class: 'panel-inside', id: `robot-${name}` });
+    const made = element('section', { class: 'side-panel', 'data-panel': name, 'aria-label': title }, fold, inside);
+    byId('robot-room').append(made);
+    return inside;
   }
 
   /** The log and the messages lie in the same place. @param {(seconds: number) => void} goTo */
@@ -172,18 +179,4 @@ class RobotRoom {
     this.choice.hidden = names.length === 0;
     this.choice.value = String(Math.min(this.watch.chosen, names.length - 1));
   }
-}
-
-/** What is beside the robot where there is no room for both joints and curves. @param {HTMLElement} room */
-function besideButtons(room) {
-  const choose = (/** @type {string} */ shown) => {
-    room.dataset.beside = shown;
-    made.forEach((each) => each.setAttribute('aria-pressed', String(each.dataset.shows === shown)));
-  };
-  const made = [
-    button('Joints', 'Angles and speeds of all joints', () => choose('joints'), { 'data-shows': 'joints' }),
-    button('Curves', 'Curves of any values over time', () => choose('curves'), { 'data-shows': 'curves' }),
-  ];
-  choose('joints');
-  return element('div', { class: 'beside' }, ...made);
 }

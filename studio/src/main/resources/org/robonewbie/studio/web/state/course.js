@@ -1,14 +1,39 @@
 /** What the page says about an exercise and its trials. Pure. */
 
 /**
- * @typedef {{number: number, name: string, title: string, goal: string, level: string, minutes: number, points: number, worksheet: string, file: string}} Lesson
+ * @typedef {{tries: number, best: number, passed: boolean, minutes: number}} Standing
+ * @typedef {{hints: string[], allHints: number, solution: boolean, triesLeft: number}} Help
+ * @typedef {{sum: string, badges: string[], csv: string}} Standings
+ * @typedef {{number: number, name: string, title: string, goal: string, level: string, minutes: number, points: number, worksheet: string, file: string, standing: Standing}} Lesson
  * @typedef {{seed: number, passed: boolean, points: number, finding: string, hint: string}} Judged
  * @typedef {{id: number, state: 'NONE' | 'WAITING' | 'RUNNING' | 'OVER', exercise: string, program: string, port: number, trials: number, judged: Judged[], points: number, passed: boolean, output: string}} Attempt
  */
 
+/** @param {Lesson} lesson @returns {string} how hard it is, and how far one is with it */
+export function lessonLine({ level, minutes, points, standing }) {
+  if (standing.tries === 0) {
+    return `${level} · ${minutes} min`;
+  }
+  const tries = standing.tries === 1 ? '1 try' : `${standing.tries} tries`;
+  return `${level} · ${standing.best.toFixed(1)} of ${points} points · ${tries} · ${standing.minutes} min`;
+}
+
 /** @param {Lesson} lesson */
-export function lessonLine({ level, minutes, points }) {
-  return `${level} · ${minutes} min · ${points} points`;
+export function lessonTitle({ number, title, standing }) {
+  return `${standing.passed ? '✓ ' : ''}${number} ${title}`;
+}
+
+/** @param {Help} help @returns {string} the next hint's button; empty if all are open */
+export function hintButton({ hints: open, allHints }) {
+  return open.length < allHints ? `Open hint ${open.length + 1} of ${allHints}` : '';
+}
+
+/** @param {Help} help @returns {string} what the button of the solution says */
+export function solutionButton({ triesLeft }) {
+  if (triesLeft === 0) {
+    return 'Show me a solution';
+  }
+  return `Solution after ${triesLeft === 1 ? 'one more try' : `${triesLeft} more tries`}`;
 }
 
 /** @param {Attempt} attempt @returns {string} what happens now, as a sentence */

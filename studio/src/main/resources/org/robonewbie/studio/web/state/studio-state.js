@@ -2,6 +2,7 @@
  * What the studio knows, as one value that is replaced, never changed. Pure functions only: messages come in, a new state
  * comes out; the panels draw what the functions below read from it.
  */
+import { CYCLE_SECONDS } from './cycle.js';
 import { playModeText } from './play-mode.js';
 
 /**
@@ -16,6 +17,9 @@ import { playModeText } from './play-mode.js';
  * @property {Frame | undefined} frame
  * @property {number} movedMilliseconds when the cycle changed last, on the page's clock
  * @property {{side: 'left' | 'right', milliseconds: number} | undefined} goal who has scored last, and when
+ * @property {Deeds} deeds
+ *
+ * @typedef {{undo: string, redo: string}} Deeds what would be undone and done again, empty for nothing
  */
 
 /** Without a new cycle for so long, a running world is waiting for somebody. */
@@ -45,6 +49,7 @@ export function initialState(hasToken) {
     frame: undefined,
     movedMilliseconds: 0,
     goal: undefined,
+    deeds: { undo: '', redo: '' },
   };
 }
 
@@ -80,6 +85,15 @@ export function withRefusal(state, refusal) {
  */
 export function withScene(state, scene) {
   return { ...state, scene, frame: undefined };
+}
+
+/**
+ * @param {StudioState} state
+ * @param {Deeds} deeds
+ * @returns {StudioState}
+ */
+export function withDeeds(state, { undo, redo }) {
+  return { ...state, deeds: { undo, redo } };
 }
 
 /**
@@ -211,7 +225,7 @@ export function transport(state) {
     enabled: state.connection === 'live' && frame !== undefined && state.scene?.clock !== false,
     paused: frame?.paused ?? false,
     speed: frame && nearestSpeed(frame.speed),
-    seconds: frame ? `${(frame.cycle * 0.02).toFixed(2)} s` : '',
+    seconds: frame ? `${(frame.cycle * CYCLE_SECONDS).toFixed(2)} s` : '',
     cycle: frame ? `cycle ${frame.cycle}` : '',
     realTimeFactor: frame ? factorText(frame) : '',
   };

@@ -8,13 +8,13 @@ import { LiveHistory } from './live-history.js';
  * @typedef {import('./studio-state.js').StudioState} StudioState
  * @typedef {import('../live/state-frame.js').Scene} Scene
  * @typedef {import('../live/state-frame.js').Frame} Frame
- * @typedef {import('./replay/recording-reader.js').RecordingReader} RecordingReader
+ * @typedef {import('./replay/recorded-run.js').RecordedRun} RecordedRun
  *
  * @typedef {object} RecordedMoment
  * @property {string} name of the recording
  * @property {Scene} scene
  * @property {Frame} frame
- * @property {RecordingReader} reader the whole recording
+ * @property {RecordedRun} run the whole recording
  * @property {import('./robot/drawing-memory.js').DrawingMemory} drawings what robots have drawn meanwhile
  * @property {boolean} running whether it is the recording of the running simulation
  *

@@ -15,7 +15,8 @@
  * @typedef {object} BodyLink
  * @property {number} massKg
  * @property {boolean} solid whether it can touch something
- * @property {number} [radius] metres, of a ball; other links are boxes
+ * @property {number} [radius] metres, of a ball or a capsule; other links are boxes
+ * @property {number} [length] metres along z between the two half balls of a capsule
  *
  * @typedef {object} Body
  * @property {JointFacts[]} joints

@@ -9,6 +9,7 @@
  * @property {number} from milliseconds
  * @property {number} to milliseconds
  * @property {string} text for people
+ * @property {number} [joint] that it is about
  */
 import { balanceOf } from './balance.js';
 import { placed, posesOf } from './body.js';
@@ -38,13 +39,13 @@ export function jointMarks(body, frames) {
     body.joints.forEach((joint, k) => {
       if (degrees[k] < joint.minDegrees || degrees[k] > joint.maxDegrees) {
         const text = `${jointName(joint.name)} at ${numberText(degrees[k])}° is beyond ${joint.minDegrees}° to ${joint.maxDegrees}°`;
-        marks.push({ kind: 'range', from: to, to, text });
+        marks.push({ kind: 'range', from: to, to, text, joint: k });
       }
       const way = i === 0 ? 0 : Math.abs(degrees[k] - frames[i - 1].degrees[k]);
       if (way * 1000 > joint.maxDegreesPerSecond * Math.max(1, millis) * SPEED_TOLERANCE) {
         const least = Math.ceil((way / joint.maxDegreesPerSecond) * (1000 / CYCLE_MILLIS)) * CYCLE_MILLIS;
         const text = `${jointName(joint.name)} turns ${way.toFixed(0)}° in ${millis} ms; its motor needs ${least} ms`;
-        marks.push({ kind: 'speed', from: to - millis, to, text });
+        marks.push({ kind: 'speed', from: to - millis, to, text, joint: k });
       }
     });
     return marks;

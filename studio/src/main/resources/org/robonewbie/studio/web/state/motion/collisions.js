@@ -1,5 +1,6 @@
 /**
- * Which limbs of a robot run into each other: boxes against boxes by separating axes, the head as the ball that it is. Pure.
+ * Which limbs of a robot run into each other, with the shapes that the simulator collides: boxes against boxes by separating
+ * axes, balls and capsules by the distance of the line inside of them. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  */
@@ -23,6 +24,7 @@ export function collisionsOf(body, poses) {
     axes: [0, 1, 2].map((axis) => rotated(poses, i, [0, 0, 0].with(axis, 1))),
     half: link.size.map((edge) => Math.max(0.002, edge / 2 - SLACK_METRES)),
     radius: Math.max(0, (body.links[i].radius ?? 0) - SLACK_METRES),
+    reach: (body.links[i].length ?? 0) / 2,
   }));
   return pairsOf(body).filter(([a, b]) => overlap(boxes[a], boxes[b]));
 }
@@ -62,17 +64,22 @@ function ancestors(body, link) {
 }
 
 /**
- * @typedef {{centre: number[], axes: number[][], half: number[], radius: number}} Box the radius is that of a ball, else 0
- * @param {Box} a
- * @param {Box} b
+ * @typedef {object} Box
+ * @property {number[]} centre
+ * @property {number[][]} axes
+ * @property {number[]} half
+ * @property {number} radius of a ball or a capsule, else 0
+ * @property {number} reach half the length of a capsule's line, along its last axis
  */
+
+/** @param {Box} a @param {Box} b */
 function overlap(a, b) {
   const between = b.centre.map((value, i) => value - a.centre[i]);
   if (Math.hypot(...between) > Math.hypot(...a.half) + Math.hypot(...b.half)) {
     return false;
   }
   if (a.radius > 0 || b.radius > 0) {
-    return a.radius > 0 ? touchesBall(b, a) : touchesBall(a, b);
+    return a.radius > 0 ? touchesRound(b, a) : touchesRound(a, b);
   }
   const edges = a.axes.flatMap((u) => b.axes.map((v) => crossed(u, v)));
   return [...a.axes, ...b.axes, ...edges].every((axis) => {
@@ -81,11 +88,31 @@ function overlap(a, b) {
   });
 }
 
-/** @param {Box} box @param {Box} ball */
-function touchesBall(box, ball) {
-  const way = ball.centre.map((value, i) => value - box.centre[i]);
-  const outside = box.axes.map((axis, i) => Math.max(0, Math.abs(dot(way, axis)) - box.half[i]));
-  return Math.hypot(...outside) < ball.radius;
+/** How far a point is from a shape grows evenly along a line, so that thirds find the nearest one. @param {Box} shape @param {Box} round */
+function touchesRound(shape, round) {
+  let [low, high] = [-round.reach, round.reach];
+  while (high - low > 1e-4) {
+    const third = (high - low) / 3;
+    const isNearerLow = outside(shape, pointOn(round, low + third)) < outside(shape, pointOn(round, high - third));
+    [low, high] = isNearerLow ? [low, high - third] : [low + third, high];
+  }
+  return outside(shape, pointOn(round, (low + high) / 2)) < round.radius;
+}
+
+/** @param {Box} round @param {number} along */
+function pointOn({ centre, axes }, along) {
+  return centre.map((value, i) => value + along * axes[2][i]);
+}
+
+/** @param {Box} shape @param {number[]} point @returns {number} metres from its surface, 0 inside */
+function outside(shape, point) {
+  const way = point.map((value, i) => value - shape.centre[i]);
+  const places = shape.axes.map((axis) => dot(way, axis));
+  if (shape.radius > 0) {
+    const beyond = places[2] - Math.max(-shape.reach, Math.min(shape.reach, places[2]));
+    return Math.max(0, Math.hypot(places[0], places[1], beyond) - shape.radius);
+  }
+  return Math.hypot(...places.map((place, i) => Math.max(0, Math.abs(place) - shape.half[i])));
 }
 
 /** @param {Box} box @param {number[]} axis */

@@ -17,8 +17,10 @@
  * @property {string} version by which the file is known on the disk, empty if it is not there
  * @property {MotionDocument} saved what is on the disk or in the library
  * @property {import('./history.js').History<MotionDocument>} history
- * @property {number} first selected keyframe
- * @property {number} last selected keyframe
+ * @property {number} first keyframe from which a range is chosen
+ * @property {number} last chosen keyframe, on which the playhead is
+ * @property {readonly number[]} chosen all chosen keyframes
+ * @property {readonly number[]} rows the chosen joints of these keyframes, empty for all
  * @property {number} time of the playhead, milliseconds
  * @property {boolean} playing
  * @property {boolean} looping
@@ -29,10 +31,15 @@
  * @property {number} joint whose curve is shown
  * @property {number[]} start posture before the motion
  * @property {Trial | undefined} trial
+ * @property {boolean} watching whether the robot of the trial is shown rather than the plan
+ * @property {boolean} alone whether keyframes move in time without those after them
+ * @property {'rows' | 'curves'} layout of the timeline
+ * @property {import('./time-view.js').TimeView} view the part of the motion that the timeline shows
  */
 import { changed, historyOf, redone, undone } from './history.js';
 import { keyframesOf, wholeCycles, withInserted, withKeyframe } from './motion-document.js';
 import { EMPTY_DOCUMENT, textOf } from './motion-text.js';
+import { revealing, WHOLE } from './time-view.js';
 import { durationOf, keyframeAt, postureAt, timesOf } from './timing.js';
 import { postureFrom, symmetric } from './posture.js';
 import { STANDING } from './poses.js';
@@ -53,6 +60,8 @@ export function initialEditor(body) {
     history: historyOf(EMPTY_DOCUMENT),
     first: 0,
     last: 0,
+    chosen: [0],
+    rows: [],
     time: 0,
     playing: false,
     looping: false,
@@ -63,6 +72,10 @@ export function initialEditor(body) {
     joint: 0,
     start: postureFrom(body, STANDING),
     trial: undefined,
+    watching: false,
+    alone: false,
+    layout: 'rows',
+    view: WHOLE,
   };
 }
 
@@ -102,6 +115,9 @@ export function withFile(state, { name, draft = '', version, document, recovered
     history: recovered ? changed(history, recovered, 'Recover unsaved work') : history,
     playing: false,
     trial: undefined,
+    watching: false,
+    rows: [],
+    view: WHOLE,
   };
   return selected(opened, 0);
 }
@@ -128,12 +144,17 @@ export function withSaved(state, name, version, document) {
 export function selected(state, index, extending = false) {
   const frames = framesOf(state);
   const last = Math.max(0, Math.min(frames.length - 1, index));
-  return { ...state, first: extending ? state.first : last, last, time: timesOf(frames)[last] ?? 0, playing: false };
+  const first = extending ? state.first : last;
+  const from = Math.min(first, last);
+  const chosen = Array.from({ length: Math.abs(first - last) + 1 }, (_, i) => from + i);
+  const time = timesOf(frames)[last] ?? 0;
+  const view = revealing(state.view, shownLength(state), time);
+  return { ...state, first, last, chosen, time, view, playing: false, watching: false };
 }
 
-/** @param {EditorState} state @returns {[number, number]} the chosen keyframes in their order */
-export function selectionOf({ first, last }) {
-  return [Math.min(first, last), Math.max(first, last)];
+/** @param {EditorState} state @returns {[number, number]} the first and the last of the chosen keyframes */
+export function selectionOf({ chosen }) {
+  return [Math.min(...chosen), Math.max(...chosen)];
 }
 
 /**
@@ -144,13 +165,20 @@ export function selectionOf({ first, last }) {
 export function atTime(state, time) {
   const limited = Math.max(0, Math.min(playableLength(state), time));
   const index = Math.max(0, keyframeAt(framesOf(state), limited));
-  return { ...state, time: limited, first: index, last: index };
+  const chosen = index === state.last && state.chosen.length === 1 ? state.chosen : [index];
+  const view = state.playing ? revealing(state.view, shownLength(state), limited) : state.view;
+  return { ...state, time: limited, first: index, last: index, chosen, view };
 }
 
-/** @param {EditorState} state @returns {number} milliseconds of the motion, or of the trial if there is one */
+/** @param {EditorState} state @returns {number} milliseconds that the timeline must have room for */
+export function shownLength(state) {
+  return Math.max(lengthOf(state), playableLength({ ...state, watching: true }));
+}
+
+/** @param {EditorState} state @returns {number} milliseconds of the motion, or of the trial if its robot is watched */
 export function playableLength(state) {
-  const { trial } = state;
-  return trial ? (trial.frames.length - 1) * trial.frameSeconds * 1000 : lengthOf(state);
+  const { trial, watching } = state;
+  return trial && watching ? (trial.frames.length - 1) * trial.frameSeconds * 1000 : lengthOf(state);
 }
 
 /**
@@ -192,7 +220,8 @@ export function edited(state, document, label, gesture = '') {
   if (textOf(document) === textOf(documentOf(state))) {
     return state;
   }
-  return { ...state, history: changed(state.history, document, label, gesture), trial: undefined, playing: false };
+  const history = changed(state.history, document, label, gesture);
+  return { ...state, history, trial: undefined, watching: false, playing: false };
 }
 
 /** @param {EditorState} state @returns {EditorState} */
@@ -208,7 +237,7 @@ export function withRedo(state) {
 /** Chooses the first keyframe that undo or redo has changed, so that one sees what it did. @param {EditorState} state @param {EditorState['history']} history */
 function withChangeShown(state, history) {
   const before = framesOf(state);
-  const next = { ...state, history, trial: undefined };
+  const next = { ...state, history, trial: undefined, watching: false };
   const changedAt = framesOf(next).findIndex((frame, i) => !isSameKeyframe(frame, before[i]));
   return selected(next, changedAt < 0 ? state.last : changedAt);
 }
@@ -256,25 +285,4 @@ export function withKeyframeHere(state, gesture = '') {
   const shortened = withKeyframe(documentOf(state), next, { millis: Math.max(20, rest) });
   const inserted = withInserted(shortened, next, { millis: way, degrees: postureNow(state) });
   return selected(edited(state, inserted, 'Insert keyframe', gesture), next);
-}
-
-/**
- * Says whether a file that has changed on the disk can be taken at once, or whether the person must decide.
- *
- * @param {EditorState} state
- * @param {Array<{name: string, version: string}>} files on the disk
- * @returns {'same' | 'reload' | 'ask' | 'gone'}
- */
-export function judgeDisk(state, files) {
-  if (state.version === '') {
-    return 'same';
-  }
-  const found = files.find(({ name }) => name === state.name);
-  if (!found) {
-    return 'gone';
-  }
-  if (found.version === state.version) {
-    return 'same';
-  }
-  return isUnsaved(state) ? 'ask' : 'reload';
 }

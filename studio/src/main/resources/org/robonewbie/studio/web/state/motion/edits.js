@@ -3,9 +3,15 @@
  *
  * @typedef {import('./editor-state.js').EditorState} EditorState
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
+ * @typedef {import('./motion-text.js').MotionDocument} MotionDocument
+ *
+ * @typedef {object} Clip what was copied
+ * @property {readonly Keyframe[]} frames
+ * @property {readonly number[]} rows the joints of which only the angles were copied, empty for whole keyframes
  */
 import { documentOf, edited, framesOf, posed, postureNow, selected, selectionOf } from './editor-state.js';
 import {
+  keyframesOf,
   mapKeyframes,
   reversed,
   scaled,
@@ -16,32 +22,145 @@ import {
   without,
 } from './motion-document.js';
 import { copiedSide, mirrored } from './posture.js';
+import { retimed } from './retime.js';
+import { chosenFrames } from './selection.js';
+import { timesOf } from './timing.js';
 
-/** @param {EditorState} state @returns {Keyframe[]} the chosen keyframes */
+/** @param {EditorState} state @returns {Clip} the chosen keyframes */
 export function copied(state) {
-  const [from, to] = selectionOf(state);
-  return framesOf(state).slice(from, to + 1);
+  const frames = framesOf(state);
+  return { frames: chosenFrames(state).map((index) => frames[index]), rows: state.rows };
 }
 
-/** @param {EditorState} state @param {readonly Keyframe[]} frames @returns {EditorState} */
-export function pasted(state, frames) {
-  return insertedAfter(state, frames, `Paste ${countText(frames.length)}`);
+/**
+ * Puts keyframes in after the chosen ones; if only some joints were copied, gives the chosen keyframe and those after it the
+ * angles of these joints.
+ *
+ * @param {EditorState} state
+ * @param {Clip} clip
+ * @returns {EditorState}
+ */
+export function pasted(state, { frames, rows }) {
+  if (rows.length === 0) {
+    return insertedAfter(state, frames, `Paste ${countText(frames.length)}`);
+  }
+  const [from] = selectionOf(state);
+  const document = mapKeyframes(documentOf(state), (frame, i) => {
+    const source = frames[i - from];
+    return source ? { ...frame, degrees: withJoints(frame.degrees, rows, (joint) => source.degrees[joint]) } : frame;
+  });
+  return edited(state, document, `Paste angles of ${jointsText(rows.length)}`);
 }
 
 /** @param {EditorState} state @returns {EditorState} */
 export function duplicated(state) {
-  return insertedAfter(state, copied(state), 'Duplicate');
+  return insertedAfter(state, copied(state).frames, 'Duplicate');
 }
 
-/** @param {EditorState} state @returns {EditorState} */
+/** @param {EditorState} state @returns {EditorState} without the chosen keyframes, or their angles of the chosen joints */
 export function deleted(state) {
-  const [from, to] = selectionOf(state);
-  const count = Math.min(to, framesOf(state).length - 1) - from + 1;
-  let document = documentOf(state);
-  for (let i = 0; i < count; i++) {
-    document = without(document, from);
+  return state.rows.length > 0 ? straightened(state) : withoutChosen(state);
+}
+
+/** @param {EditorState} state */
+function withoutChosen(state) {
+  const chosen = chosenFrames(state);
+  const document = chosen.toReversed().reduce((each, index) => without(each, index), documentOf(state));
+  return chosen.length < 1
+    ? state
+    : selected(edited(state, document, `Delete ${countText(chosen.length)}`), Math.max(0, chosen[0] - 1));
+}
+
+/** Lets the chosen joints go evenly from the keyframe before the chosen ones to the one after. @param {EditorState} state */
+function straightened(state) {
+  const frames = framesOf(state);
+  const times = timesOf(frames);
+  const chosen = chosenFrames(state);
+  const others = frames.map((_, index) => index).filter((index) => !chosen.includes(index));
+  const document = mapKeyframes(documentOf(state), (frame, i) => {
+    const before = others.findLast((index) => index < i) ?? others.find((index) => index > i);
+    const after = others.find((index) => index > i) ?? before;
+    if (!chosen.includes(i) || before === undefined || after === undefined) {
+      return frame;
+    }
+    const part = after === before ? 0 : (times[i] - times[before]) / Math.max(1, times[after] - times[before]);
+    const between = (/** @type {number} */ joint) =>
+      tidy(frames[before].degrees[joint] + part * (frames[after].degrees[joint] - frames[before].degrees[joint]));
+    return { ...frame, degrees: withJoints(frame.degrees, state.rows, between) };
+  });
+  return edited(state, document, `Take out angles of ${jointsText(state.rows.length)}`);
+}
+
+/**
+ * Moves the chosen keyframes in time.
+ *
+ * @param {EditorState} state
+ * @param {number} by milliseconds, negative for earlier
+ * @param {{alone?: boolean, base?: MotionDocument, gesture?: string}} [how] whether those after them stay; of a drag: the
+ *     motion at its beginning, and its name
+ * @returns {EditorState}
+ */
+export function moved(state, by, { alone = state.alone, base = documentOf(state), gesture = '' } = {}) {
+  const ways = keyframesOf(base).map(({ millis }) => millis);
+  const next = retimed(ways, chosenFrames(state), by, alone);
+  const document = mapKeyframes(base, ({ degrees }, i) => ({ millis: next[i], degrees }));
+  const done = edited(state, document, 'Move in time', gesture);
+  return { ...done, time: timesOf(framesOf(done))[done.last] ?? 0 };
+}
+
+/**
+ * Turns joints by the same amount in all chosen keyframes, as far as the ranges of all allow.
+ *
+ * @param {EditorState} state
+ * @param {readonly number[]} joints
+ * @param {number} by degrees
+ * @param {{base?: MotionDocument, gesture?: string}} [how] of a drag: the motion at its beginning, and its name
+ * @returns {EditorState}
+ */
+export function turnedBy(state, joints, by, { base = documentOf(state), gesture = '' } = {}) {
+  const { body } = state;
+  const chosen = chosenFrames(state);
+  const frames = keyframesOf(base);
+  const turns = withPartners(state, joints);
+  const rooms = chosen.flatMap((index) =>
+    [...turns].map(([joint, sign]) => {
+      const { minDegrees, maxDegrees } = body.joints[joint];
+      const angle = frames[index].degrees[joint];
+      return sign * by > 0 ? maxDegrees - angle : angle - minDegrees;
+    }),
+  );
+  const amount = Math.sign(by) * Math.max(0, Math.min(Math.abs(by), ...rooms));
+  const document = mapKeyframes(base, (frame, i) =>
+    chosen.includes(i)
+      ? {
+          ...frame,
+          degrees: withJoints(frame.degrees, [...turns.keys()], (joint) =>
+            tidy(frame.degrees[joint] + (turns.get(joint) ?? 1) * amount),
+          ),
+        }
+      : frame,
+  );
+  return edited(state, document, `Turn ${jointsText(turns.size)}`, gesture);
+}
+
+/** @param {EditorState} state @param {readonly number[]} joints @returns {Map<number, number>} sign of the turn by joint */
+function withPartners({ body, symmetric }, joints) {
+  const turns = new Map(joints.map((joint) => [joint, 1]));
+  for (const joint of symmetric ? joints : []) {
+    const { partner, mirrorSign } = body.joints[joint];
+    turns.set(partner, turns.get(partner) ?? mirrorSign);
   }
-  return count < 1 ? state : selected(edited(state, document, `Delete ${countText(count)}`), Math.max(0, from - 1));
+  return turns;
+}
+
+/** @param {readonly number[]} degrees @param {readonly number[]} joints @param {(joint: number) => number} angleOf */
+function withJoints(degrees, joints, angleOf) {
+  return degrees.map((angle, joint) => (joints.includes(joint) ? angleOf(joint) : angle));
+}
+
+/** @param {number} degrees @returns {number} without the dust of calculating */
+function tidy(degrees) {
+  return Math.round(degrees * 1e4) / 1e4 + 0;
 }
 
 /** @param {EditorState} state @param {-1 | 1} direction @returns {EditorState} */
@@ -53,8 +172,8 @@ export function shifted(state, direction) {
   }
   const document =
     direction < 0 ? withMoved(documentOf(state), target, to) : withMoved(documentOf(state), target, from);
-  const moved = selected(edited(state, document, 'Move'), from + direction);
-  return selected(moved, to + direction, true);
+  const ordered = selected(edited(state, document, 'Move'), from + direction);
+  return selected(ordered, to + direction, true);
 }
 
 /** @param {EditorState} state @param {number} index @param {number} millis @param {string} [gesture] @returns {EditorState} */
@@ -113,9 +232,9 @@ export function turned(state, joint, degrees, gesture = '') {
  * @param {(degrees: readonly number[]) => number[]} change
  */
 function mappedSelection(state, label, change) {
-  const [from, to] = selectionOf(state);
+  const chosen = chosenFrames(state);
   const document = mapKeyframes(documentOf(state), (frame, i) =>
-    i >= from && i <= to ? { millis: frame.millis, degrees: change(frame.degrees) } : frame,
+    chosen.includes(i) ? { millis: frame.millis, degrees: change(frame.degrees) } : frame,
   );
   return edited(state, document, label);
 }
@@ -128,6 +247,11 @@ function insertedAfter(state, frames, label) {
   return frames.length === 0
     ? state
     : selected(selected(edited(state, document, label), at), at + frames.length - 1, true);
+}
+
+/** @param {number} count */
+function jointsText(count) {
+  return count === 1 ? 'a joint' : `${count} joints`;
 }
 
 /** @param {number} count */

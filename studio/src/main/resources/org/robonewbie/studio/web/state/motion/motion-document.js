@@ -11,6 +11,9 @@ import { changedLine, newLine } from './motion-text.js';
 /** A robot plays whole cycles. */
 export const CYCLE_MILLIS = 20;
 
+/** The longest way to a keyframe; ten minutes. */
+export const MOST_MILLIS = 600_000;
+
 /**
  * @param {MotionDocument} document
  * @returns {Keyframe[]}
@@ -102,9 +105,9 @@ export function mapKeyframes(document, change) {
   );
 }
 
-/** @param {number} millis @returns {number} the nearest whole number of cycles, at least one */
+/** @param {number} millis @returns {number} the nearest whole number of cycles, at least one, at most those of ten minutes */
 export function wholeCycles(millis) {
-  return Math.max(1, Math.round(millis / CYCLE_MILLIS)) * CYCLE_MILLIS;
+  return Math.max(1, Math.round(Math.min(MOST_MILLIS, millis) / CYCLE_MILLIS)) * CYCLE_MILLIS;
 }
 
 /** @param {MotionDocument} document @param {readonly Line[]} lines */

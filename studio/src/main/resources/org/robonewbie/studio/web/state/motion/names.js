@@ -40,3 +40,13 @@ export const JOINT_GROUPS = [
   { title: 'Left leg', test: /^LEFT_(HIP|KNEE|FOOT)/ },
   { title: 'Right leg', test: /^RIGHT_(HIP|KNEE|FOOT)/ },
 ];
+
+/**
+ * The joints from head to foot, one below the other as in the timeline.
+ *
+ * @param {{joints: ReadonlyArray<{name: string}>}} body
+ * @returns {number[]} indices of joints
+ */
+export function jointRows({ joints }) {
+  return JOINT_GROUPS.flatMap(({ test }) => joints.flatMap(({ name }, joint) => (test.test(name) ? [joint] : [])));
+}

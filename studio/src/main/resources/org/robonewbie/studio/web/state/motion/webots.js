@@ -1,14 +1,23 @@
 /**
- * Webots' .motion files: a head line with the joints' names, then a line with time, pose name and radians for each
- * keyframe. The signs and zeros of the angles are those of this framework, as in the original's motion editor. Pure.
+ * Webots' .motion files, which Choregraphe's users exchange too: a head line with the joints' names, then a line with time, pose
+ * name and radians for each keyframe. Two programs write them differently: Webots with the signs and names of NAO's documentation,
+ * where bent knees and lowered arms are positive; the original motion editor with the signs of the simulator. Pure.
  *
+ * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
+ * @typedef {import('./foreign.js').Imported} Imported
+ * @typedef {'nao' | 'original'} Reading
+ *
+ * @typedef {object} Column
+ * @property {number} joint index in the order of the motion files
+ * @property {number} sign
  */
+import { documentOfRows, fourDecimals, numberIn, problemNotes, rowsOf, UnreadableRow, waysBetween } from './foreign.js';
 
 const HEAD = '#WEBOTS_MOTION,V1.0';
 
-/** NAO's names for the 22 joints in the order of the motion files. */
-export const WEBOTS_JOINTS = [
+/** How the original motion editor names the 22 joints, in the order of the motion files. */
+export const ORIGINAL_JOINTS = [
   'HeadYaw',
   'HeadPitch',
   'LShoulderPitch',
@@ -33,65 +42,110 @@ export const WEBOTS_JOINTS = [
   'RElbowYaw',
 ];
 
+const RANGE_SLACK = 2;
+
+/** NAO turns its elbow by ElbowYaw where the simulator calls it arm roll, and bends it by ElbowRoll. @type {string[]} */
+const NAO_JOINTS = ORIGINAL_JOINTS.map((name) =>
+  name.replace(/Elbow(Roll|Yaw)/, (_, turn) => `Elbow${turn === 'Roll' ? 'Yaw' : 'Roll'}`),
+);
+
+/** @param {string} name @returns {number} NAO's pitch axes point to the left, those of the simulator to the right */
+function signOf(name) {
+  return /(Head|Shoulder|Hip|Knee|Ankle)Pitch$/.test(name) ? -1 : 1;
+}
+
+/** @param {Reading} reading @returns {string[]} */
+function namesOf(reading) {
+  return reading === 'nao' ? NAO_JOINTS : ORIGINAL_JOINTS;
+}
+
+/** @param {Reading} reading @param {string} name such as “LElbowRoll” or “LElbowRoll{S}” @returns {Column | undefined} */
+function columnOf(reading, name) {
+  const plain = name.trim().replace(/\{.*\}$/, '');
+  const joint = namesOf(reading).indexOf(plain);
+  return joint < 0 ? undefined : { joint, sign: reading === 'nao' ? signOf(plain) : 1 };
+}
+
 /**
  * @param {readonly Keyframe[]} frames
+ * @param {Reading} reading
  * @returns {string}
  */
-export function writeWebots(frames) {
+export function writeWebots(frames, reading) {
+  const names = namesOf(reading);
   let time = 0;
   const lines = frames.map(({ millis, degrees }, i) => {
     time += millis;
-    return [timeText(time), `Pose${i + 1}`, ...degrees.map((angle) => radiansText(angle))].join(',');
+    const angles = names.map((name, joint) => radiansText((reading === 'nao' ? signOf(name) : 1) * degrees[joint]));
+    return [timeText(time), `Pose${i + 1}`, ...angles].join(',');
   });
-  return [[HEAD, ...WEBOTS_JOINTS].join(','), ...lines, ''].join('\n');
+  return [[HEAD, ...names].join(','), ...lines, ''].join('\n');
 }
 
 /**
  * @param {string} text
- * @returns {Keyframe[]}
+ * @param {Body} body
+ * @param {readonly number[]} start angles of joints of which the file says nothing
+ * @returns {Imported}
  * @throws {Error} if it is no Webots motion; the message is meant for people
  */
-export function readWebots(text) {
-  const [head, ...rows] = text.split(/\r\n|\r|\n/).filter((line) => line.trim() !== '');
-  if (!head?.startsWith('#WEBOTS_MOTION')) {
+export function readWebots(text, body, start) {
+  const [head, ...rows] = rowsOf(text);
+  if (!head?.text.startsWith('#WEBOTS_MOTION')) {
     throw new Error('This is no Webots motion: its first line does not begin with #WEBOTS_MOTION.');
   }
-  const columns = head.split(',').slice(2).map(columnOf);
-  let before = 0;
-  return rows.map((row, i) => {
-    const [time, , ...values] = row.split(',').map((cell) => cell.trim());
-    const millis = millisOf(time, i + 2);
-    const degrees = new Array(WEBOTS_JOINTS.length).fill(0);
-    values.forEach((value, column) => {
-      if (columns[column] >= 0 && value !== '*' && value !== '') {
-        degrees[columns[column]] = degreesOf(value, i + 2);
+  const names = head.text.split(',').slice(2);
+  const [nao, original] = /** @type {Reading[]} */ (['nao', 'original']).map((reading) => ({
+    reading,
+    document: readAs(reading, names, rows, start),
+  }));
+  const found = misfits(nao.document, body) <= misfits(original.document, body) ? nao : original;
+  const unknown = names.filter((name) => columnOf('nao', name) === undefined);
+  const signs =
+    found.reading === 'nao'
+      ? 'Read with NAO’s own signs, as Webots writes them.'
+      : 'Read with the signs of the original motion editor.';
+  const left = unknown.length > 0 ? [`Without ${unknown.join(', ')}, which this robot does not have.`] : [];
+  return { document: found.document, notes: [signs, ...left, ...problemNotes(found.document)] };
+}
+
+/** @param {Reading} reading @param {string[]} names @param {import('./foreign.js').Row[]} rows @param {readonly number[]} start */
+function readAs(reading, names, rows, start) {
+  const columns = names.map((name) => columnOf(reading, name));
+  const wayTo = waysBetween();
+  let degrees = start;
+  return documentOfRows(rows, (row) => {
+    const [time, , ...values] = row.text.split(',').map((cell) => cell.trim());
+    const moment = momentOf(time);
+    const next = [...degrees];
+    values.forEach((value, i) => {
+      const column = columns[i];
+      if (column && value !== '*' && value !== '') {
+        const radians = numberIn(value, 'an angle in radians, such as -0.35');
+        next[column.joint] = fourDecimals((column.sign * radians * 180) / Math.PI);
       }
     });
-    const way = Math.max(20, millis - before);
-    before = millis;
-    return { millis: way, degrees };
+    degrees = next;
+    return { millis: wayTo(moment), degrees };
   });
 }
 
-/** @param {string} name such as “LElbowRoll” or “LElbowRoll{S}” @returns {number} */
-function columnOf(name) {
-  return WEBOTS_JOINTS.indexOf(name.trim().replace(/\{.*\}$/, ''));
+/** How many angles a robot could not reach: the wrong reading has bent knees beyond their range. @param {import('./motion-text.js').MotionDocument} document @param {Body} body */
+function misfits({ lines }, { joints }) {
+  return lines.reduce((sum, { keyframe }) => {
+    const beyond = keyframe?.degrees.filter((angle, i) => {
+      const { minDegrees, maxDegrees } = joints[i];
+      return angle < minDegrees - RANGE_SLACK || angle > maxDegrees + RANGE_SLACK;
+    });
+    return sum + (beyond?.length ?? 0);
+  }, 0);
 }
 
-/** @param {string} value @param {number} line */
-function degreesOf(value, line) {
-  const degrees = (Number(value) * 180) / Math.PI;
-  if (!Number.isFinite(degrees)) {
-    throw new Error(`Line ${line} of the Webots motion has “${value}” where an angle in radians is expected.`);
-  }
-  return Math.round(degrees * 1e4) / 1e4 + 0;
-}
-
-/** @param {string} time as MM:SS:mmm @param {number} line */
-function millisOf(time, line) {
+/** @param {string} time as MM:SS:mmm */
+function momentOf(time) {
   const parts = /^(\d+):(\d+):(\d+)$/.exec(time);
   if (!parts) {
-    throw new Error(`Line ${line} of the Webots motion begins with “${time}”, expected a time such as 00:01:500.`);
+    throw new UnreadableRow(`found “${time}”, expected a time such as 00:01:500`);
   }
   return 60_000 * Number(parts[1]) + 1000 * Number(parts[2]) + Number(parts[3]);
 }

@@ -2,14 +2,13 @@
  * Two runs side by side: the second one is shown as ghosts, and the distances between the two are told. Moments are paired by their
  * time since the start. Pure.
  *
- * @typedef {import('./recording-reader.js').Moment} Moment
  * @typedef {import('../../live/state-frame.js').Scene} Scene
  * @typedef {import('../../live/state-frame.js').Frame} Frame
  * @typedef {{scene: Scene, frame: Frame}} Picture
  */
 
-const STEPS_PER_METRE = 10_000;
-const POSE_NUMBERS = 7;
+/** Ways are kept in hundredths of a metre. */
+const LEAST_METRES = 0.011;
 
 /**
  * @param {Picture} own
@@ -46,22 +45,32 @@ export function differences(own, other) {
 }
 
 /**
- * @param {readonly Moment[]} own
- * @param {readonly Moment[]} other
+ * @typedef {Array<[x: number, y: number]>} Way evenly over a run
+ * @typedef {{count: number, ball: Way, ways: Array<{places: Way}>}} Run
+ *
+ * @param {Run} own
+ * @param {Run} other
  * @param {number} points
  * @returns {number[]} metres between the balls, or between the first robots where the balls agree throughout, evenly over the own run
  */
 export function curveOf(own, other, points) {
-  const curve = (/** @type {number} */ at) =>
+  const curve = (/** @type {Way} */ first, /** @type {Way} */ second) =>
     Array.from({ length: points }, (_, i) => {
-      const index = Math.round((i * (own.length - 1)) / Math.max(1, points - 1));
-      const [a, b] = [own[index]?.numbers, other[index]?.numbers];
-      return a && b && at + 2 < a.length && at + 2 < b.length
-        ? Math.hypot(a[at] - b[at], a[at + 1] - b[at + 1], a[at + 2] - b[at + 2]) / STEPS_PER_METRE
-        : 0;
+      const index = Math.round((i * (own.count - 1)) / Math.max(1, points - 1));
+      const [a, b] = [placeAt(first, own.count, index), placeAt(second, other.count, index)];
+      return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1]) : 0;
     });
-  const ball = curve(0);
-  return Math.max(...ball) > 0.001 ? ball : curve(POSE_NUMBERS);
+  const ball = curve(own.ball, other.ball);
+  return Math.max(...ball) > LEAST_METRES ? ball : curve(own.ways[0]?.places ?? [], other.ways[0]?.places ?? []);
+}
+
+/** @param {Way} way @param {number} count of the run's moments @param {number} index of a moment */
+function placeAt(way, count, index) {
+  let momentsPerPlace = 1;
+  while (way.length > 0 && Math.ceil(count / momentsPerPlace) > way.length) {
+    momentsPerPlace *= 2;
+  }
+  return way[Math.floor(index / momentsPerPlace)];
 }
 
 /** @param {ArrayLike<number>} a @param {ArrayLike<number>} b */

@@ -16,7 +16,7 @@
  * @property {number} gameTime seconds
  * @property {Game} game
  * @property {Player[]} robots
- * @property {ReadonlyMap<number, Float32Array>} speeds commanded, degrees per second by hinge, of each robot that was commanded
+ * @property {CommandedSpeeds} speeds degrees per second by hinge, of each robot that was commanded
  * @property {Int32Array} numbers ball's pose, then for each robot the torso's pose and the hinges' angles, in the file's steps
  *
  * @typedef {object} RecordedEvent
@@ -24,24 +24,32 @@
  * @property {'goal' | 'foul' | 'playmode' | 'fall' | 'warning' | 'log'} kind
  * @property {string} text
  */
-import { COMMANDS, EndOfBytes, MAGIC, Source } from './recording-source.js';
+import { CYCLE_SECONDS } from '../cycle.js';
+import { CommandedSpeeds } from './commanded-speeds.js';
+import { EndOfBytes, MAGIC, Source } from './recording-source.js';
 
 const VERSION = 1;
 const HEADER = 1;
 const GAME = 2;
 const ROBOTS = 3;
+const COMMANDS = 4;
 const EVENT = 5;
 const CYCLE = 6;
+const STATE = 7;
 const POSE_NUMBERS = 7;
 const MOST_HINGES = 24;
-const CYCLE_SECONDS = 0.02;
 const DEGREES_PER_STEP = 180 / Math.PI / 10_000;
 const SIDES = /** @type {const} */ (['', 'left', 'right']);
 
 export class RecordingReader {
-  /** @param {(type: string) => number} hingesOf how many hinges a type of robot has */
-  constructor(hingesOf) {
+  /**
+   * @param {(type: string) => number} hingesOf how many hinges a type of robot has
+   * @param {{rosters: Map<string, Player[]>, isBegun: boolean}} [part] reads a part of a recording, with the rosters that other
+   *     parts have named; its first records say how things stood
+   */
+  constructor(hingesOf, part = { rosters: new Map(), isBegun: false }) {
     this.hingesOf = hingesOf;
+    this.rosters = part.rosters;
     /** @type {Moment[]} */
     this.moments = [];
     /** @type {RecordedEvent[]} */
@@ -49,7 +57,7 @@ export class RecordingReader {
     /** @type {Record<string, string>} */
     this.header = {};
     this.rest = new Uint8Array();
-    this.begun = false;
+    this.begun = part.isBegun;
     /** @type {Game} */
     this.game = { playMode: 'BeforeKickOff', half: 1, scoreLeft: 0, scoreRight: 0, left: '', right: '' };
     /** @type {Player[]} */
@@ -58,8 +66,9 @@ export class RecordingReader {
     this.ball = new Int32Array(POSE_NUMBERS);
     /** @type {Map<number, Int32Array>} */
     this.tracks = new Map();
-    /** @type {ReadonlyMap<number, Float32Array>} */
-    this.speeds = new Map();
+    this.speeds = new CommandedSpeeds();
+    /** Whether the speeds are those of the cycle that ends next, and no moment's yet. */
+    this.areSpeedsNew = true;
   }
 
   /**
@@ -120,25 +129,49 @@ export class RecordingReader {
       const [half, scoreLeft, scoreRight] = [content.unsigned(), content.unsigned(), content.unsigned()];
       this.game = { playMode, half, scoreLeft, scoreRight, left: content.text(), right: content.text() };
     } else if (kind === ROBOTS) {
-      this.robots = Array.from({ length: content.unsigned() }, () => readRobot(content));
+      this.robots = this.#roster(content);
     } else if (kind === COMMANDS) {
       this.#commands(content);
     } else if (kind === EVENT) {
       this.#event(content.text());
     } else if (kind === CYCLE) {
       this.#cycle(content);
+    } else if (kind === STATE) {
+      this.#resume(content);
+    }
+  }
+
+  /** The same robots are the same list in all parts of a recording. @param {Source} content */
+  #roster(content) {
+    const key = content.content.join();
+    const roster = this.rosters.get(key) ?? Array.from({ length: content.unsigned() }, () => readRobot(content));
+    this.rosters.set(key, roster);
+    return roster;
+  }
+
+  /** Takes in how things stood where this part begins. @param {Source} content */
+  #resume(content) {
+    this.ticks = content.signed();
+    readTrack(this.ball, content);
+    while (content.at < content.content.length) {
+      const track = new Int32Array(POSE_NUMBERS + MOST_HINGES);
+      const id = content.unsigned();
+      const known = track.subarray(0, content.unsigned());
+      readTrack(known, content);
+      this.tracks.set(id, known);
     }
   }
 
   /** @param {Source} content */
   #commands(content) {
     const id = content.unsigned();
-    const speeds = Float32Array.from(this.speeds.get(id) ?? new Float32Array(MOST_HINGES));
+    this.speeds = this.areSpeedsNew ? this.speeds : this.speeds.copy();
+    this.areSpeedsNew = true;
+    const speeds = this.speeds.of(id);
     for (let count = content.unsigned(); count > 0; count--) {
       const hinge = content.unsigned();
       speeds[hinge] = content.signed() * DEGREES_PER_STEP;
     }
-    this.speeds = new Map(this.speeds).set(id, speeds);
   }
 
   /** @param {string} text */
@@ -174,6 +207,7 @@ export class RecordingReader {
       numbers,
     };
     this.#noteFalls(moment);
+    this.areSpeedsNew = false;
     this.moments.push(moment);
   }
 

@@ -1,7 +1,6 @@
 /** The pieces of which a recording consists; the format is described in docs/recording-format.md. Pure. */
 
 export const MAGIC = 'RoboNewbie recording\n';
-export const COMMANDS = 4;
 
 /** Thrown where the bytes end in the middle of something. */
 export class EndOfBytes extends Error {}
@@ -45,34 +44,4 @@ export class Source {
   text() {
     return new TextDecoder().decode(this.bytes(this.unsigned()));
   }
-}
-
-/**
- * Leaves out what the robots' programs commanded, which is half of a recording in which much moves.
- *
- * @param {Uint8Array} recording
- * @returns {Uint8Array[]} what is left, in pieces
- */
-export function withoutCommands(recording) {
-  const source = new Source(recording);
-  const kept = [];
-  let from = 0;
-  try {
-    source.bytes(MAGIC.length);
-    source.unsigned();
-    while (source.at < recording.length) {
-      const start = source.at;
-      const [kind] = source.bytes(1);
-      source.bytes(source.unsigned());
-      if (kind === COMMANDS) {
-        kept.push(recording.subarray(from, start));
-        from = source.at;
-      }
-    }
-  } catch (error) {
-    if (!(error instanceof EndOfBytes)) {
-      throw error;
-    }
-  }
-  return [...kept, recording.subarray(from)];
 }

@@ -58,6 +58,9 @@ export function advanced(state, seconds) {
  * @returns {ReplayState}
  */
 export function looped(state) {
+  if (state.count === 0) {
+    return state;
+  }
   const reach = 2 * MOMENTS_PER_SECOND;
   const range = /** @type {[number, number]} */ ([
     Math.max(0, state.index - reach),
@@ -157,44 +160,29 @@ function poseAt(numbers, at) {
 }
 
 /**
- * Writes a recording as a table: one line for each cycle in which those robots were there that were there the longest.
+ * Repeats moments where a recording was thinned out, so that there are fifty for each second again.
  *
  * @param {readonly Moment[]} moments
- * @param {Record<string, RobotModel>} models
- * @returns {string}
+ * @param {readonly RecordedEvent[]} events
+ * @returns {{moments: Moment[], events: RecordedEvent[]}}
  */
-export function csvOf(moments, models) {
-  /** @type {Map<Moment['robots'], number>} */
-  const rosters = new Map();
-  moments.forEach(({ robots }) => rosters.set(robots, (rosters.get(robots) ?? 0) + 1));
-  const robots = [...rosters.keys()].reduce(
-    (best, each) => ((rosters.get(each) ?? 0) > (rosters.get(best) ?? 0) ? each : best),
-    moments[0]?.robots ?? [],
-  );
-  const head = ['cycle', 'game_time_s', 'play_mode', 'score_left', 'score_right', 'ball_x_m', 'ball_y_m', 'ball_z_m'];
-  for (const { team, number, type } of robots) {
-    const name = `${team}_${number}`.replaceAll(/[^\p{L}\p{N}]+/gu, '_');
-    head.push(...['x_m', 'y_m', 'z_m'].map((axis) => `${name}_${axis}`));
-    head.push(...models[type].hinges.map(({ joint }) => `${name}_${joint.toLowerCase()}_deg`));
-  }
-  const rows = moments
-    .filter((moment) => moment.robots === robots)
-    .map((moment) => rowOf(moment, sceneOf(moment, {}, models, 0)));
-  return [head.join(','), ...rows, ''].join('\n');
+export function evenly(moments, events) {
+  const first = moments[0]?.cycle ?? 0;
+  const place = (/** @type {number} */ index) => (moments[index] ?? moments.at(-1)).cycle - first;
+  return {
+    moments: moments.flatMap((moment, i) =>
+      Array(Math.max(1, (moments[i + 1]?.cycle ?? 0) - moment.cycle)).fill(moment),
+    ),
+    events: events.map((event) => ({ ...event, index: place(event.index) })),
+  };
 }
 
-/** @param {Moment} moment @param {Scene} scene */
-function rowOf(moment, scene) {
-  const { ball, robots } = frameOf(moment, scene);
-  const place = (/** @type {Float32Array} */ pose) => [0, 1, 2].map((i) => pose[i].toFixed(4));
-  const { game } = moment;
-  return [
-    moment.cycle,
-    moment.gameTime.toFixed(2),
-    game.playMode,
-    game.scoreLeft,
-    game.scoreRight,
-    ...place(ball),
-    ...robots.flatMap(({ torso, degrees }) => [...place(torso), ...Array.from(degrees, (angle) => angle.toFixed(2))]),
-  ].join(',');
+/**
+ * @param {string} place the part of the address that shows a recording
+ * @returns {{name: string, seconds: number | undefined}} its name, and the moment if one is named
+ */
+export function placeOf(place) {
+  const text = decodeURIComponent(place.split('/').slice(1).join('/'));
+  const moment = text.match(/^(.*)@(\d+(?:\.\d+)?)$/s);
+  return moment ? { name: moment[1], seconds: Number(moment[2]) } : { name: text, seconds: undefined };
 }

@@ -4,28 +4,24 @@ import { commandedValues, trueValues } from './signals.js';
 import { Traces } from './traces.js';
 
 /**
- * @typedef {import('../replay/recording-reader.js').RecordingReader} RecordingReader
+ * @typedef {import('../replay/recording-reader.js').Moment} Moment
  * @typedef {import('../../live/state-frame.js').Scene} Scene
  */
 
-const REACH = 3000;
-
 /**
- * @param {RecordingReader} reader
+ * @param {readonly Moment[]} moments
+ * @param {Record<string, string>} header of the recording
  * @param {Scene} scene
  * @param {number} id of the robot
- * @param {number} cycle in the middle
- * @returns {Traces} of one minute before and after
+ * @returns {Traces} of these moments
  */
-export function recordedTraces(reader, scene, id, cycle) {
+export function recordedTraces(moments, header, scene, id) {
   const traces = new Traces();
-  const { moments } = reader;
-  const middle = cycle - (moments[0]?.cycle ?? 0);
-  for (const moment of moments.slice(Math.max(0, middle - REACH), middle + REACH)) {
+  for (const moment of moments) {
     const robot = moment.robots.findIndex((each) => each.id === id);
     if (robot >= 0) {
       const model = scene.models[moment.robots[robot].type];
-      const now = sceneOf(moment, reader.header, scene.models, 0);
+      const now = sceneOf(moment, header, scene.models, 0);
       traces.add(moment.cycle, trueValues(model, frameOf(moment, now), robot));
       traces.add(moment.cycle, commandedValues(model, moment.speeds.get(id) ?? []));
     }

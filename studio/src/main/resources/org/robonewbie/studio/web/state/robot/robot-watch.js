@@ -1,4 +1,5 @@
 /** Knows all of the robot that is looked at, at the moment that all rooms show: of a running simulation or of a recording. */
+import { CYCLE_SECONDS } from '../cycle.js';
 import { readOrders, readSenses } from './senses.js';
 import { recordedTraces } from './recorded-traces.js';
 import { RobotMemory } from './robot-memory.js';
@@ -23,8 +24,10 @@ import { Traces } from './traces.js';
  * @property {Traces} traces
  */
 
-const CYCLE_SECONDS = 0.02;
 const MARGIN_SECONDS = 20;
+
+/** Curves show so many cycles before and after the moment. */
+const TRACED_CYCLES = 3000;
 
 export class RobotWatch {
   /** @param {(command: object) => void} send */
@@ -154,17 +157,18 @@ export class RobotWatch {
    * @param {number} id
    * @param {number} seconds
    */
-  #recordedTraces({ name, reader, scene, frame }, robot, id, seconds) {
-    const key = `${name}\n${robot}`;
+  #recordedTraces({ name, run, scene, frame }, robot, id, seconds) {
+    const key = `${name}\n${robot}\n${run.arrived}`;
     const known = this.recorded;
     if (!known || known.key !== key || seconds < known.from || seconds > known.to) {
-      const traces = recordedTraces(reader, scene, id, frame.cycle);
+      const moments = run.around(frame.cycle - run.firstCycle, TRACED_CYCLES);
+      const traces = recordedTraces(moments, run.header, scene, id);
       const { from, to } = traces.extent;
-      const last = (reader.moments.at(-1)?.cycle ?? 0) * CYCLE_SECONDS;
+      const last = (run.firstCycle + run.count - 1) * CYCLE_SECONDS;
       this.recorded = {
         key,
         traces,
-        from: from === 0 ? 0 : from + MARGIN_SECONDS,
+        from: from <= run.firstCycle * CYCLE_SECONDS ? 0 : from + MARGIN_SECONDS,
         to: to >= last ? to : to - MARGIN_SECONDS,
       };
     }

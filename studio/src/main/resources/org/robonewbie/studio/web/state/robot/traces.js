@@ -1,6 +1,5 @@
 /** The values of one robot over time, to be plotted: a table with one row for each cycle and one column for each name. */
-
-const CYCLE_SECONDS = 0.02;
+import { CYCLE_SECONDS } from '../cycle.js';
 
 /** The last five minutes. */
 const MOST_ROWS = 15_000;

@@ -1,0 +1,68 @@
+package org.robonewbie.app;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.robonewbie.app.command.RoboNewbieCommand;
+
+/** Makes a {@link StartArchive}: a second Java does what people do first, and writes down the classes that it has loaded. */
+final class StartTraining {
+
+    private static final int LONGEST_SECONDS = 60;
+
+    private StartTraining() {}
+
+    /**
+     * Makes an archive, or is the training itself.
+     *
+     * @param arguments the file; nothing for the training
+     */
+    public static void main(String[] arguments) throws IOException, InterruptedException {
+        if (arguments.length == 0) {
+            System.exit(train());
+        }
+        Path file = Path.of(arguments[0]);
+        Path lock = file.resolveSibling(file.getFileName() + ".lock");
+        try (FileChannel channel = FileChannel.open(
+                lock, StandardOpenOption.CREATE, StandardOpenOption.WRITE, StandardOpenOption.DELETE_ON_CLOSE)) {
+            if (channel.tryLock() != null) {
+                make(file);
+            }
+        }
+    }
+
+    private static void make(Path file) throws IOException, InterruptedException {
+        Path made = file.resolveSibling(file.getFileName() + ".new");
+        Files.deleteIfExists(made);
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UseSerialGC",
+                "-XX:ArchiveClassesAtExit=" + made,
+                "-cp",
+                System.getProperty("java.class.path"),
+                StartTraining.class.getName()));
+        Process training = new ProcessBuilder(command).inheritIO().start();
+        boolean ended = training.waitFor(LONGEST_SECONDS, TimeUnit.SECONDS);
+        training.destroyForcibly();
+        if (ended && training.exitValue() == 0 && Files.isRegularFile(made)) {
+            Files.writeString(StartArchive.noteOf(file), System.getProperty("java.class.path"));
+            Files.move(made, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        }
+        Files.deleteIfExists(made);
+    }
+
+    /** What people do first: ask for the version, start the server, watch the demo. */
+    private static int train() {
+        Main.prepare();
+        return RoboNewbieCommand.run("--version")
+                + RoboNewbieCommand.run(
+                        "simulator", "--agent-port", "0", "--monitor-port", "0", "--fast", "--seconds", "1")
+                + RoboNewbieCommand.run("demo", "--no-browser", "--seed", "1", "--seconds", "2");
+    }
+}

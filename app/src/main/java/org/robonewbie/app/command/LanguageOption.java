@@ -1,0 +1,23 @@
+package org.robonewbie.app.command;
+
+import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.exercises.Language;
+import picocli.CommandLine.Option;
+
+/** In which language worksheets and hints are. */
+final class LanguageOption {
+
+    @Option(
+            names = "--language",
+            paramLabel = "CODE",
+            defaultValue = "${env:" + Language.VARIABLE + ":-en}",
+            description = "Language of worksheets and hints: en or de (default: $" + Language.VARIABLE + ", else en).")
+    private String code = Language.ENGLISH.code();
+
+    /** {@return the language} */
+    Language language() {
+        return Language.of(code)
+                .orElseThrow(() -> new CalledWronglyException(
+                        "There are no worksheets in the language \"" + code + "\". Choose en or de."));
+    }
+}

@@ -1,0 +1,181 @@
+package org.robonewbie.app.course;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Clock;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.progress.ExerciseProgress;
+import org.robonewbie.exercises.progress.Progress;
+import org.robonewbie.exercises.progress.ProgressFile;
+import org.robonewbie.exercises.progress.SolutionShelf;
+import org.robonewbie.exercises.progress.Worksheet;
+
+/**
+ * Accompanies a student through the exercises: keeps the progress, opens hints one after the other, and shows a solution after three
+ * tries. Without a file, or with one that cannot be written, the progress lasts as long as the program.
+ */
+public final class Coach {
+
+    private final Optional<ProgressFile> file;
+    private final SolutionShelf solutions;
+    private final Clock clock;
+    private final Map<String, ExerciseProgress> remembered = new HashMap<>();
+    private boolean unwritable;
+
+    /**
+     * Prepares the coach.
+     *
+     * @param file where progress is kept, if at all
+     * @param solutions the solutions
+     * @param clock says when something happens
+     */
+    public Coach(Optional<ProgressFile> file, SolutionShelf solutions, Clock clock) {
+        this.file = file;
+        this.solutions = solutions;
+        this.clock = clock;
+    }
+
+    /** {@return the coach of this user, with the solutions of this installation} */
+    public static Coach ofUser() {
+        Optional<Path> home =
+                Optional.ofNullable(System.getProperty("robonewbie.home")).map(Path::of);
+        return new Coach(ProgressFile.ofUser(), SolutionShelf.ofUser(home), Clock.systemUTC());
+    }
+
+    /**
+     * The hints of an exercise.
+     *
+     * @param open those that are open, in their order
+     * @param all how many there are
+     */
+    public record Hints(List<String> open, int all) {}
+
+    /** {@return how far the user is} */
+    public synchronized Progress progress() {
+        try {
+            return file.isPresent() && !unwritable ? file.get().read() : new Progress(remembered);
+        } catch (IOException unreadable) {
+            complain(unreadable);
+            return new Progress(remembered);
+        }
+    }
+
+    /**
+     * Notes that somebody begins with an exercise.
+     *
+     * @param exercise the exercise
+     */
+    public void begun(Exercise exercise) {
+        change(exercise, state -> state.seen(clock.instant()));
+    }
+
+    /**
+     * Notes a grade.
+     *
+     * @param exercise the exercise
+     * @param points what was earned, 0 to 10
+     * @param passed whether all trials have passed
+     * @return what the student can do next, as sentences; empty after a success
+     */
+    public List<String> graded(Exercise exercise, double points, boolean passed) {
+        ExerciseProgress state = change(exercise, before -> before.tried(points, passed, clock.instant()));
+        return passed ? List.of() : advice(exercise, state);
+    }
+
+    private List<String> advice(Exercise exercise, ExerciseProgress state) {
+        int hints = Worksheet.of(exercise).hints().size();
+        boolean solution = state.triesBeforeSolution() == 0 && solutions.offers(exercise);
+        String name = exercise.name();
+        return Stream.of(
+                        state.hints() < hints
+                                ? "Hint " + (state.hints() + 1) + " of " + hints + ": robonewbie grade " + name
+                                        + " --hint"
+                                : "",
+                        solution ? "Show me a solution: robonewbie grade " + name + " --solution" : "")
+                .filter(line -> !line.isEmpty())
+                .toList();
+    }
+
+    /**
+     * Opens the next hint.
+     *
+     * @param exercise the exercise
+     * @return all hints that are open now
+     */
+    public Hints nextHint(Exercise exercise) {
+        int all = Worksheet.of(exercise).hints().size();
+        change(exercise, state -> state.withNextHint(all));
+        return hints(exercise);
+    }
+
+    /**
+     * Returns the hints that are open.
+     *
+     * @param exercise the exercise
+     * @return the hints
+     */
+    public Hints hints(Exercise exercise) {
+        List<String> all = Worksheet.of(exercise).hints();
+        int open = Math.min(progress().of(exercise).hints(), all.size());
+        return new Hints(all.subList(0, open), all.size());
+    }
+
+    /**
+     * Asks for a solution.
+     *
+     * @param exercise the exercise
+     * @return the program, or why it is not shown
+     */
+    public SolutionShelf.Answer solution(Exercise exercise) {
+        SolutionShelf.Answer answer = solutions.ask(exercise, progress().of(exercise));
+        if (answer.open()) {
+            change(exercise, ExerciseProgress::withSolution);
+        }
+        return answer;
+    }
+
+    /**
+     * Checks whether a solution would be shown after enough tries.
+     *
+     * @param exercise the exercise
+     * @return whether there is one that no teacher has locked
+     */
+    public boolean offersSolution(Exercise exercise) {
+        return solutions.offers(exercise);
+    }
+
+    /**
+     * Returns how many graded tries are missing until a solution is shown.
+     *
+     * @param exercise the exercise
+     * @return the number, 0 if it may be shown
+     */
+    public int triesBeforeSolution(Exercise exercise) {
+        return progress().of(exercise).triesBeforeSolution();
+    }
+
+    private synchronized ExerciseProgress change(Exercise exercise, UnaryOperator<ExerciseProgress> change) {
+        if (file.isPresent() && !unwritable) {
+            try {
+                return file.get().update(exercise, change);
+            } catch (IOException failed) {
+                complain(failed);
+            }
+        }
+        return remembered.merge(
+                exercise.name(), change.apply(ExerciseProgress.NONE), (before, fresh) -> change.apply(before));
+    }
+
+    private void complain(IOException problem) {
+        unwritable = true;
+        System.err.println(
+                "Your progress cannot be kept in " + file.orElseThrow().file() + " (" + problem.getMessage()
+                        + "). Another file: set the environment variable " + ProgressFile.SWITCH + ".");
+    }
+}

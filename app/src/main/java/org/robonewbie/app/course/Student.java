@@ -1,0 +1,83 @@
+package org.robonewbie.app.course;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.exercises.Score;
+import org.robonewbie.trial.guest.AbsentProgramException;
+
+/**
+ * The process of a student's program, as its judge sees it.
+ *
+ * @param process the process
+ * @param calls where it hears what robots are wanted
+ * @param complaints folder in which it says why robots have given up
+ */
+record Student(Process process, OutputStream calls, Path complaints) {
+
+    private static final int OUT_OF_MEMORY = 3;
+    private static final int MILLISECONDS_TO_END = 500;
+    private static final int MOST_CHARACTERS = 1000;
+    private static final String MEND = "Mend this first; the rest was not tried.";
+
+    /** Whether the program could be compiled and loaded. */
+    boolean isReady() {
+        return Files.exists(complaints.resolve(RobotsOnCall.READY));
+    }
+
+    synchronized void call(RobotsOnCall.Call call) {
+        try {
+            calls.write(call.line().getBytes(StandardCharsets.UTF_8));
+            calls.flush();
+        } catch (IOException gone) {
+            throw new AbsentProgramException("The program ended before it asked for a robot.", gone);
+        }
+    }
+
+    /** Why the robots of a trial gave up: what they say themselves, or that the process has ended. */
+    Optional<Score> reason(int port) {
+        return complaint(port).or(() -> process.isAlive() ? Optional.empty() : Optional.of(ending()));
+    }
+
+    private Optional<Score> complaint(int port) {
+        try {
+            String text = Files.readString(complaints.resolve(Integer.toString(port)));
+            String[] lines =
+                    text.substring(0, Math.min(MOST_CHARACTERS, text.length())).split("\n", 2);
+            return Optional.of(Score.failed(0, lines[0], lines.length > 1 ? lines[1] : MEND));
+        } catch (IOException none) {
+            return Optional.empty();
+        }
+    }
+
+    private Score ending() {
+        int code = exitCode();
+        return Score.failed(
+                0,
+                code == OUT_OF_MEMORY
+                        ? "The program took all memory (" + StudentJava.MEGABYTES + " MB)."
+                        : "The program ended the whole process (exit code " + code + "). Does it call System.exit?",
+                MEND);
+    }
+
+    /** Waits a moment for the end, since connections end before their process does. */
+    int exitCode() {
+        try {
+            return process.waitFor(MILLISECONDS_TO_END, TimeUnit.MILLISECONDS) ? process.exitValue() : 1;
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+            return 1;
+        }
+    }
+
+    /** Ends the program with all that it has started. */
+    void end() {
+        process.descendants().forEach(ProcessHandle::destroyForcibly);
+        process.destroyForcibly();
+    }
+}

@@ -1,0 +1,56 @@
+package org.robonewbie.app.doctor;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.robonewbie.app.course.GradingConditions;
+import org.robonewbie.app.course.GradingProcess;
+import org.robonewbie.app.program.TemporaryFolder;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.Grade;
+
+/** Grades a program as students do: it is written, compiled and run in a process of its own, and judged. */
+final class ExerciseCheckup {
+
+    private static final String SUBJECT = "An exercise";
+    private static final String ADVICE =
+            "Try the same by hand: robonewbie grade raise-arms --start, then robonewbie grade raise-arms RaiseArms.java";
+
+    private ExerciseCheckup() {}
+
+    static Finding graded() {
+        Exercise exercise = Exercises.all().get(0);
+        List<String> output = new ArrayList<>();
+        try (TemporaryFolder folder = TemporaryFolder.create("room")) {
+            Path file = folder.path().resolve(exercise.className() + ".java");
+            Files.writeString(file, exercise.startCode());
+            GradingConditions conditions =
+                    new GradingConditions(1, 1, "", folder.path(), Optional.empty(), output::add);
+            return of(exercise, new GradingProcess(exercise, file.toString(), conditions).run(), output);
+        } catch (IOException failed) {
+            return Finding.broken(SUBJECT, String.valueOf(failed.getMessage()), ADVICE);
+        }
+    }
+
+    private static Finding of(Exercise exercise, Optional<Grade> grade, List<String> output) {
+        return grade.filter(given -> given.trials().stream()
+                        .noneMatch(trial -> trial.score().finding().startsWith("The program ended")))
+                .map(given -> Finding.well(
+                        SUBJECT,
+                        String.format(
+                                Locale.ROOT,
+                                "%s was compiled, run and graded without a network: %.1f points",
+                                exercise.name(),
+                                given.points())))
+                .orElseGet(() -> Finding.broken(
+                        SUBJECT,
+                        exercise.name() + " could not be graded: "
+                                + (output.isEmpty() ? "its program did not start" : output.get(0)),
+                        ADVICE));
+    }
+}

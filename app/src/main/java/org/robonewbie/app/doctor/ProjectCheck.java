@@ -1,0 +1,71 @@
+package org.robonewbie.app.doctor;
+
+import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import org.robonewbie.app.program.ProgramFile;
+import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.app.program.TemporaryFolder;
+
+/** Makes a project as {@code robonewbie new} does and runs its program, for which no network may be needed. */
+final class ProjectCheck {
+
+    private static final String SUBJECT = "A project";
+    private static final String AGENT = "room/src/main/java/room/MyAgent.java";
+    private static final int LONGEST_SECONDS = 120;
+
+    private ProjectCheck() {}
+
+    static Finding made() {
+        if (ProgramFile.ofThisProgram().isEmpty()) {
+            return Finding.notable(
+                    SUBJECT, "not tried, since this program was not packaged", "Start it by ./robonewbie instead.");
+        }
+        try (TemporaryFolder folder = TemporaryFolder.create("room")) {
+            Optional<String> trouble = trouble(folder.path(), List.of("new", "room"))
+                    .or(() -> trouble(
+                            folder.path(),
+                            List.of("run", AGENT, "--headless", "--fast", "--seed", "1", "--seconds", "1")));
+            return trouble.map(ProjectCheck::broken)
+                    .orElseGet(() -> Finding.well(SUBJECT, "was made by \"new\", compiled and run without a network"));
+        } catch (IOException failed) {
+            return broken(String.valueOf(failed.getMessage()));
+        }
+    }
+
+    private static Finding broken(String trouble) {
+        return Finding.broken(SUBJECT, trouble, "Try the same by hand: robonewbie new my-team");
+    }
+
+    /** What a command says if it fails. */
+    private static Optional<String> trouble(Path folder, List<String> words) {
+        Path output = folder.resolve("output.txt");
+        try {
+            Process process = new ProcessBuilder(StudentJava.command(List.of(), words))
+                    .directory(folder.toFile())
+                    .redirectErrorStream(true)
+                    .redirectOutput(output.toFile())
+                    .start();
+            boolean ended = process.waitFor(LONGEST_SECONDS, TimeUnit.SECONDS);
+            process.destroyForcibly();
+            if (!ended) {
+                return Optional.of("\"" + words.get(0) + "\" did not end within " + LONGEST_SECONDS + " s");
+            }
+            return process.exitValue() == 0
+                    ? Optional.empty()
+                    : Optional.of(Files.readString(output, Charset.defaultCharset())
+                            .lines()
+                            .findFirst()
+                            .orElse("\"" + words.get(0) + "\" failed without a word"));
+        } catch (IOException failed) {
+            return Optional.of(String.valueOf(failed.getMessage()));
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+            return Optional.of("The check was interrupted.");
+        }
+    }
+}

@@ -1,0 +1,55 @@
+package org.robonewbie.app.doctor;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import org.robonewbie.app.program.StudentJava;
+
+/** Measures how long this program takes to start: scanners of viruses and slow network drives show here first. */
+final class StartTimeCheck {
+
+    private static final String SUBJECT = "Start time";
+    private static final int STARTS = 2;
+    private static final double SLOW_SECONDS = 4;
+    private static final int LONGEST_SECONDS = 60;
+    private static final double NANOSECONDS_PER_SECOND = 1e9;
+
+    private StartTimeCheck() {}
+
+    static Finding measured() {
+        try {
+            double best = Double.POSITIVE_INFINITY;
+            for (int start = 0; start < STARTS; start++) {
+                best = Math.min(best, seconds());
+            }
+            return of(best);
+        } catch (IOException failed) {
+            return Finding.broken(SUBJECT, String.valueOf(failed.getMessage()), "May this account start programs?");
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+            return Finding.notable(SUBJECT, "not measured", "The check was interrupted.");
+        }
+    }
+
+    static Finding of(double seconds) {
+        String found = String.format(Locale.ROOT, "%.1f s, the better of %d", seconds, STARTS);
+        return seconds <= SLOW_SECONDS
+                ? Finding.well(SUBJECT, found)
+                : Finding.notable(
+                        SUBJECT,
+                        found,
+                        "Exclude the program's folder from the virus scanner, or copy it from the network drive to the disk.");
+    }
+
+    private static double seconds() throws IOException, InterruptedException {
+        long begin = System.nanoTime();
+        Process process = new ProcessBuilder(StudentJava.command(List.of(), List.of("--version")))
+                .redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                .start();
+        boolean ended = process.waitFor(LONGEST_SECONDS, TimeUnit.SECONDS);
+        process.destroyForcibly();
+        return ended ? (System.nanoTime() - begin) / NANOSECONDS_PER_SECOND : Double.POSITIVE_INFINITY;
+    }
+}

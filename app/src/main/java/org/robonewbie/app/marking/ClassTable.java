@@ -1,0 +1,212 @@
+package org.robonewbie.app.marking;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.robonewbie.competition.result.Csv;
+import org.robonewbie.competition.result.Html;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Score;
+import org.robonewbie.nao.file.AtomicFile;
+
+/**
+ * The marks of a class, a line for each student and a column for each exercise.
+ *
+ * @param exercises the columns
+ * @param students the lines
+ * @param marks what was graded
+ * @param troubles what could not be graded, by student
+ * @param pairs programs that are alike
+ * @param seeds how many trials each program had
+ */
+record ClassTable(
+        List<Exercise> exercises,
+        List<String> students,
+        List<Mark> marks,
+        Map<String, String> troubles,
+        List<CopyCheck.Pair> pairs,
+        int seeds) {
+
+    private static final String STYLE = """
+        :root { color-scheme: light dark; }
+        body { font: 1rem/1.45 system-ui, sans-serif; margin: 2rem; }
+        h1 { font-size: 1.6rem; margin-bottom: 0.2rem; }
+        .wide { overflow-x: auto; }
+        table { border-collapse: collapse; margin: 1rem 0 2rem; }
+        th, td { padding: 0.3rem 0.6rem; border: 1px solid #8886; text-align: right; font-variant-numeric: tabular-nums; }
+        th:first-child, td:first-child, table.words td { text-align: left; }
+        thead th { vertical-align: bottom; }
+        .passed { background: #2a82; }
+        .begun { background: #c903; }
+        .broken { background: #d334; }
+        .note { color: #777; max-width: 50rem; }
+        @media print { body { margin: 0; } }
+        """;
+
+    /** Writes all files into a folder and returns the page. */
+    Path write(Path folder) throws IOException {
+        AtomicFile.write(folder.resolve("grades.csv"), csv());
+        AtomicFile.write(folder.resolve("findings.csv"), findings());
+        AtomicFile.write(folder.resolve("copies.csv"), copiesCsv());
+        Path page = folder.resolve("grades.html");
+        AtomicFile.write(page, html());
+        return page;
+    }
+
+    /** How many programs are alike, as a sentence. */
+    String copies() {
+        return switch (pairs.size()) {
+            case 0 -> "No two programs are copies of each other.";
+            case 1 ->
+                "One pair of programs is alike: " + pairs.get(0).first() + " and "
+                        + pairs.get(0).second() + ", " + pairs.get(0).exercise() + ".";
+            default -> pairs.size() + " pairs of programs are alike: see copies.csv.";
+        };
+    }
+
+    private String csv() {
+        Stream<String> head = Stream.of(
+                        Stream.of("student"),
+                        exercises.stream().map(Exercise::fullName),
+                        Stream.of("points", "passed", "note"))
+                .flatMap(words -> words);
+        List<String> lines = new ArrayList<>(List.of(Csv.line(head)));
+        for (String student : students) {
+            Stream<String> cells = exercises.stream()
+                    .map(exercise ->
+                            mark(student, exercise).map(ClassTable::points).orElse(""));
+            lines.add(Csv.line(Stream.of(
+                            Stream.of(student),
+                            cells,
+                            Stream.of(sum(student), String.valueOf(passed(student)), note(student)))
+                    .flatMap(words -> words)));
+        }
+        return Csv.text(lines);
+    }
+
+    private String findings() {
+        List<String> lines =
+                new ArrayList<>(List.of(Csv.line(Stream.of("student", "exercise", "points", "passed", "finding"))));
+        for (Mark mark : marks) {
+            lines.add(Csv.line(Stream.of(
+                    mark.student(), mark.exercise(), points(mark), mark.passed() ? "yes" : "no", mark.finding())));
+        }
+        return Csv.text(lines);
+    }
+
+    private String copiesCsv() {
+        List<String> lines = new ArrayList<>(
+                List.of(Csv.line(Stream.of("exercise", "student", "other", "alike percent", "same numbers percent"))));
+        for (CopyCheck.Pair pair : pairs) {
+            lines.add(Csv.line(Stream.of(
+                    pair.exercise(),
+                    pair.first(),
+                    pair.second(),
+                    percent(pair.likeness()),
+                    percent(pair.sameNumbers()))));
+        }
+        return Csv.text(lines);
+    }
+
+    private String html() {
+        String heads = exercises.stream()
+                .map(exercise -> "<th title=\"" + Html.text(exercise.title()) + "\">" + exercise.number() + "<br>"
+                        + Html.text(exercise.name()) + "</th>")
+                .collect(Collectors.joining());
+        String rows = students.stream().map(this::row).collect(Collectors.joining());
+        return Html.page("Grades", STYLE, """
+            <h1>Grades</h1>
+            <p class="note">Mean points of %d trials each; green: all trials passed, yellow: not all, red: the program could not be
+            tried. Rest the mouse on a cell to see what was measured.</p>
+            <div class="wide"><table>
+            <thead><tr><th>Student</th>%s<th>Points</th><th>Passed</th></tr></thead>
+            <tbody>
+            %s</tbody></table></div>
+            %s%s""".formatted(seeds, heads, rows, notes(), alike()));
+    }
+
+    private String row(String student) {
+        String cells = exercises.stream()
+                .map(exercise -> mark(student, exercise).map(ClassTable::cell).orElse("<td></td>"))
+                .collect(Collectors.joining());
+        return "<tr><td>" + Html.text(student) + "</td>" + cells + "<td>" + sum(student) + "</td><td>" + passed(student)
+                + "</td></tr>\n";
+    }
+
+    private static String cell(Mark mark) {
+        String kind = mark.passed() ? "passed" : mark.grade().isPresent() ? "begun" : "broken";
+        return "<td class=\"" + kind + "\" title=\"" + Html.text(mark.finding()) + "\">" + points(mark)
+                + (mark.passed() ? " ✓" : "") + "</td>";
+    }
+
+    private String notes() {
+        String rows = students.stream()
+                .filter(student -> !note(student).isEmpty())
+                .map(student ->
+                        "<tr><td>" + Html.text(student) + "</td><td>" + Html.text(note(student)) + "</td></tr>\n")
+                .collect(Collectors.joining());
+        return rows.isEmpty() ? "" : "<h2>What could not be graded</h2>\n<table class=\"words\">" + rows + "</table>\n";
+    }
+
+    private String alike() {
+        String rows = pairs.stream()
+                .map(pair -> "<tr><td>" + pair.exercise() + "</td><td>" + Html.text(pair.first()) + "</td><td>"
+                        + Html.text(pair.second()) + "</td><td>" + percent(pair.likeness()) + " %</td><td>"
+                        + percent(pair.sameNumbers()) + " %</td></tr>\n")
+                .collect(Collectors.joining());
+        return rows.isEmpty() ? "" : """
+                <h2>Programs that are alike</h2>
+                <p class="note">Compared without comments, layout, names that the authors gave, and numbers; the program to begin with
+                does not count. Ask both authors to explain their program before you judge.</p>
+                <table class="words"><tr><th>Exercise</th><th>Student</th><th>Other</th><th>Alike</th><th>Same numbers</th></tr>
+                %s</table>
+                """.formatted(rows);
+    }
+
+    /** What is wrong with the student's programs that could not be tried. */
+    private String note(String student) {
+        Stream<String> broken = marks.stream()
+                .filter(mark -> mark.student().equals(student) && mark.grade().isEmpty())
+                .map(mark -> mark.exercise() + ": " + mark.reason());
+        return Stream.concat(Optional.ofNullable(troubles.get(student)).stream(), broken)
+                .collect(Collectors.joining(" "));
+    }
+
+    private Optional<Mark> mark(String student, Exercise exercise) {
+        return marks.stream()
+                .filter(mark ->
+                        mark.student().equals(student) && mark.exercise().equals(exercise.name()))
+                .findFirst();
+    }
+
+    private String sum(String student) {
+        return number(marks.stream()
+                .filter(mark -> mark.student().equals(student))
+                .mapToDouble(Mark::points)
+                .sum());
+    }
+
+    private long passed(String student) {
+        return marks.stream()
+                .filter(mark -> mark.student().equals(student) && mark.passed())
+                .count();
+    }
+
+    private static String points(Mark mark) {
+        return number(Math.min(Score.MOST_POINTS, mark.points()));
+    }
+
+    private static String number(double value) {
+        return String.format(Locale.ROOT, "%.1f", value);
+    }
+
+    private static String percent(double share) {
+        return String.valueOf(Math.round(100 * share));
+    }
+}

@@ -1,0 +1,112 @@
+package org.robonewbie.app.program;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javax.tools.Diagnostic;
+
+/** A Java file that somebody is working on: what the compiler says about it, and how it starts. */
+public final class StudentsProgram {
+
+    private final Path file;
+    private final String text;
+    private final JavaSource source;
+    private final List<Path> classPath;
+
+    private StudentsProgram(Path file, String text, List<Path> classPath) {
+        this.file = file;
+        this.text = text;
+        this.source = JavaSource.of(file, text);
+        this.classPath = classPath;
+    }
+
+    /**
+     * What the compiler says about a place in the file.
+     *
+     * @param from index of the first character that is meant, -1 if none is
+     * @param to index after the last one
+     * @param line number of its line, from 1; 0 if none is meant
+     * @param serious whether it is a mistake and no mere warning
+     * @param text the compiler's own words
+     * @param hint what to do; empty if nothing is to be added
+     */
+    public record Remark(long from, long to, long line, boolean serious, String text, String hint) {}
+
+    /**
+     * Takes a text as that of a file, whether it is saved or not.
+     *
+     * @param file where it is or will be
+     * @param text the text
+     * @param classPath folders and jars that it uses
+     * @return the program
+     */
+    public static StudentsProgram of(Path file, String text, List<Path> classPath) {
+        return new StudentsProgram(file, text, classPath);
+    }
+
+    /** {@return what the compiler says about it} */
+    public List<Remark> check() {
+        CompilerMessages messages = new CompilerMessages();
+        source.check(classPath, messages);
+        return messages.remarks().stream().map(StudentsProgram::remark).toList();
+    }
+
+    /**
+     * Something that could be written at a place.
+     *
+     * @param label its name
+     * @param detail parameters and type
+     * @param kind {@code method}, {@code property}, {@code constant}, {@code class} or {@code variable}
+     * @param insert what is written; an open parenthesis at its end is to be closed behind the parameters
+     * @param documentation what it does; empty if nothing is known
+     */
+    public record Proposal(String label, String detail, String kind, String insert, String documentation) {}
+
+    /**
+     * Proposes what could be written.
+     *
+     * @param at index of the place
+     * @return proposals that go on with the word before the place
+     */
+    public List<Proposal> complete(int at) {
+        return Completion.at(file, text, at, classPath);
+    }
+
+    private static Remark remark(CompilerMessages.Remark said) {
+        Diagnostic<?> mistake = said.mistake();
+        return new Remark(
+                mistake.getStartPosition(),
+                mistake.getEndPosition(),
+                Math.max(0, mistake.getLineNumber()),
+                mistake.getKind() == Diagnostic.Kind.ERROR,
+                mistake.getMessage(null),
+                said.hint());
+    }
+
+    /**
+     * Compiles the program into a folder of its own.
+     *
+     * @return what a {@link WaitingProcess} needs to start it; empty if it has mistakes
+     * @throws IOException if the folder cannot be written
+     * @throws CalledWronglyException if the program cannot be run; the message says what to do
+     */
+    public Optional<Compiled> compile() throws IOException {
+        Optional<CompiledClasses> classes = source.compile(classPath, new CompilerMessages());
+        if (classes.isEmpty()) {
+            return Optional.empty();
+        }
+        Path folder = Files.createTempDirectory("robonewbie-program");
+        classes.get().writeTo(folder);
+        return Optional.of(new Compiled(source.className(), folder));
+    }
+
+    /**
+     * A program that can be started.
+     *
+     * @param className its class
+     * @param folder its compiled classes
+     */
+    public record Compiled(String className, Path folder) {}
+}

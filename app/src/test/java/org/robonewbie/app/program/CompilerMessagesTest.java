@@ -1,0 +1,61 @@
+package org.robonewbie.app.program;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class CompilerMessagesTest {
+
+    @TempDir
+    private Path folder;
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+                    nao.getJointAngle(Joint.LEFT_KNEE);                                            | LEFT_KNEE_PITCH
+                    nao.getJointAngle(Joint.HEAD_YAW);                                             | NECK_YAW
+                    switch (nao.getBodyPosition()) { case ON_BACK: break; default: break; }        | LYING_ON_BACK
+                    nao.setJointSped(Joint.NECK_YAW, 3);                                           | setJointSpeed
+                    """)
+    void misspeltNameOfTheFrameworkIsToldWithTheOneThatWasMeant(String line, String meant) throws IOException {
+        assertThat(messagesFor("import org.robonewbie.nao.Joint;", line)).contains("Did you mean " + meant + "?");
+    }
+
+    @Test
+    void missingImportIsToldOnceHoweverOftenTheNameIsUsed() throws IOException {
+        String messages = messagesFor("", "nao.setJointSpeed(Joint.NECK_YAW, nao.getJointAngle(Joint.NECK_YAW));");
+
+        assertThat(messages)
+                .contains("2 errors", "Add at the top of the file:")
+                .containsOnlyOnce("  import org.robonewbie.nao.Joint;")
+                .doesNotContain("Did you mean");
+    }
+
+    private String messagesFor(String imports, String line) throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("Walker.java"),
+                imports + "public class Walker extends org.robonewbie.agent.Agent {"
+                        + " @Override protected void think() { " + line + " } }");
+        CompilerMessages messages = new CompilerMessages();
+        ByteArrayOutputStream printed = new ByteArrayOutputStream();
+        var compiler = ToolProvider.getSystemJavaCompiler();
+        try (var disk = compiler.getStandardFileManager(null, null, null)) {
+            List<String> options =
+                    List.of("-proc:none", "-d", folder.toString(), "-cp", System.getProperty("java.class.path"));
+            compiler.getTask(null, disk, messages, options, null, disk.getJavaFileObjects(file))
+                    .call();
+        }
+        messages.print(new PrintStream(printed, true, StandardCharsets.UTF_8));
+        return printed.toString(StandardCharsets.UTF_8);
+    }
+}

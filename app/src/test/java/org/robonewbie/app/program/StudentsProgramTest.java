@@ -1,0 +1,124 @@
+package org.robonewbie.app.program;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What the compiler says about a program that is being written, and what it proposes. */
+class StudentsProgramTest {
+
+    private static final String BEGIN = """
+            import org.robonewbie.agent.Agent;
+            import org.robonewbie.nao.Joint;
+
+            public class MyAgent extends Agent {
+                /** How high the arm goes. */
+                private int heightOfArm() {
+                    return 3;
+                }
+
+                @Override
+                protected void think() {
+                    String word = "x";
+            """;
+    private static final String END = """
+
+                }
+            }
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private StudentsProgram program(String line) {
+        return StudentsProgram.of(folder.resolve("MyAgent.java"), BEGIN + line + END, List.of(folder));
+    }
+
+    private List<StudentsProgram.Proposal> complete(String line) {
+        return program(line).complete((BEGIN + line).length());
+    }
+
+    @Test
+    void correctProgramGetsNoRemark() {
+        assertThat(program("nao.setJointSpeed(Joint.NECK_YAW, 10);").check()).isEmpty();
+    }
+
+    @Test
+    void mistakeHasItsPlaceTheCompilersWordsAndWhatToDo() {
+        List<StudentsProgram.Remark> remarks = program("int angle = 30.5;").check();
+
+        assertThat(remarks).singleElement().satisfies(remark -> {
+            assertThat(remark.line()).isEqualTo(13);
+            assertThat((BEGIN + "int angle = 30.5;").substring((int) remark.from(), (int) remark.to()))
+                    .isEqualTo("30.5");
+            assertThat(remark.text()).contains("possible lossy conversion from double to int");
+            assertThat(remark.hint()).contains("(int)");
+        });
+    }
+
+    @Test
+    void misspelledNameOfTheFrameworkIsRecognised() {
+        assertThat(program("nao.setJointSped(Joint.NECK_YAW, 10);").check())
+                .extracting(StudentsProgram.Remark::hint)
+                .containsExactly("Did you mean setJointSpeed?");
+        assertThat(program("Vector3 place;").check())
+                .extracting(StudentsProgram.Remark::hint)
+                .containsExactly("Add at the top of the file: import org.robonewbie.nao.Vector3;");
+    }
+
+    @Test
+    void otherFilesOfTheFolderAreKnown() throws IOException {
+        Files.writeString(folder.resolve("Arm.java"), "class Arm { static int raise() { return 1; } }");
+
+        assertThat(program("int n = Arm.raise();").check()).isEmpty();
+        assertThat(complete("Arm.")).extracting(StudentsProgram.Proposal::label).contains("raise");
+    }
+
+    @Test
+    void membersOfWhatStandsBeforeTheDotAreProposed() {
+        assertThat(complete("nao.setJoint"))
+                .extracting(StudentsProgram.Proposal::label)
+                .contains("setJointSpeed");
+        assertThat(complete("nao.setJoint"))
+                .allSatisfy(each -> assertThat(each.label()).startsWith("setJoint"));
+        assertThat(complete("word.len"))
+                .extracting(StudentsProgram.Proposal::insert)
+                .containsExactly("length()");
+        assertThat(complete("Joint.NECK_Y"))
+                .extracting(StudentsProgram.Proposal::kind)
+                .containsExactly("constant");
+    }
+
+    @Test
+    void proposalSaysParametersTypeAndDocumentationOfOwnMethods() {
+        assertThat(complete("heightO")).singleElement().satisfies(proposal -> {
+            assertThat(proposal.detail()).isEqualTo("() int");
+            assertThat(proposal.documentation()).isEqualTo("How high the arm goes.");
+        });
+    }
+
+    @Test
+    void proposalOfTheFrameworkIsDocumented() {
+        assertThat(complete("nao.setJointSpeed")).anySatisfy(proposal -> {
+            assertThat(proposal.detail()).isEqualTo("(Joint joint, double degreesPerSecond) void");
+            assertThat(proposal.insert()).isEqualTo("setJointSpeed(");
+            assertThat(proposal.documentation()).contains("degreesPerSecond: ");
+        });
+    }
+
+    @Test
+    void unfinishedProgramIsReadAsWellAsPossible() {
+        String text = BEGIN + "if (word.";
+
+        List<StudentsProgram.Proposal> proposals = StudentsProgram.of(
+                        folder.resolve("MyAgent.java"), text, List.of(folder))
+                .complete(text.length());
+
+        assertThat(proposals).extracting(StudentsProgram.Proposal::label).contains("isEmpty");
+    }
+}

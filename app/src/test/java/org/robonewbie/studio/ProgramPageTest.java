@@ -1,0 +1,269 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Clock;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.app.course.Coach;
+import org.robonewbie.app.studio.CourseDesk;
+import org.robonewbie.app.studio.ProgramWorkshop;
+import org.robonewbie.exercises.progress.SolutionShelf;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.tcp.TelemetryServer;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+
+/** A student writes a program beside the robot, runs it, changes it, makes mistakes, and solves an exercise. */
+@InBrowser
+@Timeout(300)
+class ProgramPageTest {
+
+    private static final int HINGE = NaoModel.of(RobotType.TYPE_0).hingeIndex(Joint.LEFT_SHOULDER_PITCH);
+
+    private static final String RAISE = """
+            import org.robonewbie.agent.Agent;
+            import org.robonewbie.nao.Joint;
+
+            public class MyAgent extends Agent {
+                public static void main(String[] args) {
+                    new MyAgent().run(args);
+                }
+
+                @Override
+                protected void think() {
+                    double angle = nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH);
+                    nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, 4 * (DEGREES - angle));
+                }
+            }
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private final Chromium browser;
+    private Simulator simulator;
+    private ProgramWorkshop workshop;
+    private CourseDesk course;
+    private TelemetryServer telemetry;
+    private StudioServer studio;
+
+    ProgramPageTest(Chromium browser) {
+        this.browser = browser;
+    }
+
+    @BeforeEach
+    void open() throws IOException {
+        simulator = Simulator.start(
+                SimulatorSettings.beginner()
+                        .agentPort(0)
+                        .synchronous(true)
+                        .awaitedAgents(1)
+                        .seed(1)
+                        .build(),
+                sentence -> {});
+        ShownSimulation shown = new ShownSimulation(simulator.control());
+        workshop = new ProgramWorkshop(folder);
+        course = new CourseDesk(
+                folder,
+                simulator.control(),
+                shown,
+                new Coach(Optional.empty(), new SolutionShelf(Optional.empty()), Clock.systemUTC()));
+        StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty());
+        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course, workshop);
+        telemetry = TelemetryServer.open(TelemetryServer.portFor(simulator.agentPort()), studio.telemetry());
+    }
+
+    @AfterEach
+    void close() {
+        studio.close();
+        workshop.close();
+        course.close();
+        telemetry.close();
+        simulator.close();
+    }
+
+    private void visit() {
+        browser.visit(studio.address() + "&theme=light&quality=lowest#program");
+        browser.await("studio.rooms.program?.files?.file !== undefined");
+    }
+
+    private void write(String program) {
+        browser.evaluate("studio.rooms.program.editor.replace(" + Chromium.quoted(program) + ")");
+    }
+
+    private void awaitAngle(int degrees) {
+        browser.await("Math.abs((studio.state.frame?.robots[0]?.degrees[" + HINGE + "] ?? 999) - " + degrees + ") < 2");
+    }
+
+    private void awaitState(String text) {
+        browser.await("document.querySelector('#program-state').innerText.includes(" + Chromium.quoted(text) + ")");
+    }
+
+    @Test
+    void firstProgramMovesTheArmAfterOneClick() {
+        visit();
+
+        browser.click("#program-run");
+
+        awaitState("MyAgent.java is running.");
+        awaitAngle(31);
+        assertThat(folder.resolve("MyAgent.java")).content().contains("public class MyAgent extends Agent");
+        browser.click("#program-stop");
+        awaitState("MyAgent.java was stopped.");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Tag("slow")
+    @Test
+    void programBesideItsRobotIsWorthAPicture() throws IOException {
+        browser.drawSharply();
+        for (String theme : new String[] {"light", "dark"}) {
+            browser.resize(1366, 768);
+            browser.visit(studio.address() + "&quality=high&theme=" + theme + "#program");
+            browser.await("studio.rooms.program?.files?.file !== undefined");
+            write(RAISE.replace("DEGREES", "60").replace("double angle", "nao.plot(\"x\", 3);\n        double angle"));
+            if (theme.equals("light")) {
+                browser.click("#program-run");
+            }
+            awaitAngle(60);
+            picture("program-" + theme);
+            write(RAISE.replace("DEGREES", "degres"));
+            awaitState("1 mistake");
+            browser.resize(1024, 768);
+            picture("program-mistake-" + theme);
+        }
+    }
+
+    private void picture(String name) throws IOException {
+        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
+        Files.write(Files.createDirectories(pictures).resolve(name + ".png"), browser.screenshot());
+    }
+
+    @Test
+    void mistakeIsShownBelowItsLineWithWhatToDo() {
+        visit();
+
+        write(RAISE.replace("DEGREES", "degres"));
+
+        awaitState("1 mistake, line 12");
+        browser.await(inEditor(".cm-said") + "?.innerText.includes('cannot find symbol')");
+        write(RAISE.replace("DEGREES", "45"));
+        browser.await(inEditor(".cm-said") + " === null");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void programIsChangedWhileItRunsAndTheWorldGoesOn() throws IOException {
+        visit();
+        write(RAISE.replace("DEGREES", "45"));
+        browser.click("#program-run");
+        awaitAngle(45);
+        double before = browser.evaluate("studio.state.frame.gameTime").getAsDouble();
+
+        write(RAISE.replace("DEGREES", "-20"));
+        browser.click("#program-save");
+
+        awaitAngle(-20);
+        assertThat(browser.evaluate("studio.state.frame.gameTime").getAsDouble())
+                .isGreaterThan(before);
+        assertThat(Files.readString(folder.resolve("MyAgent.java"))).contains("-20");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void endlessLoopEndsAndItsLineIsNamed() {
+        visit();
+        write(RAISE.replace(
+                "4 * (DEGREES - angle));", "0);\n        while (angle < 1e9) {\n            angle += 0;\n        }"));
+
+        browser.click("#program-run");
+
+        awaitState("think() did not return (MyAgent.java:1");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void failureOfTheRunningProgramIsShownAtItsLineAndValuesBesideTheirs() {
+        visit();
+        write(RAISE.replace(
+                "4 * (DEGREES - angle));",
+                "0);\n        nao.plot(\"angle\", 7);\n        int oh = 1 / (int) (angle * 0);"));
+
+        browser.click("#program-run");
+
+        browser.await("document.querySelector('#program-mistakes').innerText.includes('Line 14')");
+        browser.await(inEditor(".cm-failed") + "?.innerText.includes('int oh')");
+        browser.await(inEditor(".cm-value") + "?.innerText === '= 7'");
+        browser.click("#program-stop");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void firstExerciseIsSolvedAndChecked() {
+        visit();
+        browser.evaluate("document.querySelector('#program-file').value = 'exercise raise-arms'");
+        browser.evaluate("document.querySelector('#program-file').dispatchEvent(new Event('change'))");
+        browser.await("document.querySelector('#program-check') !== null");
+        write("""
+                import org.robonewbie.agent.Agent;
+                import org.robonewbie.nao.Joint;
+
+                public class RaiseArms extends Agent {
+                    @Override
+                    protected void think() {
+                        hold(Joint.LEFT_SHOULDER_PITCH, 60);
+                        hold(Joint.RIGHT_SHOULDER_PITCH, 45);
+                    }
+
+                    private void hold(Joint joint, double degrees) {
+                        nao.setJointSpeed(joint, 4 * (degrees - nao.getJointAngle(joint)));
+                    }
+                }
+                """);
+
+        browser.click("#program-check");
+
+        browser.await("document.querySelector('#program-progress').innerText === 'Passed: 10.0 of 10 points'");
+        browser.click("#program-leave");
+        browser.await("document.querySelector('#program-verdict > div').hidden");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void whatIsNotSavedIsThereAfterTheBrowserHasEnded() throws IOException {
+        Files.writeString(folder.resolve("MyAgent.java"), RAISE.replace("DEGREES", "45"));
+        visit();
+        write(RAISE.replace("DEGREES", "50"));
+        browser.await("!studio.rooms.program.isAtRisk");
+
+        visit();
+
+        browser.await("studio.rooms.program.editor.text.includes('(50 - angle)')");
+        assertThat(folder.resolve("MyAgent.java")).content().contains("(45 - angle)");
+    }
+
+    @Test
+    void whatAnotherProgramWritesAppears() throws IOException {
+        Files.writeString(folder.resolve("MyAgent.java"), RAISE.replace("DEGREES", "45"));
+        visit();
+
+        Files.writeString(folder.resolve("MyAgent.java"), RAISE.replace("DEGREES", "-30"));
+
+        browser.await("studio.rooms.program.editor.text.includes('(-30 - angle)')");
+    }
+
+    private static String inEditor(String selector) {
+        return "document.querySelector('#program-editor').shadowRoot.querySelector('" + selector + "')";
+    }
+}

@@ -1,0 +1,120 @@
+package org.robonewbie.exercises;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
+import org.robonewbie.agent.log.StudentCode;
+import org.robonewbie.trial.Performer;
+
+/**
+ * How long a program that works in one thread may keep a trial from going on, watched by another thread. What counts against it is
+ * the time of the processor that it uses and the time that it sleeps: neither a debugger nor a busy computer makes it late.
+ *
+ * <pre>{@code
+ * patience.begin();                        // in the program's thread
+ * while (program.runsOneCycle()) {
+ *     patience.progress();
+ * }
+ * }</pre>
+ */
+public final class Patience {
+
+    /** How often {@link #tick} wants to be called, in milliseconds. */
+    public static final int TICK_MILLISECONDS = 20;
+
+    /** How the finding begins when it is exhausted. */
+    public static final String EXHAUSTED = "think() has not returned";
+
+    private static final ThreadMXBean CLOCKS = ManagementFactory.getThreadMXBean();
+    private static final double NANOSECONDS_PER_SECOND = 1e9;
+    private static final double TICK_SECONDS = TICK_MILLISECONDS / 1000.0;
+    private static final double SECONDS = 4;
+    private static final Set<Thread.State> WAITING = Set.of(Thread.State.WAITING, Thread.State.TIMED_WAITING);
+    private static final String TRIALS = Performer.class.getPackageName() + ".";
+
+    private final AtomicLong progress = new AtomicLong();
+    private volatile long begun;
+    private volatile Optional<Thread> thread = Optional.empty();
+    private long progressBefore;
+    private double workedBefore;
+    private int ticksAsleep;
+
+    /** Begins in the program's thread, which is the present one. */
+    public void begin() {
+        begun = CLOCKS.getCurrentThreadCpuTime();
+        thread = Optional.of(Thread.currentThread());
+        progress.set(1);
+    }
+
+    /** Notes that the program has done its part of a cycle. */
+    public void progress() {
+        progress.incrementAndGet();
+    }
+
+    /** Ends; from now on the program keeps nobody waiting. */
+    public void end() {
+        thread = Optional.empty();
+    }
+
+    /** {@return whether the program's thread has begun} */
+    public boolean hasBegun() {
+        return progress.get() > 0;
+    }
+
+    /** Looks, every 20 ms and always in the same thread, what the program does. */
+    public void tick() {
+        if (progress.get() != progressBefore) {
+            progressBefore = progress.get();
+            workedBefore = processorSeconds();
+            ticksAsleep = 0;
+        } else if (progressBefore == 0 || isWaiting()) {
+            ticksAsleep++;
+        }
+    }
+
+    /** {@return whether it has lasted too long} */
+    public boolean isExhausted() {
+        return processorSeconds() - workedBefore + ticksAsleep * TICK_SECONDS >= SECONDS;
+    }
+
+    /** {@return the score of a program with which patience is exhausted} */
+    public Score score() {
+        return Score.failed(
+                0,
+                EXHAUSTED + " for " + Math.round(SECONDS) + " s"
+                        + place().map(line -> "; it is in " + line).orElse("") + ".",
+                "think() is called 50 times per second and must return at once. Is there an endless loop?");
+    }
+
+    /** Where the program is at the moment; empty if it is not at work. */
+    private Optional<String> place() {
+        return thread.flatMap(runner -> place(runner.getStackTrace()));
+    }
+
+    /** How long a processor has worked for the program; 0 if none works for it now. */
+    private double processorSeconds() {
+        return thread.map(runner -> (CLOCKS.getThreadCpuTime(runner.getId()) - begun) / NANOSECONDS_PER_SECOND)
+                .orElse(0.0);
+    }
+
+    /** Whether the program sleeps, or waits for something that never happens. */
+    private boolean isWaiting() {
+        return thread.filter(runner -> WAITING.contains(runner.getState()))
+                .flatMap(runner -> place(runner.getStackTrace()))
+                .isPresent();
+    }
+
+    static Optional<String> place(StackTraceElement[] trace) {
+        return StudentCode.place(Arrays.stream(trace)
+                .takeWhile(frame -> !isFramework(frame.getClassName()))
+                .toArray(StackTraceElement[]::new));
+    }
+
+    /** Whatever these classes call for a program is the program's own doing; what they do themselves is not. */
+    private static boolean isFramework(String className) {
+        return className.startsWith(TRIALS) || className.equals(GradedTrial.class.getName());
+    }
+}

@@ -1,0 +1,106 @@
+package org.robonewbie.exercises.progress;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Exercises;
+
+/** Hints and solutions. */
+class HelpTest {
+
+    private static final Exercise KICK = Exercises.find("kick").orElseThrow();
+    private static final ExerciseProgress TRIED = new ExerciseProgress(3, 2, false, 0, 0, false, "");
+
+    @TempDir
+    private Path folder;
+
+    static List<Exercise> exercises() {
+        return Exercises.all();
+    }
+
+    @BeforeEach
+    void writeSolution() throws IOException {
+        Files.writeString(folder.resolve("Kick.java"), "package org.robonewbie.somewhere;\n\npublic class Kick {}\n");
+    }
+
+    private SolutionShelf shelf() {
+        return new SolutionShelf(Optional.of(folder));
+    }
+
+    @ParameterizedTest
+    @MethodSource("exercises")
+    void eachWorksheetHasHints(Exercise exercise) {
+        assertThat(Worksheet.of(exercise).hints())
+                .isNotEmpty()
+                .allSatisfy(hint -> assertThat(hint).isNotBlank().doesNotContain("`", "]("));
+    }
+
+    @Test
+    void hintsAreTheListBelowTheirHeading() {
+        Worksheet sheet = Worksheet.parse("""
+                # Kick
+
+                - no hint
+
+                ## Hints
+
+                - Use `a`, see
+                  [b](c.md).
+                - **Slow** down.
+
+                ## What is judged
+
+                - nothing
+                """);
+
+        assertThat(sheet.hints()).containsExactly("Use a, see b.", "Slow down.");
+    }
+
+    @Test
+    void solutionIsShownAfterThreeTriesOrASuccess() {
+        assertThat(shelf().ask(KICK, ExerciseProgress.NONE).text()).contains("after 3 graded tries: 3 more.");
+        assertThat(shelf().ask(KICK, new ExerciseProgress(2, 2, false, 0, 0, false, ""))
+                        .text())
+                .endsWith("one more.");
+        assertThat(shelf().ask(KICK, TRIED)).isEqualTo(new SolutionShelf.Answer(true, "public class Kick {}\n"));
+        assertThat(shelf().ask(KICK, new ExerciseProgress(1, 10, true, 0, 0, false, ""))
+                        .open())
+                .isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"kick", "12", "12-kick", "all", "# later\n dance\n Kick is next\nALL"})
+    void teacherLocksASolution(String lock) throws IOException {
+        Files.writeString(folder.resolve("locked.txt"), lock);
+
+        assertThat(shelf().ask(KICK, TRIED).text()).isEqualTo("Your teacher has locked the solution of kick for now.");
+        assertThat(shelf().offers(KICK)).isFalse();
+    }
+
+    @Test
+    void lockOfAnotherExerciseDoesNotMatter() throws IOException {
+        Files.writeString(folder.resolve("locked.txt"), "dance\n1\n");
+
+        assertThat(shelf().offers(KICK)).isTrue();
+        assertThat(shelf().ask(KICK, TRIED).open()).isTrue();
+    }
+
+    @Test
+    void withoutSolutionsTheTeacherIsAsked() {
+        SolutionShelf none = new SolutionShelf(Optional.empty());
+
+        assertThat(none.offers(KICK)).isFalse();
+        assertThat(none.ask(KICK, TRIED).text()).contains("Ask your teacher");
+    }
+}

@@ -1,0 +1,147 @@
+package org.robonewbie.learning.gym;
+
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.robonewbie.agent.log.Spelling;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.Trial;
+
+/**
+ * What a learning program changes about the episodes of a task. Each option is a number, or a range {@code low..high} of which
+ * each episode draws a number of its own.
+ *
+ * <pre>{@code
+ * GymOptions options = GymOptions.NONE.with("ball_x", "2.0..2.5").with("delay", "2");
+ * }</pre>
+ */
+final class GymOptions {
+
+    static final GymOptions NONE = new GymOptions(Map.of());
+
+    private static final String RANGE = "..";
+
+    /** What can be changed. */
+    private enum Name {
+        X,
+        Y,
+        HEADING,
+        BALL_X,
+        BALL_Y,
+        PUSH,
+        DELAY;
+
+        static Name of(String word) {
+            List<String> words = Arrays.stream(values()).map(Name::word).toList();
+            return Arrays.stream(values())
+                    .filter(name -> name.word().equals(word))
+                    .findFirst()
+                    .orElseThrow(() -> new IllegalArgumentException("There is no option \"" + word + "\"."
+                            + Spelling.nearest(word, words)
+                                    .map(nearest -> " Did you mean " + nearest + "?")
+                                    .orElse("")
+                            + " There are: reward, " + String.join(", ", words) + "."));
+        }
+
+        String word() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /** From where to where a number is drawn. */
+    private record Range(double low, double high) {
+
+        static Range of(String word, String text) {
+            try {
+                int dots = text.indexOf(RANGE);
+                String low = dots < 0 ? text : text.substring(0, dots);
+                String high = dots < 0 ? text : text.substring(dots + RANGE.length());
+                Range range = new Range(Double.parseDouble(low), Double.parseDouble(high));
+                if (range.low <= range.high && Double.isFinite(range.high - range.low)) {
+                    return range;
+                }
+            } catch (NumberFormatException none) {
+                // told below
+            }
+            throw new IllegalArgumentException("The option " + word + "=" + text
+                    + " is neither a number nor a range with the smaller number first, such as -0.5..0.5.");
+        }
+
+        double draw(Chance chance) {
+            return low == high ? low : chance.between(low, high);
+        }
+    }
+
+    private final Map<Name, Range> ranges;
+
+    private GymOptions(Map<Name, Range> ranges) {
+        this.ranges = ranges;
+    }
+
+    /** Changes an option; throws an {@link IllegalArgumentException} that says what there is if there is none of this name. */
+    GymOptions with(String word, String text) {
+        Map<Name, Range> changed = new EnumMap<>(Name.class);
+        changed.putAll(ranges);
+        changed.put(Name.of(word), Range.of(word, text));
+        return new GymOptions(changed);
+    }
+
+    /** Draws the numbers of an episode: independent of the chance that the task itself uses. */
+    Drawn draw(long seed) {
+        Chance chance = new Chance(~seed);
+        Map<Name, Double> numbers = new EnumMap<>(Name.class);
+        ranges.forEach((name, range) -> numbers.put(name, range.draw(chance)));
+        return new Drawn(numbers);
+    }
+
+    /** The numbers of one episode. */
+    static final class Drawn {
+
+        private final Map<Name, Double> numbers;
+
+        private Drawn(Map<Name, Double> numbers) {
+            this.numbers = numbers;
+        }
+
+        private double of(Name name, double usual) {
+            return numbers.getOrDefault(name, usual);
+        }
+
+        private boolean isAny(Name... names) {
+            return Arrays.stream(names).anyMatch(numbers::containsKey);
+        }
+
+        /** Moves robot and ball before the task completes the scene. */
+        void place(Trial trial) {
+            Moment now = trial.now();
+            if (isAny(Name.X, Name.Y, Name.HEADING)) {
+                Place usual = now.place();
+                Vector3 torso = new Vector3(
+                        of(Name.X, usual.x()),
+                        of(Name.Y, usual.y()),
+                        now.robot().position().z());
+                trial.robot(0).moveUpright(torso, of(Name.HEADING, usual.degrees()) - 90);
+            }
+            if (isAny(Name.BALL_X, Name.BALL_Y)) {
+                Vector3 usual = now.ball();
+                trial.placeBall(new Vector3(of(Name.BALL_X, usual.x()), of(Name.BALL_Y, usual.y()), 0));
+            }
+        }
+
+        /** By how much the pushes of an episode get harder each time, in newtons; empty if the task decides. */
+        Optional<Double> pushNewtons() {
+            return Optional.ofNullable(numbers.get(Name.PUSH));
+        }
+
+        /** How many cycles an action takes to reach the motors, in addition to none. */
+        int delayCycles() {
+            return (int) Math.max(0, Math.round(of(Name.DELAY, 0)));
+        }
+    }
+}

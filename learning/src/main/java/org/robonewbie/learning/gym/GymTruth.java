@@ -1,0 +1,51 @@
+package org.robonewbie.learning.gym;
+
+import java.util.List;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.Trial;
+
+/** What is true in an episode, without noise and delay, as a row of numbers in the world frame; and whether the task is done. */
+final class GymTruth {
+
+    /** Names of the numbers; metres, degrees, metres per second, and 1 or 0. */
+    static final List<String> NAMES = List.of(
+            "x",
+            "y",
+            "height",
+            "heading",
+            "tilt",
+            "vx",
+            "vy",
+            "ball_x",
+            "ball_y",
+            "ball_vx",
+            "ball_vy",
+            "fallen",
+            "is_success");
+
+    private GymTruth() {}
+
+    /** The numbers of the present moment, in the order of the names. */
+    static double[] of(Trial trial, GymTask task) {
+        Moment now = trial.now();
+        Place place = now.place();
+        Vector3 velocity = trial.robot(0).torsoVelocity();
+        return new double[] {
+            place.x(),
+            place.y(),
+            now.robot().position().z(),
+            place.degrees(),
+            now.robot().tiltDegrees(),
+            velocity.x(),
+            velocity.y(),
+            now.ball().x(),
+            now.ball().y(),
+            now.ballVelocity().x(),
+            now.ballVelocity().y(),
+            task.hasFallen() ? 1 : 0,
+            task.isDone() ? 1 : 0
+        };
+    }
+}

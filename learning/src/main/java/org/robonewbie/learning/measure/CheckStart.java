@@ -1,0 +1,45 @@
+package org.robonewbie.learning.measure;
+
+import java.util.function.LongFunction;
+import org.robonewbie.learning.rehearsal.Rehearsal;
+import org.robonewbie.nao.model.RobotType;
+
+/**
+ * Where a check is made with a robot that begins in the stance.
+ *
+ * @param suffix what the names of its checks end with
+ * @param words how each trial begins
+ * @param opening brings the robot into the stance
+ */
+record CheckStart(String suffix, String words, LongFunction<Rehearsal> opening) {
+
+    /** A robot in a bare world, pushed by a hand. */
+    static final CheckStart BARE =
+            new CheckStart("", "stance, reached from a posture beside it", seed -> Rehearsal.inStance(seed, 3));
+
+    /** A robot in a bare world with the ball at its feet. */
+    static final CheckStart KICKER = new CheckStart(
+            "",
+            "stance, ball up to 1 cm beside the place that the file names, along each axis",
+            seed -> Rehearsal.inStance(seed, 2));
+
+    /** An agent on a whole simulator. */
+    static final CheckStart SERVER = new CheckStart(
+            ", on the server",
+            "an agent on an own simulator with noise, in the stance",
+            seed -> Rehearsal.served(seed, RobotType.TYPE_0));
+
+    /** What the robot does, and what comes of it. */
+    interface Act {
+
+        Outcome of(Rehearsal robot, long seed);
+    }
+
+    MotionCheck check(String name, String rule, String unit, Act act) {
+        return new MotionCheck(name + suffix, words, rule, unit, seed -> {
+            try (Rehearsal robot = opening.apply(seed)) {
+                return act.of(robot, seed);
+            }
+        });
+    }
+}

@@ -1,0 +1,73 @@
+"""Many robots at once for Stable-Baselines3, all in one simulator.
+
+>>> from stable_baselines3 import PPO
+>>> from robonewbie.sb3 import VecEnv
+>>> PPO("MlpPolicy", VecEnv("Walk", 16)).learn(100_000)
+"""
+
+import numpy as np
+from stable_baselines3.common.vec_env import VecEnv as _VecEnv
+
+from robonewbie.environment import EpisodeSeeds, checked_render_mode, spaces_of
+from robonewbie.picture import draw
+from robonewbie.simulator import RESET, SKIP, STEP, Connection
+
+
+class VecEnv(_VecEnv):
+    """Robots in worlds of their own; ``reward`` and ``options`` are those of ``RoboNewbieEnv``."""
+
+    def __init__(self, task="Walk", num_envs=8, reward="", render_mode=None, **options):
+        self.render_mode = checked_render_mode(render_mode)
+        self._connection = Connection(task, num_envs, reward, options)
+        self._longest = self._connection.description["longestCycles"]
+        self._steps = np.zeros(num_envs, dtype=int)
+        self._episodes = EpisodeSeeds(num_envs)
+        super().__init__(num_envs, *spaces_of(self._connection.description))
+
+    def reset(self):
+        self._episodes.begin(self._seeds)
+        self._reset_seeds()
+        self._reset_options()
+        observation, _, _ = self._connection.act(RESET, self._episodes.draw(np.ones(self.num_envs, dtype=bool)), 0)
+        self._steps[:] = 0
+        self.reset_infos = self._infos()
+        return observation
+
+    def step_async(self, actions):
+        self._actions = actions
+
+    def step_wait(self):
+        observation, reward, over = self._connection.act(STEP, 0, self._actions)
+        infos = self._infos()
+        self._steps += 1
+        done = over | (self._steps >= self._longest)
+        if done.any():
+            for i in np.flatnonzero(done):
+                infos[i]["terminal_observation"] = observation[i]
+                infos[i]["TimeLimit.truncated"] = bool(not over[i])
+            fresh, _, _ = self._connection.act(np.where(done, RESET, SKIP), self._episodes.draw(done), 0)
+            observation = np.where(done[:, None], fresh, observation)
+            self._steps[done] = 0
+        return observation, reward.astype(np.float32), done, infos
+
+    def _infos(self):
+        names = self._connection.truth_names
+        return [dict(zip(names, row)) for row in self._connection.truth.tolist()]
+
+    def close(self):
+        self._connection.close()
+
+    def get_images(self):
+        return [draw(self._connection.picture(i)) for i in range(self.num_envs)]
+
+    def get_attr(self, attr_name, indices=None):
+        return [getattr(self, attr_name)] * len(list(self._get_indices(indices)))
+
+    def set_attr(self, attr_name, value, indices=None):
+        setattr(self, attr_name, value)
+
+    def env_method(self, method_name, *method_args, indices=None, **method_kwargs):
+        raise AttributeError(f"The robots of this environment have no method {method_name}.")
+
+    def env_is_wrapped(self, wrapper_class, indices=None):
+        return [False] * len(list(self._get_indices(indices)))

@@ -1,0 +1,234 @@
+package org.robonewbie.studio;
+
+import java.io.IOException;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.state.WorldState;
+import org.robonewbie.studio.scene.Deed;
+import org.robonewbie.studio.scene.DeedHistory;
+import org.robonewbie.studio.scene.KeptMoment;
+import org.robonewbie.studio.scene.LivingWorld;
+
+/**
+ * What people do to the world, one thing after the other on one thread, so that each can be taken back. Each change waits until
+ * the moment before it is kept.
+ */
+final class Deeds implements LivingWorld, AutoCloseable {
+
+    private final Stage stage;
+    private final Continuation world;
+    private final Consumer<String> teller;
+    private final DeedHistory history = new DeedHistory();
+    private final ExecutorService thread = Executors.newSingleThreadExecutor(Deeds::newThread);
+    private Optional<WorldChange> last = Optional.empty();
+    private volatile Names names = new Names("", "");
+
+    /** What would be undone and redone; empty for nothing. */
+    record Names(String undo, String redo) {}
+
+    /**
+     * Prepares to remember.
+     *
+     * @param stage what can be acted upon
+     * @param teller tells people what has happened
+     */
+    Deeds(Stage stage, Consumer<String> teller) {
+        this.stage = stage;
+        this.world = new Continuation(stage);
+        this.teller = teller;
+    }
+
+    private static Thread newThread(Runnable work) {
+        Thread made = new Thread(work, "studio-deeds");
+        made.setDaemon(true);
+        return made;
+    }
+
+    Names names() {
+        return names;
+    }
+
+    /**
+     * Changes the world.
+     *
+     * @param name what is done, such as "ball moved"
+     * @param gesture number of the drag that it belongs to: all changes of a drag are one deed; 0 if it is none
+     * @param act gives the orders
+     */
+    void change(String name, long gesture, Runnable act) {
+        if (!stage.simulation().hasClock()) {
+            act.run();
+            return;
+        }
+        later(() -> {
+            if (last.filter(change -> change.goesOnWith(name, gesture)).isEmpty()) {
+                remember(new WorldChange(world, name, gesture));
+            }
+            act.run();
+        });
+    }
+
+    /** Remembers that a puppet was added, which is undone by taking it away. */
+    void puppetAdded(PlayerNumber player) {
+        done(new Deed() {
+            @Override
+            public String name() {
+                return "puppet added";
+            }
+
+            @Override
+            public String undo() {
+                stage.puppets().remove(player);
+                return "";
+            }
+
+            @Override
+            public String redo() {
+                stage.puppets().add(player.side(), stage.now());
+                return "";
+            }
+        });
+    }
+
+    /** Takes a puppet away, which is undone by letting it in once more, at the place that it had. */
+    void removePuppet(PlayerNumber player) {
+        later(() -> {
+            KeptMoment before = world.keep();
+            stage.puppets().remove(player);
+            last = Optional.empty();
+            history.add(new Deed() {
+                @Override
+                public String name() {
+                    return "puppet taken away";
+                }
+
+                @Override
+                public String undo() {
+                    return world.goBackTo(before, true);
+                }
+
+                @Override
+                public String redo() {
+                    stage.puppets().remove(player);
+                    return "";
+                }
+            });
+        });
+    }
+
+    /** Remembers what was done to a file. */
+    void done(Deed deed) {
+        later(() -> {
+            last = Optional.empty();
+            history.add(deed);
+        });
+    }
+
+    private void remember(WorldChange change) {
+        last = Optional.of(change);
+        history.add(change);
+    }
+
+    void undo() {
+        later(() -> teller.accept(told(history::undo)));
+    }
+
+    void redo() {
+        later(() -> teller.accept(told(history::redo)));
+    }
+
+    /** Forgets everything, since another world is shown. */
+    void forget() {
+        later(() -> {
+            last = Optional.empty();
+            history.clear();
+        });
+    }
+
+    private interface Step {
+        String take() throws IOException;
+    }
+
+    private String told(Step step) {
+        last = Optional.empty();
+        try {
+            return step.take();
+        } catch (IOException | IllegalStateException | IllegalArgumentException refused) {
+            return "That cannot be undone: " + refused.getMessage();
+        }
+    }
+
+    private void later(Runnable work) {
+        try {
+            thread.execute(() -> {
+                carryOut(work);
+                names = new Names(history.nextUndo(), history.nextRedo());
+            });
+        } catch (RejectedExecutionException ended) {
+            // The studio is closing; nobody sees the world any more.
+        }
+    }
+
+    private void carryOut(Runnable work) {
+        try {
+            work.run();
+        } catch (IllegalStateException | IllegalArgumentException refused) {
+            teller.accept(String.valueOf(refused.getMessage()));
+        }
+    }
+
+    @Override
+    public SoccerField field() {
+        return world.field();
+    }
+
+    @Override
+    public WorldSnapshot now() {
+        return world.now();
+    }
+
+    @Override
+    public Optional<WorldState> save() {
+        return world.save();
+    }
+
+    @Override
+    public Restored goOnFrom(KeptMoment moment) {
+        return answer(() -> {
+            remember(new WorldChange(world, "scene loaded", 0));
+            return world.goOnFrom(moment);
+        });
+    }
+
+    private <T> T answer(Supplier<T> work) {
+        CompletableFuture<T> answer = new CompletableFuture<>();
+        later(() -> {
+            try {
+                answer.complete(work.get());
+            } catch (IllegalStateException | IllegalArgumentException refused) {
+                answer.completeExceptionally(refused);
+            }
+        });
+        try {
+            return answer.join();
+        } catch (CompletionException e) {
+            throw e.getCause() instanceof IllegalStateException refused
+                    ? refused
+                    : new IllegalStateException(e.getCause());
+        }
+    }
+
+    @Override
+    public void close() {
+        thread.shutdownNow();
+    }
+}

@@ -1,0 +1,83 @@
+package org.robonewbie.studio;
+
+import java.util.OptionalInt;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.studio.program.Ground;
+import org.robonewbie.studio.scene.KeptMoment;
+
+/** The pitch that the pages show, for programs that come and go. */
+final class ProgramGround implements Ground {
+
+    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
+    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
+
+    /** Until then an agent still hears its number and goes to its first place; a world that jumps would confuse it. */
+    private static final int CYCLES_TO_SETTLE = 12;
+
+    private final Stage stage;
+    private final Continuation world;
+
+    ProgramGround(Stage stage) {
+        this.stage = stage;
+        this.world = new Continuation(stage);
+    }
+
+    @Override
+    public OptionalInt agentPort() {
+        return stage.simulation().agentPort();
+    }
+
+    @Override
+    public Moment keep() {
+        KeptMoment moment = world.keep();
+        return stillWanted -> goOn(moment, stillWanted);
+    }
+
+    private void goOn(KeptMoment moment, BooleanSupplier stillWanted) {
+        Set<Integer> before = players(moment.state());
+        BooleanSupplier hasCome = () -> !before.containsAll(players(stage.now()));
+        if (await(hasCome, stillWanted)) {
+            long settled = stage.now().cycle() + CYCLES_TO_SETTLE;
+            await(() -> stage.now().cycle() >= settled, stillWanted);
+            world.goBackTo(moment, false);
+        }
+        if (moment.state().paused()) {
+            stage.simulation().order(new Order.Pause());
+        }
+    }
+
+    private static boolean await(BooleanSupplier condition, BooleanSupplier stillWanted) {
+        long end = System.nanoTime() + PATIENCE_NANOS;
+        while (!condition.getAsBoolean() && stillWanted.getAsBoolean() && System.nanoTime() < end) {
+            LockSupport.parkNanos(LOOK_NANOS);
+        }
+        return condition.getAsBoolean();
+    }
+
+    /** The connections of all robots that have joined a team. */
+    private static Set<Integer> players(WorldSnapshot state) {
+        return state.robots().stream()
+                .filter(robot -> !robot.team().isEmpty())
+                .map(RobotSnapshot::id)
+                .collect(Collectors.toSet());
+    }
+
+    @Override
+    public void reset() {
+        stage.simulation().order(new Order.Reset());
+    }
+
+    @Override
+    public void resume() {
+        if (stage.simulation().hasClock()) {
+            stage.simulation().order(new Order.Resume());
+        }
+    }
+}

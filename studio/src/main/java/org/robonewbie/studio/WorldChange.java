@@ -1,0 +1,52 @@
+package org.robonewbie.studio;
+
+import java.util.Optional;
+import org.robonewbie.studio.scene.Deed;
+import org.robonewbie.studio.scene.KeptMoment;
+
+/** A change of the world, which is taken back by going on from the moment before it. */
+final class WorldChange implements Deed {
+
+    private final Continuation world;
+    private final String name;
+    private final long gesture;
+    private final KeptMoment before;
+    private Optional<KeptMoment> after = Optional.empty();
+
+    /**
+     * Remembers the moment before a change.
+     *
+     * @param world the running simulation
+     * @param name what will be done
+     * @param gesture number of the drag that it belongs to, 0 if it is none
+     */
+    WorldChange(Continuation world, String name, long gesture) {
+        this.world = world;
+        this.name = name;
+        this.gesture = gesture;
+        this.before = world.keep();
+    }
+
+    /** Whether an order is the next one of the same drag. */
+    boolean goesOnWith(String otherName, long otherGesture) {
+        return gesture != 0 && gesture == otherGesture && name.equals(otherName);
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public String undo() {
+        KeptMoment now = world.keep();
+        String remark = world.goBackTo(before, false);
+        after = Optional.of(now);
+        return remark;
+    }
+
+    @Override
+    public String redo() {
+        return world.goBackTo(after.orElseThrow(), false);
+    }
+}

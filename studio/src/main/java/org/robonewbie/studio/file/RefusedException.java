@@ -1,0 +1,25 @@
+package org.robonewbie.studio.file;
+
+/** A page has asked for something that it cannot have; the message is meant for the person at the page. */
+public final class RefusedException extends RuntimeException {
+
+    private static final long serialVersionUID = 1L;
+
+    private final int status;
+
+    /**
+     * Creates the exception.
+     *
+     * @param status the HTTP status of the answer
+     * @param message what was refused, and what to do
+     */
+    public RefusedException(int status, String message) {
+        super(message);
+        this.status = status;
+    }
+
+    /** {@return the HTTP status of the answer} */
+    public int status() {
+        return status;
+    }
+}

@@ -1,0 +1,233 @@
+package org.robonewbie.studio.program;
+
+import com.google.gson.Gson;
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.URLDecoder;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.io.Content;
+import org.eclipse.jetty.server.Handler;
+import org.eclipse.jetty.server.Request;
+import org.eclipse.jetty.server.Response;
+import org.eclipse.jetty.util.Callback;
+import org.robonewbie.studio.file.FileVersion;
+import org.robonewbie.studio.file.RefusedException;
+
+/**
+ * Serves the room in which people write programs. A PATH leads from the studio's folder to a Java file.
+ *
+ * <pre>
+ * GET              /api/programs                    the files, drafts of unsaved work, and the examples
+ * GET PUT          /api/programs/own/PATH           header Known-Version on PUT: what the page has seen, empty for a new file
+ * GET              /api/programs/example/NAME
+ * GET              /api/programs/new/PATH?example=NAME    what to begin with
+ * GET PUT DELETE   /api/programs/draft/PATH
+ * POST             /api/programs/check/PATH         the text of the editor; answers what the compiler says
+ * POST             /api/programs/complete/PATH?at=N the text of the editor; answers what could be written there
+ * POST             /api/programs/run/PATH?world=keep    compiles the saved file, which takes the place of what runs
+ * GET DELETE       /api/programs/run                how it runs; ends it
+ * </pre>
+ */
+public final class ProgramApi extends Handler.Abstract {
+
+    private static final String PROGRAMS = "/api/programs";
+    private static final Pattern PLACE = Pattern.compile("/(\\w+)(?:/(.*))?");
+    private static final int MOST_BYTES = 1_000_000;
+    private static final String JSON = "application/json";
+    private static final String TEXT = "text/plain;charset=utf-8";
+    private static final Gson GSON = new Gson();
+
+    private final ProgramFolder folder;
+    private final ProgramFolder drafts;
+    private final Optional<Workshop> workshop;
+    private final Optional<ProgramDesk> desk;
+
+    @SuppressWarnings("ArrayRecordComponent")
+    private record Answer(int status, String type, byte[] content, String version) {
+
+        static Answer json(Object written) {
+            return new Answer(200, JSON, GSON.toJson(written).getBytes(StandardCharsets.UTF_8), "");
+        }
+
+        static Answer text(int status, String text) {
+            return new Answer(status, TEXT, text.getBytes(StandardCharsets.UTF_8), "");
+        }
+
+        static Answer file(byte[] content) {
+            return new Answer(200, TEXT, content, FileVersion.of(content));
+        }
+    }
+
+    /**
+     * Opens the room.
+     *
+     * @param workshop compiles and starts them; empty for a studio without programs
+     * @param ground where they run
+     */
+    public ProgramApi(Optional<Workshop> workshop, Ground ground) {
+        Path folder = workshop.map(Workshop::folder).orElse(Path.of(""));
+        this.folder = new ProgramFolder(folder);
+        this.drafts = new ProgramFolder(folder.resolve(".studio").resolve("programs"));
+        this.workshop = workshop;
+        this.desk = workshop.map(given -> new ProgramDesk(given, ground));
+    }
+
+    /** Ends the program that runs. */
+    public void close() {
+        desk.ifPresent(ProgramDesk::close);
+    }
+
+    @Override
+    public boolean handle(Request request, Response response, Callback callback) {
+        String path = Request.getPathInContext(request);
+        if (!path.equals(PROGRAMS) && !path.startsWith(PROGRAMS + "/")) {
+            return false;
+        }
+        Answer answer;
+        try {
+            answer = answer(request, path.substring(PROGRAMS.length()));
+        } catch (RefusedException refusal) {
+            answer = Answer.text(refusal.status(), String.valueOf(refusal.getMessage()));
+        } catch (IllegalArgumentException | IllegalStateException refused) {
+            answer = Answer.text(409, String.valueOf(refused.getMessage()));
+        } catch (IOException problem) {
+            answer = Answer.text(
+                    500,
+                    "The file cannot be used: " + problem.getMessage() + ". Is the folder " + folder.folder()
+                            + " writable, and is there room on the disk?");
+        }
+        response.setStatus(answer.status());
+        response.getHeaders()
+                .put(HttpHeader.CONTENT_TYPE, answer.type())
+                .put(HttpHeader.CACHE_CONTROL, "no-store")
+                .put("Version", answer.version());
+        response.write(true, ByteBuffer.wrap(answer.content()), callback);
+        return true;
+    }
+
+    private Answer answer(Request request, String place) throws IOException {
+        if (place.isEmpty()) {
+            return Answer.json(list());
+        }
+        Matcher matcher = PLACE.matcher(place);
+        if (workshop.isEmpty() || !matcher.matches()) {
+            throw unknown(request, place);
+        }
+        String name = matcher.group(2) == null ? "" : URLDecoder.decode(matcher.group(2), StandardCharsets.UTF_8);
+        String order = request.getMethod() + " " + matcher.group(1);
+        return switch (matcher.group(1)) {
+            case "own", "draft" -> fileAnswer(request, order, name);
+            case "run" -> runAnswer(request, order, name);
+            default -> workshopAnswer(workshop.get(), request, order, name);
+        };
+    }
+
+    private static RefusedException unknown(Request request, String place) {
+        return new RefusedException(
+                404, "The studio does not know " + request.getMethod() + " " + place + ". Load the page again.");
+    }
+
+    private Answer fileAnswer(Request request, String order, String path) throws IOException {
+        return switch (order) {
+            case "GET own" -> Answer.file(found(folder.read(path), path));
+            case "GET draft" -> Answer.file(found(drafts.read(path), path));
+            case "PUT own" -> {
+                String known = Optional.ofNullable(request.getHeaders().get("Known-Version"))
+                        .orElse("");
+                String version = folder.write(path, body(request), known);
+                drafts.remove(path);
+                yield new Answer(200, TEXT, new byte[0], version);
+            }
+            case "PUT draft" -> {
+                drafts.overwrite(path, body(request));
+                yield Answer.text(200, "");
+            }
+            case "DELETE draft" -> {
+                drafts.remove(path);
+                yield Answer.text(200, "");
+            }
+            default -> throw unknown(request, path);
+        };
+    }
+
+    private Answer runAnswer(Request request, String order, String path) throws IOException {
+        ProgramDesk runs = desk.orElseThrow();
+        return switch (order) {
+            case "GET run" -> Answer.json(runs.state());
+            case "DELETE run" -> Answer.json(runs.stop());
+            case "POST run" -> {
+                found(folder.read(path), path);
+                boolean fromTheStart = !"keep".equals(parameter(request, "world"));
+                yield Answer.json(runs.run(path, folder.file(path), fromTheStart));
+            }
+            default -> throw unknown(request, path);
+        };
+    }
+
+    private Answer workshopAnswer(Workshop open, Request request, String order, String name) throws IOException {
+        return switch (order) {
+            case "GET example" -> Answer.text(200, found(open.example(name), name));
+            case "GET new" -> {
+                Optional<String> example = Optional.of(parameter(request, "example"))
+                        .filter(given -> !given.isEmpty())
+                        .map(given -> found(open.example(given), given));
+                yield Answer.text(200, open.newProgram(folder.file(name), example));
+            }
+            case "POST check" -> Answer.json(open.check(folder.file(name), text(request)));
+            case "POST complete" -> {
+                String text = text(request);
+                yield Answer.json(open.complete(folder.file(name), text, at(request, text)));
+            }
+            default -> throw unknown(request, name);
+        };
+    }
+
+    private static <T> T found(Optional<T> content, String name) {
+        return content.orElseThrow(() -> new RefusedException(404, "There is no program \"" + name + "\"."));
+    }
+
+    private static String parameter(Request request, String name) {
+        return Optional.ofNullable(Request.extractQueryParameters(request).getValue(name))
+                .orElse("");
+    }
+
+    private static int at(Request request, String text) {
+        try {
+            return Math.max(0, Math.min(text.length(), Integer.parseInt(parameter(request, "at"))));
+        } catch (NumberFormatException none) {
+            return text.length();
+        }
+    }
+
+    private static String text(Request request) throws IOException {
+        return new String(body(request), StandardCharsets.UTF_8);
+    }
+
+    private static byte[] body(Request request) throws IOException {
+        if (request.getLength() > MOST_BYTES) {
+            throw new RefusedException(413, "A program may have at most " + MOST_BYTES + " bytes.");
+        }
+        try (InputStream stream = Content.Source.asInputStream(request)) {
+            return stream.readNBytes(MOST_BYTES);
+        }
+    }
+
+    private JsonObject list() throws IOException {
+        JsonObject json = new JsonObject();
+        json.addProperty("folder", folder.folder().toString());
+        boolean isOpen = workshop.isPresent();
+        json.addProperty("open", isOpen);
+        json.add("own", GSON.toJsonTree(isOpen ? folder.list() : List.of()));
+        json.add("drafts", GSON.toJsonTree(isOpen ? drafts.listAll() : List.of()));
+        json.add("examples", GSON.toJsonTree(workshop.map(Workshop::examples).orElse(List.of())));
+        return json;
+    }
+}

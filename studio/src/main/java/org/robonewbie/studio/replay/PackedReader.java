@@ -1,0 +1,127 @@
+package org.robonewbie.studio.replay;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.SeekableByteChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.zip.DataFormatException;
+import java.util.zip.Inflater;
+import org.robonewbie.simulator.recording.RecordingState;
+
+/**
+ * Reads a packed recording as far as it goes and finds places in it at which one can begin to read. The file may grow between two
+ * calls: reading goes on where it has ended.
+ *
+ * <p>Such places are where the simulator has brought the file up to date: there the packed bytes {@code 00 00 FF FF} end a block
+ * (RFC 1951, an empty stored block), so that what follows begins with a whole byte.
+ */
+final class PackedReader {
+
+    private static final int CHUNK_BYTES = 1 << 16;
+    private static final int MOST_OUTPUT_BYTES = 1 << 16;
+    private static final int BYTES_BETWEEN_POINTS = 1 << 18;
+    private static final int MARK = 0x0000FFFF;
+
+    private final RunWatch watch = new RunWatch();
+    private final RecordingState state = new RecordingState(watch);
+    private final UnpackedWindow window = new UnpackedWindow();
+    private final Inflater inflater = new Inflater(true);
+    private final byte[] output = new byte[MOST_OUTPUT_BYTES];
+    private final List<EntryPoint> points = new ArrayList<>();
+    private long read;
+    private boolean damaged;
+    private int lastFour = -1;
+
+    /**
+     * Reads on.
+     *
+     * @param file the recording
+     * @param untilNanos when to pause, by {@link System#nanoTime}
+     * @return whether the end of the file was reached
+     */
+    boolean readOn(Path file, long untilNanos) throws IOException {
+        try (SeekableByteChannel channel = Files.newByteChannel(file)) {
+            channel.position(read);
+            ByteBuffer chunk = ByteBuffer.allocate(CHUNK_BYTES);
+            while (!damaged && channel.read(chunk.clear()) > 0) {
+                int from = read > 0 ? 0 : begin(chunk);
+                if (points.isEmpty()) {
+                    return true;
+                }
+                take(chunk.array(), from, chunk.position());
+                if (System.nanoTime() > untilNanos) {
+                    return channel.position() == channel.size();
+                }
+            }
+        } catch (DataFormatException endOfWhatIsGood) {
+            damaged = true;
+        } catch (IllegalArgumentException noRecordingOrDamaged) {
+            if (watch.count() == 0) {
+                throw noRecordingOrDamaged;
+            }
+            damaged = true;
+        }
+        return true;
+    }
+
+    /** Returns where the packed bytes begin; that is the first entry point. */
+    private int begin(ByteBuffer chunk) throws IOException {
+        byte[] head = new byte[chunk.position()];
+        chunk.duplicate().flip().get(head);
+        int length = GzipHeader.length(head, head.length);
+        if (length > 0) {
+            points.add(EntryPoint.of(length, 0, 0, new EntryPoint.Known(new byte[0], new byte[0])));
+        }
+        return length;
+    }
+
+    private void take(byte[] bytes, int begin, int count) throws DataFormatException, IOException {
+        int from = begin;
+        for (int i = begin; i < count; i++) {
+            lastFour = (lastFour << 8) | (bytes[i] & 0xFF);
+            if (lastFour == MARK) {
+                unpack(bytes, from, i + 1);
+                from = i + 1;
+                pointAt(read + from);
+            }
+        }
+        unpack(bytes, from, count);
+        read += count;
+    }
+
+    private void unpack(byte[] bytes, int from, int end) throws DataFormatException {
+        inflater.setInput(bytes, from, end - from);
+        for (int length = inflater.inflate(output); length > 0; length = inflater.inflate(output)) {
+            window.add(output, length);
+            state.push(output, length);
+        }
+    }
+
+    private void pointAt(long packedAt) throws IOException {
+        long last = points.isEmpty() ? 0 : points.get(points.size() - 1).unpackedAt();
+        if (state.isBetweenCycles() && inflater.needsInput() && window.written() - last >= BYTES_BETWEEN_POINTS) {
+            EntryPoint.Known known = new EntryPoint.Known(state.toRecords(), window.content());
+            points.add(EntryPoint.of(packedAt, window.written(), watch.count(), known));
+        }
+    }
+
+    /** {@return how many bytes of the file have been read} */
+    long read() {
+        return read;
+    }
+
+    RunSummary summary() {
+        return watch.summary(state);
+    }
+
+    List<EntryPoint> points() {
+        return List.copyOf(points);
+    }
+
+    void close() {
+        inflater.end();
+    }
+}

@@ -1,0 +1,34 @@
+package org.robonewbie.studio.replay;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.robonewbie.simulator.file.RecordingGroup;
+
+/** The indexes of the recordings that pages have looked at last. */
+final class RecordingIndexes {
+
+    private static final int MOST = 40;
+
+    private final Map<Path, RecordingIndex> known = new LinkedHashMap<>(MOST, 0.75f, true);
+
+    /** {@return the index of a recording, as far as it is made} */
+    RecordingIndex of(Path recording) throws IOException {
+        Path key = RecordingGroup.of(recording).beside("");
+        synchronized (known) {
+            RecordingIndex index = known.get(key);
+            if (index != null && index.fits(recording)) {
+                return index;
+            }
+        }
+        RecordingIndex fresh = RecordingIndex.open(recording);
+        synchronized (known) {
+            known.put(key, fresh);
+            while (known.size() > MOST) {
+                known.remove(known.keySet().iterator().next());
+            }
+        }
+        return fresh;
+    }
+}

@@ -1,0 +1,75 @@
+package org.robonewbie.studio.roboviz;
+
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+
+/**
+ * Listens for drawings in RoboViz's protocol, on this computer only.
+ *
+ * <pre>{@code
+ * RoboVizPort port = RoboVizPort.open(RoboVizPort.USUAL, studio.drawings());
+ * }</pre>
+ */
+public final class RoboVizPort implements AutoCloseable {
+
+    /** Where teams send their drawings. */
+    public static final int USUAL = 32769;
+
+    private final DatagramSocket socket;
+    private final RoboVizBoard board;
+
+    private RoboVizPort(DatagramSocket socket, RoboVizBoard board) {
+        this.socket = socket;
+        this.board = board;
+    }
+
+    /**
+     * Begins to listen.
+     *
+     * @param port UDP port of 127.0.0.1, 0 for any free one
+     * @param board where the drawings appear
+     * @return the open port
+     * @throws IOException if it cannot be opened; the message says what to do
+     */
+    public static RoboVizPort open(int port, RoboVizBoard board) throws IOException {
+        try {
+            InetAddress here = InetAddress.getByAddress(new byte[] {127, 0, 0, 1});
+            RoboVizPort opened = new RoboVizPort(new DatagramSocket(new InetSocketAddress(here, port)), board);
+            Thread listener = new Thread(opened::listen, "roboviz-drawings");
+            listener.setDaemon(true);
+            listener.start();
+            return opened;
+        } catch (IOException | IllegalArgumentException e) {
+            throw new IOException(
+                    "Drawings cannot be received at UDP port " + port
+                            + " of 127.0.0.1; probably RoboViz uses it. End it, or" + " choose another port.",
+                    e);
+        }
+    }
+
+    /** {@return the number of the port} */
+    public int number() {
+        return socket.getLocalPort();
+    }
+
+    private void listen() {
+        byte[] bytes = new byte[RoboVizReader.LONGEST];
+        while (!socket.isClosed()) {
+            try {
+                DatagramPacket datagram = new DatagramPacket(bytes, bytes.length);
+                socket.receive(datagram);
+                board.obey(RoboVizReader.read(bytes, datagram.getLength()));
+            } catch (IOException closedOrBroken) {
+                // A closed port ends the loop; a broken datagram is left out.
+            }
+        }
+    }
+
+    @Override
+    public void close() {
+        socket.close();
+    }
+}

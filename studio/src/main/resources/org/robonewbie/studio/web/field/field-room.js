@@ -1,0 +1,123 @@
+/** The pitch in three dimensions: picture, camera, mouse, drawings and names together, for whatever moment the session shows. */
+import { BoardDesk } from '../panels/board-desk.js';
+import { DrawingDesk } from '../panels/drawing-desk.js';
+import { byId, setText } from '../panels/elements.js';
+import { QUALITIES, qualityIndex } from '../state/quality.js';
+import { CameraDesk, CAMERAS } from './camera-desk.js';
+import { Hand } from './hand.js';
+import { chooserFor, openView } from './open-view.js';
+
+/** @typedef {import('./camera-desk.js').CameraMode} CameraMode */
+
+export class FieldRoom {
+  /** The scene that the picture is made for. @type {object | undefined} */
+  #pictured;
+
+  /**
+   * @param {import('../live/session.js').Session} session
+   * @param {string | null} quality that the page's address asks for
+   * @param {object} world
+   * @param {() => boolean} world.isSteered whether people can move things now
+   * @param {(command: object) => void} world.send
+   */
+  constructor(session, quality, { isSteered, send }) {
+    this.session = session;
+    const asked = qualityIndex(quality);
+    this.view = openView(QUALITIES[asked < 0 ? 1 : asked]);
+    this.chooser = chooserFor(this.view, asked);
+    this.desk = new CameraDesk(this.view.camera, () => this.view.free);
+    this.drawings = new DrawingDesk(this.view, () => session.touch());
+    this.board = new BoardDesk(this.view.board, () => session.touch());
+    this.hand = new Hand(this.view, this.desk, {
+      now: () => ({ ...session.state, ...session.shown }),
+      isSteered,
+      send: (command) => isSteered() && send(command),
+      changed: () => session.touch(),
+      tell: showTip,
+    });
+  }
+
+  /** @param {CameraMode} mode */
+  chooseCamera = (mode) => {
+    this.desk.setMode(mode);
+    this.session.touch();
+  };
+
+  /** @param {import('../panels/side.js').Picture} shown */
+  showBeside = ({ names, trail }) => {
+    this.view.names.isOn = names;
+    this.view.trail.isOn = trail;
+    this.session.touch();
+  };
+
+  /** What keys do to the view. */
+  get looks() {
+    const { desk, session } = this;
+    return {
+      turn: (/** @type {number} */ right, /** @type {number} */ up) => {
+        desk.turn(right, up);
+        session.touch();
+      },
+      zoom: (/** @type {number} */ factor) => {
+        desk.zoom(factor);
+        session.touch();
+      },
+      camera: (/** @type {number} */ index) => this.chooseCamera(CAMERAS[index].mode),
+      next: () => {
+        desk.choose((desk.chosen + 1) % Math.max(1, session.state.scene?.robots.length ?? 1));
+        session.touch();
+      },
+    };
+  }
+
+  /** Fits the quality to the computer. @param {number} milliseconds that the last picture took */
+  pictureTook(milliseconds) {
+    if (this.chooser.pictureTook(milliseconds)) {
+      this.view.setQuality(this.chooser.quality);
+      this.session.touch();
+    }
+  }
+
+  get #isSmooth() {
+    return this.session.shown.tense === 'live' && this.chooser.quality.smooth;
+  }
+
+  /** @param {number} now milliseconds @returns {boolean} whether the picture changes without news */
+  isMoving(now) {
+    return this.#isSmooth && this.session.smoothing.isMoving(now);
+  }
+
+  /** @param {number} now milliseconds @param {number} seconds since the last turn */
+  draw(now, seconds) {
+    const { session, view, desk } = this;
+    const { scene, frame } = session.shown;
+    this.#setScene(scene);
+    const picture = this.#isSmooth ? session.smoothing.picture(now) : frame;
+    if (frame && picture && picture.robots.length === scene?.robots.length) {
+      view.update(picture);
+      view.trail.follow(frame.cycle, frame.ball);
+    }
+    this.drawings.show(session.shown, session.drawings);
+    view.board.group.visible = session.shown.tense === 'live';
+    this.hand.draw();
+    session.stale = desk.update(view.crowd.poses, seconds, view.ball.position.toArray());
+    view.light.shine(desk.shown.target, view.camera.position);
+    view.draw();
+  }
+
+  /** @param {import('../live/state-frame.js').Scene | undefined} scene */
+  #setScene(scene) {
+    if (scene && scene !== this.#pictured) {
+      this.#pictured = scene;
+      this.view.setScene(scene);
+      this.desk.setScene(scene);
+    }
+  }
+}
+
+/** @param {string} tip what the mouse can do here; empty for nothing special */
+function showTip(tip) {
+  const place = byId('stage-tip');
+  setText(place, tip || place.textContent || '');
+  place.hidden = tip === '';
+}

@@ -1,0 +1,34 @@
+/** Brings motions of other programs in, and gives ours to them. */
+import { offer } from '../panels/elements.js';
+import { documentOf } from '../state/motion/editor-state.js';
+import { ENDINGS, FORMATS, readMotion } from '../state/motion/interchange.js';
+import { askChoice, askFile } from './questions.js';
+
+/** @typedef {import('./editor.js').Editor} Editor */
+
+/** @param {Editor} editor */
+export async function importFile(editor) {
+  const file = await askFile(ENDINGS);
+  if (file) {
+    const { body, start } = editor.state;
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const { document, notes } = readMotion(file.name, bytes, body, start);
+    await editor.take(document, file.name, notes);
+  }
+}
+
+/** @param {Editor} editor */
+export async function exportFile(editor) {
+  const id = await askChoice({
+    title: 'Export the motion',
+    label: 'For',
+    action: 'Export',
+    hint: 'The file goes to where your browser puts downloads. Import… reads all of these again.',
+    entries: FORMATS.map((format) => [format.id, format.name]),
+  });
+  const format = FORMATS.find((each) => each.id === id);
+  if (format) {
+    const { body, start, name, draft } = editor.state;
+    offer(`${name || draft || 'motion'}${format.ending}`, format.write(documentOf(editor.state), body, start));
+  }
+}

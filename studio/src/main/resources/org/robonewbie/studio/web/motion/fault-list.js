@@ -1,0 +1,25 @@
+/** Says in words, in the picture, what is wrong with the moment that is shown. */
+import { element } from '../panels/elements.js';
+
+/** @typedef {import('../state/motion/faults.js').Fault} Fault */
+
+const MOST = 5;
+
+/** @param {HTMLElement} place the picture @returns {(faults: readonly Fault[]) => void} */
+export function faultList(place) {
+  const list = element('ul', { class: 'fault-list' });
+  place.append(list);
+  let shown = '';
+  return (faults) => {
+    const now = JSON.stringify(faults.map(({ kind, text }) => [kind, text]));
+    if (now === shown) {
+      return;
+    }
+    shown = now;
+    const more = faults.length - MOST;
+    list.replaceChildren(
+      ...faults.slice(0, MOST).map(({ kind, text }) => element('li', { class: kind }, text)),
+      ...(more > 0 ? [element('li', {}, `and ${more} more`)] : []),
+    );
+  };
+}

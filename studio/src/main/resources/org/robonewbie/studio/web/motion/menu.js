@@ -1,0 +1,36 @@
+/** Buttons that are folded into one; where there is room, some menus lie open beside each other. */
+import { button, element } from '../panels/elements.js';
+
+/**
+ * @param {string} name
+ * @param {'' | 'unfolding'} kind whether it lies open on wide pages
+ * @param {HTMLElement[]} buttons
+ */
+export function menu(name, kind, buttons) {
+  const list = element('div', { class: 'menu-list', role: 'group', 'aria-label': name }, ...buttons);
+  const place = element('div', { class: `menu ${kind}` });
+  const show = (/** @type {boolean} */ open) => {
+    place.classList.toggle('open', open);
+    head.setAttribute('aria-expanded', String(open));
+  };
+  const head = button(`${name} ▾`, `What can be done with ${name.toLowerCase()}`, () =>
+    show(!place.classList.contains('open')),
+  );
+  head.className = 'menu-head';
+  show(false);
+  place.append(head, list);
+  list.addEventListener('click', () => show(false));
+  place.addEventListener('focusout', (event) => {
+    if (!place.contains(/** @type {Node | null} */ (event.relatedTarget))) {
+      show(false);
+    }
+  });
+  place.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape' && place.classList.contains('open')) {
+      event.stopPropagation();
+      show(false);
+      head.focus();
+    }
+  });
+  return place;
+}

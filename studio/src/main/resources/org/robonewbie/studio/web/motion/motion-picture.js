@@ -1,0 +1,114 @@
+/** What the picture of the motion room shows: the robot at the playhead, its ghosts, its balance and its faults. */
+import { balanceOf } from '../state/motion/balance.js';
+import { placed, posesOf } from '../state/motion/body.js';
+import { framesOf, isOnKeyframe, postureNow } from '../state/motion/editor-state.js';
+import { faultsAt, lagFaults } from '../state/motion/faults.js';
+import { lagFrame } from '../state/motion/lag.js';
+import { faultList } from './fault-list.js';
+
+/**
+ * @typedef {import('./editor.js').Editor} Editor
+ * @typedef {import('./motion-stage.js').MotionStage} MotionStage
+ * @typedef {import('./motion-stage.js').Figure} Figure
+ */
+
+export class MotionPicture {
+  /** @param {MotionStage} stage @param {Editor} editor */
+  constructor(stage, editor) {
+    this.stage = stage;
+    this.editor = editor;
+    this.sayFaults = faultList(stage.stage);
+    /** The limb under the mouse. */
+    this.over = -1;
+    /** @type {number[] | undefined} the torso while a limb is dragged */
+    this.heldTorso = undefined;
+  }
+
+  /** The posture that is shown and where its torso is. */
+  posedNow() {
+    const { state } = this.editor;
+    const posture = postureNow(state);
+    return { posture, torso: this.heldTorso ?? placed(state.body, posture, state.manner) };
+  }
+
+  draw() {
+    if (this.editor.state.trial && this.editor.state.watching) {
+      this.#drawTrial();
+    } else {
+      this.#drawPlan();
+    }
+  }
+
+  #drawPlan() {
+    const { stage } = this;
+    const { state, lag } = this.editor;
+    const { posture, torso } = this.posedNow();
+    const poses = posesOf(state.body, posture, torso);
+    const faults = faultsAt(state.body, framesOf(state), state.time, posture, poses);
+    stage.show(stage.figure(posture, torso), this.#ghosts(torso));
+    stage.marker.setBalance(balanceOf(state.body, poses));
+    stage.marker.frameLink(state.playing ? -1 : this.over, poses);
+    stage.paint.show(faults, poses);
+    this.sayFaults([...faults, ...(lag ? lagFaults(state.body, lag, state.time) : [])]);
+  }
+
+  /** The physical robot, with the plan as a ghost. */
+  #drawTrial() {
+    const { stage } = this;
+    const { state, lag } = this.editor;
+    const robot = this.#robotOfTrial();
+    if (!robot || !lag) {
+      return;
+    }
+    const torso = Array.from(robot.torso);
+    stage.desk.view = { ...stage.desk.view, target: [torso[0], torso[1], 0.31] };
+    stage.show(robot, state.ghosts ? [this.#planAt(torso), undefined] : []);
+    stage.marker.setBalance(undefined);
+    stage.marker.frameLink(-1, new Float64Array());
+    const faults = lagFaults(state.body, lag, state.time);
+    stage.paint.show(faults, posesOf(state.body, lag.reached[lagFrame(lag, state.time)], torso));
+    this.sayFaults(faults);
+  }
+
+  /** @returns {Figure | undefined} */
+  #robotOfTrial() {
+    const { trial, time } = this.editor.state;
+    const frame = trial?.frames[Math.min(trial.frames.length - 1, Math.round(time / 1000 / trial.frameSeconds))];
+    return frame && { torso: frame.slice(0, 7), hinges: frame.slice(7) };
+  }
+
+  /** What the plan wants at this time, where the torso of the physical robot is. @param {readonly number[]} torso @returns {Figure} */
+  #planAt(torso) {
+    const { state, lag } = this.editor;
+    const posture = lag ? lag.planned[lagFrame(lag, state.time)] : postureNow(state);
+    const [, , z, ...rotation] = placed(state.body, posture, state.manner);
+    return this.stage.figure(posture, [torso[0], torso[1], z, ...rotation]);
+  }
+
+  /**
+   * The physical robot if one has tried the motion, else the keyframes before and after.
+   *
+   * @param {readonly number[]} torso
+   * @returns {Array<Figure | undefined>}
+   */
+  #ghosts(torso) {
+    const { state } = this.editor;
+    const robot = this.#robotOfTrial();
+    if (!state.ghosts || this.heldTorso) {
+      return [];
+    }
+    if (robot) {
+      const [, , ...height] = Array.from(robot.torso);
+      return [undefined, { ...robot, torso: [torso[0], torso[1], ...height] }];
+    }
+    const next = isOnKeyframe(state) ? state.last + 1 : state.last;
+    return state.playing ? [] : [state.last - 1, next].map((index) => this.#ghostOf(index));
+  }
+
+  /** @param {number} index of a keyframe */
+  #ghostOf(index) {
+    const { state } = this.editor;
+    const posture = framesOf(state)[index]?.degrees;
+    return posture && this.stage.figure(posture, placed(state.body, posture, state.manner));
+  }
+}

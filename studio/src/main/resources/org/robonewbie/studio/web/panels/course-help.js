@@ -1,0 +1,58 @@
+/** Help with an exercise: hints that open one after the other, and a solution after some tries. */
+import { hintButton, solutionButton } from '../state/course.js';
+import { button, element, setText } from './elements.js';
+
+/** @typedef {import('../state/course.js').Help} Help */
+
+export class CourseHelp {
+  #ask;
+  #exercise = '';
+  #hints = element('ol', { id: 'course-open-hints' });
+  #next = button('', 'Opens the next hint of the worksheet', () => this.#open('hint'));
+  #solve = button('', 'Shows one way to solve it', () => this.#open('solution'));
+  #program = element('pre', { id: 'course-solution', hidden: '' });
+  element = element(
+    'div',
+    { class: 'help' },
+    this.#hints,
+    element('div', { class: 'scene-line' }, this.#next, this.#solve),
+    this.#program,
+  );
+
+  /** @param {(path: string, method?: string) => Promise<any>} ask */
+  constructor(ask) {
+    this.#ask = ask;
+    this.#next.id = 'course-next-hint';
+    this.#solve.id = 'course-show-solution';
+  }
+
+  /** @param {string} exercise shows what is open for it */
+  async show(exercise) {
+    if (exercise !== this.#exercise) {
+      this.#program.hidden = true;
+    }
+    this.#exercise = exercise;
+    this.#draw(await this.#ask(`course/${exercise}/help`));
+  }
+
+  /** @param {'hint' | 'solution'} what */
+  async #open(what) {
+    const answer = await this.#ask(`course/${this.#exercise}/${what}`, 'POST').catch((error) => error.message);
+    if (typeof answer === 'string') {
+      setText(this.#program, answer);
+      this.#program.hidden = false;
+    } else {
+      this.#draw(answer);
+    }
+  }
+
+  /** @param {Help} help */
+  #draw(help) {
+    this.#hints.replaceChildren(...help.hints.map((hint) => element('li', {}, hint)));
+    setText(this.#next, hintButton(help));
+    this.#next.hidden = hintButton(help) === '';
+    setText(this.#solve, solutionButton(help));
+    this.#solve.hidden = !help.solution;
+    this.#solve.toggleAttribute('disabled', help.triesLeft > 0);
+  }
+}

@@ -1,0 +1,59 @@
+/** How the editor looks: all colours are those of the page, so that it follows light and dark. */
+import { EditorView, HighlightStyle, syntaxHighlighting, tags } from 'codemirror';
+
+const theme = EditorView.theme({
+  '&': { height: '100%', color: 'var(--ink)', backgroundColor: 'var(--field)', fontSize: '14px' },
+  '&.cm-focused': { outline: 'none' },
+  '.cm-scroller': {
+    fontFamily: "ui-monospace, 'SF Mono', Menlo, Consolas, 'DejaVu Sans Mono', monospace",
+    lineHeight: '1.5',
+  },
+  '.cm-content': { caretColor: 'var(--ink)' },
+  '.cm-cursor': { borderLeftColor: 'var(--ink)' },
+  '.cm-gutters': { color: 'var(--faint)', backgroundColor: 'var(--field)', border: 'none' },
+  '.cm-activeLine, .cm-activeLineGutter': { backgroundColor: 'var(--press)' },
+  '&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground': {
+    backgroundColor: 'var(--code-selection)',
+  },
+  '.cm-matchingBracket, &.cm-focused .cm-matchingBracket': { backgroundColor: 'var(--code-bracket)' },
+  '.cm-selectionMatch': { backgroundColor: 'var(--press)' },
+  '.cm-tooltip, .cm-panels': {
+    color: 'var(--ink)',
+    backgroundColor: 'var(--code-tip)',
+    border: '1px solid var(--edge)',
+    borderRadius: '6px',
+  },
+  '.cm-tooltip.cm-tooltip-autocomplete > ul > li[aria-selected]': {
+    color: 'var(--on-accent)',
+    backgroundColor: 'var(--accent)',
+  },
+  '.cm-tooltip-autocomplete .cm-completionDetail': { marginLeft: '1em', fontStyle: 'normal', opacity: '0.75' },
+  '.cm-completionInfo': { maxWidth: '30em', padding: '6px 10px', whiteSpace: 'pre-wrap', fontFamily: 'inherit' },
+  '.cm-said': {
+    padding: '2px 10px 4px',
+    fontFamily: 'system-ui, sans-serif',
+    fontSize: '13px',
+    lineHeight: '1.35',
+    whiteSpace: 'pre-wrap',
+    backgroundColor: 'var(--press)',
+    borderLeft: '3px solid var(--trouble)',
+  },
+  '.cm-said[data-kind=warning]': { borderLeftColor: 'var(--warning)' },
+  '.cm-said strong': { fontWeight: '600', color: 'var(--trouble)' },
+  '.cm-said[data-kind=warning] strong': { color: 'var(--warning)' },
+  '.cm-failed': { backgroundColor: 'var(--code-failed)' },
+  '.cm-value': { marginLeft: '2em', color: 'var(--accent)', fontStyle: 'italic' },
+});
+
+const colours = HighlightStyle.define([
+  { tag: [tags.keyword, tags.modifier, tags.controlKeyword], color: 'var(--code-keyword)', fontWeight: '600' },
+  { tag: [tags.string, tags.character], color: 'var(--code-text)' },
+  { tag: [tags.number, tags.bool, tags.null], color: 'var(--code-number)' },
+  { tag: [tags.lineComment, tags.blockComment], color: 'var(--faint)', fontStyle: 'italic' },
+  { tag: [tags.typeName, tags.className], color: 'var(--code-type)' },
+  { tag: tags.definition(tags.variableName), color: 'var(--ink)' },
+  { tag: [tags.annotation, tags.meta], color: 'var(--code-number)' },
+]);
+
+/** The extension. */
+export const LOOK = [theme, syntaxHighlighting(colours)];

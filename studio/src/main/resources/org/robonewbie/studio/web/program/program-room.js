@@ -1,0 +1,203 @@
+/** The room for programs: editor, compiler and the running program, beside the robot. */
+import { button, byId, element } from '../panels/elements.js';
+import { PANEL_TITLES } from '../state/layout.js';
+import { remarksText } from '../state/program/remarks.js';
+import { CodeEditor } from './code-editor.js';
+import { ExerciseDesk } from './exercise-desk.js';
+import { FileDesk } from './file-desk.js';
+import { ProgramService } from './program-service.js';
+import { RunDesk } from './run-desk.js';
+import { SaidPanel } from './said-panel.js';
+
+/**
+ * @typedef {object} Surroundings
+ * @property {string} token
+ * @property {(text: string) => void} note
+ * @property {() => void} goLive
+ * @property {(command: object) => void} send
+ * @property {(panel: import('../state/layout.js').PanelName) => void} fold
+ * @property {() => readonly import('../live/state-frame.js').Player[]} robots that are there now
+ */
+
+const CHECK_MILLISECONDS = 300;
+
+/** @param {Surroundings} surroundings */
+export async function openProgramRoom(surroundings) {
+  const room = new ProgramRoom(surroundings);
+  await room.open();
+  return room;
+}
+
+class ProgramRoom {
+  #checkTimer = 0;
+  #checks = 0;
+
+  /** @param {Surroundings} surroundings */
+  constructor(surroundings) {
+    this.surroundings = surroundings;
+    this.service = new ProgramService(surroundings.token);
+    const code = this.#panel('code');
+    const said = this.#panel('said');
+    this.bar = element('div', { class: 'program-bar' });
+    this.notes = element('div', { class: 'program-notes' });
+    const place = element('div', { id: 'program-editor' });
+    code.append(this.bar, this.notes, place);
+    this.editor = new CodeEditor(place, {
+      changed: () => this.#changed(),
+      complete: (context) => this.#complete(context),
+      save: () => this.attempt(() => this.save()),
+      run: () => this.attempt(() => this.runs.run()),
+    });
+    this.said = new SaidPanel(said, (line) => this.editor.goTo(line));
+    this.files = new FileDesk(this);
+    this.runs = new RunDesk(this);
+    this.exercises = new ExerciseDesk(this);
+  }
+
+  async open() {
+    const list = await this.service.list();
+    if (!list.open) {
+      this.notes.replaceChildren(
+        note('Programs are written here when the studio is started by: ./robonewbie studio (or robonewbie.cmd studio)'),
+      );
+      return;
+    }
+    await this.exercises.open();
+    await this.files.open(list);
+    await this.runs.look();
+  }
+
+  /** What keys do here, outside of the editor. */
+  get deeds() {
+    const deed = (/** @type {string} */ key, /** @type {string} */ text, /** @type {() => Promise<void>} */ act) => ({
+      keys: [key],
+      ctrl: true,
+      shown: `Ctrl+${key === 'Enter' ? key : key.toUpperCase()}`,
+      text,
+      act: () => this.attempt(act),
+    });
+    return [
+      deed('s', 'save the program; if it runs, it is changed at once', () => this.save()),
+      deed('Enter', 'run the program', () => this.runs.run()),
+    ];
+  }
+
+  /** @returns {boolean} whether work is neither in its file nor kept as a draft */
+  get isAtRisk() {
+    return this.files.isAtRisk;
+  }
+
+  /** Says so if something does not work. @param {() => Promise<void>} deed */
+  attempt(deed) {
+    deed().catch((error) => this.surroundings.note(error.message));
+  }
+
+  /** Saves the program; if it is the one that runs, it is changed at once. */
+  async save() {
+    if (await this.files.save()) {
+      await this.runs.saved();
+    }
+  }
+
+  /** Another file is shown. */
+  opened() {
+    this.exercises.draw();
+    this.runs.forgetMistakes();
+    this.attempt(() => this.check());
+  }
+
+  /** @param {{robot: string, lines: string[]}} news of a robot */
+  hear(news) {
+    this.runs.hear(news);
+  }
+
+  /** What was asked for is asked again: another room has asked for something else, or the simulator is another one. */
+  forget() {
+    this.runs.forgetRobot();
+  }
+
+  /** Lets the compiler read what is in the editor. */
+  async check() {
+    clearTimeout(this.#checkTimer);
+    const { file } = this.files;
+    if (!file || file.shelf === 'example') {
+      this.#showRemarks([]);
+      return;
+    }
+    this.#checks += 1;
+    const mine = this.#checks;
+    const text = this.editor.text;
+    const remarks = await this.service.check(file.path, text);
+    if (mine === this.#checks && text === this.editor.text) {
+      this.#showRemarks(remarks);
+    }
+  }
+
+  /** @param {readonly import('../state/program/remarks.js').Remark[]} remarks */
+  #showRemarks(remarks) {
+    this.editor.setRemarks(remarks);
+    this.said.showRemarks(remarks);
+    this.runs.showRemarks(remarksText(remarks), remarks);
+  }
+
+  #changed() {
+    this.files.changed();
+    this.runs.edited();
+    clearTimeout(this.#checkTimer);
+    this.#checkTimer = window.setTimeout(() => this.attempt(() => this.check()), CHECK_MILLISECONDS);
+  }
+
+  /** @type {import('@codemirror/autocomplete').CompletionSource} */
+  async #complete(context) {
+    const word = context.matchBefore(/\w*/);
+    const before = context.matchBefore(/\.\s*\w*/);
+    const { file } = this.files;
+    if (!file || !word || (!context.explicit && !before && word.text.length < 2)) {
+      return null;
+    }
+    const proposals = await this.service.complete(file.path, this.editor.text, context.pos);
+    const options = proposals.map(({ label, detail, kind, insert, documentation }, i) => ({
+      label,
+      detail,
+      type: kind,
+      apply: applied(insert),
+      info: documentation || undefined,
+      boost: -i / 100,
+    }));
+    return { from: word.from, options, validFor: /^\w*$/ };
+  }
+
+  /** A panel below its name, which folds it. @param {'code' | 'said'} name */
+  #panel(name) {
+    const title = PANEL_TITLES[name];
+    const fold = button(title, 'Fold and unfold', () => this.surroundings.fold(name), {
+      class: 'panel-title',
+      'aria-expanded': 'true',
+    });
+    const inside = element('div', { class: 'panel-inside', id: `program-${name}` });
+    const made = element('section', { class: 'side-panel', 'data-panel': name, 'aria-label': title }, fold, inside);
+    byId('program-room').append(made);
+    return inside;
+  }
+}
+
+/** A line above the program. @param {string} text @param {...HTMLElement} deeds @returns {HTMLElement} */
+export function note(text, ...deeds) {
+  return element('div', { class: 'program-note', role: 'status' }, element('p', {}, text), ...deeds);
+}
+
+/**
+ * Writes a proposal; behind an open parenthesis one goes on with the parameters.
+ *
+ * @param {string} insert
+ * @returns {string | ((view: import('@codemirror/view').EditorView, chosen: unknown, from: number, to: number) => void)}
+ */
+function applied(insert) {
+  if (!insert.endsWith('(')) {
+    return insert;
+  }
+  return (view, _chosen, from, to) => {
+    const selection = { anchor: from + insert.length };
+    view.dispatch({ changes: { from, to, insert: `${insert})` }, selection, userEvent: 'input.complete' });
+  };
+}

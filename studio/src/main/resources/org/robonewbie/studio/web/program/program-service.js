@@ -1,0 +1,127 @@
+/** All that the room for programs asks of others: files, compiler, processes, exercises. Nothing else here knows a server. */
+
+/**
+ * @typedef {{path: string, version: string}} ListedFile
+ * @typedef {object} ProgramList
+ * @property {boolean} open whether programs can be written here at all
+ * @property {string} folder
+ * @property {ListedFile[]} own
+ * @property {ListedFile[]} drafts
+ * @property {string[]} examples
+ *
+ * @typedef {import('../state/program/remarks.js').Remark} Remark
+ * @typedef {import('../state/program/run.js').ProgramRun} ProgramRun
+ * @typedef {import('../state/course.js').Lesson} Lesson
+ * @typedef {import('../state/course.js').Attempt} Attempt
+ * @typedef {{label: string, detail: string, kind: string, insert: string, documentation: string}} Proposal
+ */
+
+export class ProgramService {
+  /** @param {string} token */
+  constructor(token) {
+    this.token = token;
+  }
+
+  /** @returns {Promise<ProgramList>} */
+  async list() {
+    return (await this.#ask('GET', 'programs')).json();
+  }
+
+  /** @param {'own' | 'draft' | 'example'} shelf @param {string} path @returns {Promise<{text: string, version: string}>} */
+  async read(shelf, path) {
+    const answer = await this.#ask('GET', `programs/${shelf}/${escaped(path)}`);
+    return { text: await answer.text(), version: answer.headers.get('Version') ?? '' };
+  }
+
+  /** @param {string} path @param {string} [example] what to begin with @returns {Promise<string>} the text of a new program */
+  async newProgram(path, example = '') {
+    const how = new URLSearchParams({ example });
+    return (await this.#ask('GET', `programs/new/${escaped(path)}?${how}`)).text();
+  }
+
+  /**
+   * @param {string} path
+   * @param {string} text
+   * @param {string} known the version that this page has seen, empty for a new file
+   * @returns {Promise<string>} the new version
+   */
+  async write(path, text, known) {
+    const answer = await this.#ask('PUT', `programs/own/${escaped(path)}`, text, { 'Known-Version': known });
+    return answer.headers.get('Version') ?? '';
+  }
+
+  /** @param {string} path @param {string} text */
+  async writeDraft(path, text) {
+    await this.#ask('PUT', `programs/draft/${escaped(path)}`, text);
+  }
+
+  /** @param {string} path */
+  async removeDraft(path) {
+    await this.#ask('DELETE', `programs/draft/${escaped(path)}`);
+  }
+
+  /** @param {string} path @param {string} text @returns {Promise<Remark[]>} */
+  async check(path, text) {
+    return (await this.#ask('POST', `programs/check/${escaped(path)}`, text)).json();
+  }
+
+  /** @param {string} path @param {string} text @param {number} at @returns {Promise<Proposal[]>} */
+  async complete(path, text, at) {
+    return (await this.#ask('POST', `programs/complete/${escaped(path)}?at=${at}`, text)).json();
+  }
+
+  /** @param {string} path @param {'keep' | 'fresh'} world @returns {Promise<ProgramRun>} */
+  async run(path, world) {
+    return (await this.#ask('POST', `programs/run/${escaped(path)}?world=${world}`)).json();
+  }
+
+  /** @returns {Promise<ProgramRun>} */
+  async state() {
+    return (await this.#ask('GET', 'programs/run')).json();
+  }
+
+  /** @returns {Promise<ProgramRun>} */
+  async stop() {
+    return (await this.#ask('DELETE', 'programs/run')).json();
+  }
+
+  /** @returns {Promise<Lesson[]>} */
+  async lessons() {
+    return (await (await this.#ask('GET', 'course')).json()).lessons;
+  }
+
+  /** Writes the program to begin with. @param {string} lesson @returns {Promise<string>} its path */
+  async handOut(lesson) {
+    return (await this.#ask('PUT', `course/${lesson}`)).json();
+  }
+
+  /** @param {string} lesson @param {string} path @param {number} trials @returns {Promise<Attempt>} */
+  async attempt(lesson, path, trials) {
+    const how = new URLSearchParams({ program: path, trials: String(trials) });
+    return (await this.#ask('POST', `course/${lesson}?${how}`)).json();
+  }
+
+  /** @returns {Promise<Attempt>} */
+  async attemptNow() {
+    return (await this.#ask('GET', 'course/attempt')).json();
+  }
+
+  /** @returns {Promise<Attempt>} */
+  async leaveAttempt() {
+    return (await this.#ask('DELETE', 'course/attempt')).json();
+  }
+
+  /** @param {string} method @param {string} path @param {string} [body] @param {Record<string, string>} [headers] */
+  async #ask(method, path, body, headers = {}) {
+    const answer = await fetch(`api/${path}`, { method, body, headers: { ...headers, 'Studio-Token': this.token } });
+    if (!answer.ok) {
+      throw Object.assign(new Error(await answer.text()), { status: answer.status });
+    }
+    return answer;
+  }
+}
+
+/** @param {string} path */
+function escaped(path) {
+  return path.split('/').map(encodeURIComponent).join('/');
+}

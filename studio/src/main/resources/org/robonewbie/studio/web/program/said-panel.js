@@ -1,0 +1,78 @@
+/** What compiler, robot and judge say about the program: mistakes with their lines, values, log and printed text. */
+import { button, element, setText } from '../panels/elements.js';
+import { valueText } from '../state/program/values.js';
+
+const MOST_LINES = 200;
+const NOTHING =
+  'Here stands what the program says with log.info("…"), nao.plot("name", value) and System.out.println("…").';
+
+export class SaidPanel {
+  /** @param {HTMLElement} place @param {(line: number) => void} goTo */
+  constructor(place, goTo) {
+    this.goTo = goTo;
+    this.place = place;
+    /** Where the judge of an exercise speaks. */
+    this.verdict = element('div', { id: 'program-verdict' });
+    this.compiler = element('ul', { id: 'program-remarks', 'aria-label': 'Mistakes that the compiler has found' });
+    this.mistakes = element('ul', { id: 'program-mistakes', 'aria-label': 'Mistakes while the program ran' });
+    this.values = element('p', { id: 'program-values', 'aria-label': 'Values that the program plots' });
+    this.log = element('ol', { id: 'program-log', 'aria-label': 'Log of the robot' });
+    this.printed = element('pre', { id: 'program-printed' });
+    this.silence = element('p', { class: 'faint' }, NOTHING);
+    place.append(this.verdict, this.compiler, this.mistakes, this.values, this.silence, this.log, this.printed);
+  }
+
+  /** Forgets what the running program has said. */
+  clear() {
+    this.log.replaceChildren();
+    this.values.replaceChildren();
+    this.mistakes.replaceChildren();
+    setText(this.printed, '');
+    this.silence.hidden = false;
+  }
+
+  /** @param {readonly import('../state/program/remarks.js').Remark[]} remarks */
+  showRemarks(remarks) {
+    this.compiler.replaceChildren(...remarks.map(({ line, text, hint }) => this.#entry(line, text, hint)));
+  }
+
+  /** @param {readonly import('../state/program/remarks.js').Mistake[]} mistakes */
+  showMistakes(mistakes) {
+    this.mistakes.replaceChildren(...mistakes.map(({ line, text }) => this.#entry(line, text, '')));
+  }
+
+  /** @param {ReadonlyMap<string, number>} values */
+  showValues(values) {
+    this.silence.hidden = true;
+    this.values.replaceChildren(
+      ...[...values].map(([name, value]) => element('span', {}, `${name} `, element('b', {}, valueText(value)))),
+    );
+  }
+
+  /** @param {import('../state/robot/telemetry.js').LogLine} line */
+  addLine({ seconds, level, text }) {
+    const isAtEnd = this.place.scrollHeight - this.place.scrollTop - this.place.clientHeight < 40;
+    this.silence.hidden = true;
+    this.log.append(element('li', { class: level.toLowerCase() }, `${seconds.toFixed(2)} s  ${text}`));
+    while (this.log.children.length > MOST_LINES) {
+      this.log.children[0].remove();
+    }
+    if (isAtEnd) {
+      this.place.scrollTop = this.place.scrollHeight;
+    }
+  }
+
+  /** @param {string} text that the program has printed */
+  showOutput(text) {
+    setText(this.printed, text);
+    this.silence.hidden ||= text !== '';
+  }
+
+  /** @param {number} line @param {string} text @param {string} hint */
+  #entry(line, text, hint) {
+    const words = `${text}${hint ? ` — ${hint}` : ''}`;
+    const place =
+      line > 0 ? [button(`Line ${line}`, 'Go to this line', () => this.goTo(line), { class: 'quiet' })] : [];
+    return element('li', {}, ...place, ` ${words}`);
+  }
+}

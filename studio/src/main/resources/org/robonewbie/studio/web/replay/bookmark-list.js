@@ -1,0 +1,131 @@
+/** The bookmarks of the open recording: moments with notes, to go to and to link to. */
+import { button, element, setText } from '../panels/elements.js';
+import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
+import { addBookmark, deleteBookmark } from './recording-api.js';
+
+/**
+ * @typedef {import('./recording-api.js').Bookmark} Bookmark
+ *
+ * @typedef {object} Deeds
+ * @property {() => number} now the index of the moment that is shown
+ * @property {(index: number) => void} goTo
+ * @property {() => Promise<void>} changed the list of recordings has to be fetched again
+ * @property {(text: string) => void} note
+ */
+
+/** @param {string} name of a recording @param {number} seconds @returns {string} the part of the address that shows this moment */
+export const momentLink = (name, seconds) => `#replay/${encodeURIComponent(name)}@${seconds}`;
+
+export class BookmarkList {
+  #list = element('ol', { class: 'bookmark-list' });
+  #summary = element('summary', { id: 'bookmarks-open' }, 'Bookmarks');
+  #field = element('input', {
+    id: 'bookmark-note',
+    placeholder: 'Note for this moment',
+    'aria-label': 'Note for this moment',
+    maxlength: '300',
+  });
+  #undo = button('Undo', 'Brings the bookmark back that was deleted last', () => this.#bringBack(), { hidden: '' });
+  #drawn = '';
+  /** The bookmarks that were deleted, the last one at the end. @type {Bookmark[]} */
+  #deleted = [];
+
+  /** @param {string} token @param {Deeds} deeds */
+  constructor(token, deeds) {
+    this.token = token;
+    this.deeds = deeds;
+    this.recording = '';
+    const form = element('form', { class: 'bookmark-form' }, this.#field, this.#undo);
+    form.prepend(element('button', { id: 'bookmark-add', title: 'Keep this moment with the note' }, 'Add'));
+    form.addEventListener('submit', (event) => {
+      event.preventDefault();
+      this.#add();
+    });
+    this.element = element(
+      'details',
+      { class: 'bookmarks' },
+      this.#summary,
+      element('div', { class: 'panel bookmark-sheet' }, form, this.#list),
+    );
+  }
+
+  /** Lets one write the note of a new bookmark. */
+  ask() {
+    this.element.open = true;
+    this.#field.focus();
+  }
+
+  /** @param {string} recording @param {readonly Bookmark[]} bookmarks */
+  draw(recording, bookmarks) {
+    const key = JSON.stringify([recording, bookmarks]);
+    if (key === this.#drawn) {
+      return;
+    }
+    this.#drawn = key;
+    if (recording !== this.recording) {
+      this.recording = recording;
+      this.#deleted = [];
+      this.#undo.hidden = true;
+    }
+    setText(this.#summary, bookmarks.length > 0 ? `Bookmarks (${bookmarks.length})` : 'Bookmarks');
+    this.#list.replaceChildren(...bookmarks.map((each) => this.#line(each)));
+  }
+
+  /** @param {Bookmark} bookmark */
+  #line({ seconds, note }) {
+    const name = `${seconds.toFixed(2)} s`;
+    return element(
+      'li',
+      {},
+      button(`${name} ${note}`, 'Go to this moment', () => this.deeds.goTo(Math.round(seconds * MOMENTS_PER_SECOND)), {
+        class: 'bookmark-go',
+      }),
+      button('Link', `Copy an address that shows ${name}`, () => this.#copy(seconds), { class: 'quiet' }),
+      button('Delete', `Delete the bookmark at ${name}`, () => this.#remove({ seconds, note }), { class: 'quiet' }),
+    );
+  }
+
+  #add() {
+    const seconds = Math.round(this.deeds.now()) / MOMENTS_PER_SECOND;
+    const note = this.#field.value.trim();
+    this.#field.value = '';
+    this.#act(() => addBookmark(this.token, this.recording, { seconds, note }));
+  }
+
+  /** @param {Bookmark} bookmark */
+  #remove(bookmark) {
+    this.#deleted.push(bookmark);
+    this.#undo.hidden = false;
+    this.#act(() => deleteBookmark(this.token, this.recording, bookmark.seconds));
+  }
+
+  #bringBack() {
+    const bookmark = this.#deleted.pop();
+    this.#undo.hidden = this.#deleted.length === 0;
+    if (bookmark) {
+      this.#act(() => addBookmark(this.token, this.recording, bookmark));
+    }
+  }
+
+  /** @param {number} seconds */
+  async #copy(seconds) {
+    const link = momentLink(this.recording, seconds);
+    history.replaceState(undefined, '', link);
+    try {
+      await navigator.clipboard.writeText(location.href);
+      this.deeds.note('The address of this moment is copied.');
+    } catch {
+      this.deeds.note('The address of this moment stands in the bar of the browser; copy it from there.');
+    }
+  }
+
+  /** @param {() => Promise<unknown>} deed */
+  async #act(deed) {
+    try {
+      await deed();
+    } catch (error) {
+      this.deeds.note(/** @type {Error} */ (error).message);
+    }
+    await this.deeds.changed().catch(() => {});
+  }
+}

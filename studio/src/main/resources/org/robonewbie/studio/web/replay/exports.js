@@ -1,0 +1,84 @@
+/** Recordings as files for other programs: a table, a page of its own, the log of a SimSpark server. */
+import { RecordingWriter } from '../state/replay/recording-writer.js';
+import { mainRoster, tableHead, tableRows } from '../state/replay/table.js';
+
+/**
+ * @typedef {import('./recordings.js').RecordingFile} RecordingFile
+ * @typedef {import('../state/kinematics.js').RobotModel} RobotModel
+ * @typedef {(part: number) => void} Progress hears how much is done, 0 to 1; may throw to end the work
+ * @typedef {[from: number, to: number]} Section first and last moment
+ */
+
+/** A page holds about one megabyte beside the run, and at most two for each minute of it. */
+const MOST_BYTES_PER_MINUTE = 2_000_000;
+const MOMENTS_PER_MINUTE = 3000;
+const LETTERS_PER_BYTE = 4 / 3;
+
+/** Kinds of events that stand in recordings; others follow from them. */
+const KEPT_EVENTS = ['goal', 'foul', 'playmode'];
+
+/**
+ * @param {RecordingFile} file
+ * @param {Record<string, RobotModel>} models
+ * @param {Section} section
+ * @param {Progress} progress
+ * @returns {Promise<Blob>}
+ */
+export async function tableOf({ run }, models, [from, to], progress) {
+  const robots = mainRoster(run.summary.rosters);
+  const parts = [tableHead(robots, models)];
+  let done = 0;
+  for await (const moments of run.all(from, to)) {
+    parts.push(tableRows(moments, robots, models));
+    done += moments.length;
+    progress(done / (to + 1 - from));
+  }
+  return new Blob(parts, { type: 'text/csv' });
+}
+
+/**
+ * @param {RecordingFile} file
+ * @param {Record<string, RobotModel>} models
+ * @param {Section} section
+ * @param {Progress} progress
+ * @returns {Promise<Blob>}
+ */
+export async function pageOf(file, models, section, progress) {
+  const { standalonePage } = await import('./standalone.js');
+  const most = (MOST_BYTES_PER_MINUTE * (section[1] + 1 - section[0])) / MOMENTS_PER_MINUTE / LETTERS_PER_BYTE;
+  let packed = await shortened(file, models, section, 1, progress);
+  for (let every = 2; packed.length > Math.max(most, MOST_BYTES_PER_MINUTE / 10) && every <= 8; every *= 2) {
+    packed = await shortened(file, models, section, every, progress);
+  }
+  const page = await standalonePage({ packed, name: file.name, pictures: file.pictures }, models);
+  return new Blob([page], { type: 'text/html' });
+}
+
+/**
+ * @param {RecordingFile} file
+ * @param {Record<string, RobotModel>} models
+ * @param {Section} section
+ * @param {number} every how many moments make one
+ * @param {Progress} progress
+ * @returns {Promise<Uint8Array>} the section as a recording, packed
+ */
+async function shortened({ run }, models, [from, to], every, progress) {
+  const writer = new RecordingWriter(run.header, (type) => models[type].hinges.length);
+  const events = run.events.filter(({ kind }) => KEPT_EVENTS.includes(kind));
+  let index = from;
+  for await (const moments of run.all(from, to)) {
+    for (const moment of moments) {
+      if ((index - from) % every === 0) {
+        const now = index;
+        writer.write(
+          moment,
+          events.filter((event) => event.index >= now && event.index < now + every),
+        );
+      }
+      index++;
+    }
+    progress((index - from) / (to + 1 - from));
+  }
+  const packed = new Blob([writer.bytes]).stream().pipeThrough(new CompressionStream('gzip'));
+  return new Uint8Array(await new Response(packed).arrayBuffer());
+}

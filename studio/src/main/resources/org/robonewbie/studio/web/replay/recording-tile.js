@@ -1,0 +1,146 @@
+/** One recording as a card, with what one can do to it. */
+import { shape } from '../panels/drawing.js';
+import { button, element, setText } from '../panels/elements.js';
+import { clock } from '../state/studio-state.js';
+
+/**
+ * @typedef {import('./recording-api.js').RecordingEntry} RecordingEntry
+ * @typedef {import('./recording-api.js').RecordingCard} RecordingCard
+ *
+ * @typedef {object} TileDeeds
+ * @property {() => void} open
+ * @property {(on: boolean) => void} star
+ * @property {(to: string) => void} rename
+ * @property {() => void} remove
+ */
+
+const CYCLES_PER_SECOND = 50;
+const SIDES = ['', 'left', 'right'];
+
+/** @type {Record<string, [one: string, more: string]>} */
+const EVENTS = { goal: ['goal', 'goals'], fall: ['fall', 'falls'], foul: ['foul', 'fouls'] };
+
+export class RecordingTile {
+  #picture = element('span', { class: 'recording-picture' });
+  #teams = element('strong', {}, '…');
+  #facts = element('span', { class: 'faint' });
+  #agent = element('span', { class: 'faint' });
+  #name = element('span', { class: 'faint recording-title' });
+  #content = '';
+  /** How many robots took part, if that is known yet. @type {number | undefined} */
+  #robots;
+
+  /** @param {RecordingEntry} entry @param {TileDeeds} deeds */
+  constructor(entry, deeds) {
+    this.entry = entry;
+    this.deeds = deeds;
+    const { name } = entry;
+    this.open = button('', `Open ${name}`, deeds.open, { class: 'open' });
+    this.open.append(this.#picture, this.#teams, this.#facts, this.#agent, this.#name);
+    this.star = button('☆', '', () => deeds.star(!this.entry.starred), { class: 'quiet star' });
+    this.rename = button('Rename', `Give ${name} another name`, () => this.#askName(), { class: 'quiet' });
+    const remove = button('Delete', `Delete ${name}; Undo brings it back`, deeds.remove, { class: 'quiet' });
+    this.tools = element('div', { class: 'recording-tools' }, this.star, this.rename, remove);
+    this.card = element('article', { 'data-recording': name }, this.open, this.tools);
+    this.update(entry);
+  }
+
+  /** @param {RecordingEntry} entry @returns {boolean} whether the run has ended since the last time */
+  update(entry) {
+    const hasEnded = this.entry.running && !entry.running;
+    this.entry = entry;
+    const { name, agent, starred, running, bookmarks } = entry;
+    setText(this.star, starred ? '★' : '☆');
+    this.star.title = starred
+      ? `${name} is kept. Take its star away`
+      : `Give ${name} a star: it is kept when others make room`;
+    this.star.setAttribute('aria-pressed', String(starred));
+    this.star.setAttribute('aria-label', `Star of ${name}`);
+    const marks = bookmarks.length === 1 ? '1 bookmark' : `${bookmarks.length} bookmarks`;
+    setText(this.#agent, [agent, bookmarks.length > 0 ? marks : ''].filter(Boolean).join(' · '));
+    setText(this.#name, running ? `${name} · now` : name);
+    return hasEnded;
+  }
+
+  /** @param {RecordingCard | undefined} content nothing, if it cannot be read */
+  fill(content) {
+    if (!content) {
+      setText(this.#teams, 'cannot be read');
+      return;
+    }
+    const { left, right, score, count, robots } = content;
+    const title = left && right ? `${left} ${score.join(' : ')} ${right}` : left || right || 'no robot';
+    const events = Object.entries(EVENTS).flatMap(([kind, names]) => counted(content.events, kind, names));
+    this.#robots = robots;
+    setText(this.#teams, title);
+    setText(
+      this.#facts,
+      [clock(count / CYCLES_PER_SECOND), robots === 1 ? '1 robot' : `${robots} robots`, ...events].join(' · '),
+    );
+    this.#picture.replaceChildren(smallPitch(content));
+    this.#content = `${title} ${events.join(' ')}`;
+  }
+
+  /** @param {string} wanted in small letters @param {string} filter @returns {boolean} whether it is to be shown */
+  fits(wanted, filter) {
+    const { name, agent, starred, ofProject, running, bookmarks } = this.entry;
+    const notes = bookmarks.map(({ note }) => note).join(' ');
+    const isEmpty = this.#robots === 0 && !running;
+    const isOfKind = { project: ofProject && !isEmpty, starred, empty: isEmpty }[filter] ?? (!isEmpty || starred);
+    return isOfKind && `${name} ${agent} ${notes} ${this.#content}`.toLowerCase().includes(wanted);
+  }
+
+  #askName() {
+    const field = element('input', { 'aria-label': 'New name', value: this.entry.name, maxlength: '80' });
+    let isOpen = true;
+    const end = () => {
+      if (isOpen) {
+        isOpen = false;
+        field.replaceWith(this.tools);
+      }
+    };
+    field.addEventListener('keydown', (event) => {
+      const name = field.value.trim();
+      if (event.key === 'Enter' || event.key === 'Escape') {
+        event.stopPropagation();
+        end();
+        this.rename.focus();
+      }
+      if (event.key === 'Enter' && name !== '') {
+        this.deeds.rename(name);
+      }
+    });
+    field.addEventListener('blur', end);
+    this.tools.replaceWith(field);
+    field.select();
+  }
+}
+
+/** @param {ReadonlyArray<{kind: string}>} events @param {string} kind @param {[one: string, more: string]} names */
+function counted(events, kind, [one, more]) {
+  const count = events.filter((event) => event.kind === kind).length;
+  return count === 0 ? [] : [`${count} ${count === 1 ? one : more}`];
+}
+
+/** @param {RecordingCard} content */
+function smallPitch({ pitch: [length, width], ball, ways }) {
+  const [x, y] = [-length / 2 - 1, -width / 2 - 1];
+  const line = { class: 'line' };
+  const path = (/** @type {Array<[number, number]>} */ places, /** @type {string} */ kind) =>
+    shape('polyline', { points: places.map(([px, py]) => `${px},${-py}`).join(' '), class: `way ${kind}` });
+  const dot = (/** @type {Array<[number, number]>} */ places, /** @type {number} */ r, /** @type {string} */ kind) => {
+    const [cx, cy] = places.at(-1) ?? [0, 0];
+    return shape('circle', { cx, cy: -cy, r, class: kind });
+  };
+  return shape(
+    'svg',
+    { viewBox: `${x} ${y} ${length + 2} ${width + 2}`, 'aria-hidden': 'true' },
+    shape('rect', { x: -length / 2, y: -width / 2, width: length, height: width, ...line }),
+    shape('line', { y1: -width / 2, y2: width / 2, ...line }),
+    shape('circle', { r: length / 12, ...line }),
+    ...ways.map(({ places, side }) => path(places, SIDES[side])),
+    path(ball, 'ball'),
+    ...ways.map(({ places, side }) => dot(places, length / 55, SIDES[side])),
+    dot(ball, length / 80, 'ball'),
+  );
+}

@@ -1,0 +1,99 @@
+/**
+ * What teams draw for RoboViz, as triangles in space. Pure.
+ *
+ * @typedef {object} BoardShape
+ * @property {'circle' | 'line' | 'point' | 'sphere' | 'polygon' | 'text' | 'agent'} shape
+ * @property {number[]} [numbers] in the order of RoboViz's protocol, metres; thickness and size of a point are pixels there
+ * @property {string} colour
+ * @property {number} [opacity]
+ * @property {string} text
+ * @property {'left' | 'right'} [side] of a text above a robot
+ * @property {number} [number]
+ */
+
+const METRES_PER_PIXEL = 0.012;
+const PARTS = 40;
+const OVER_GROUND = 0.013;
+
+/** @typedef {[number, number, number]} Point */
+
+/** @param {BoardShape} shape @returns {number[]} x, y and z of three corners for each triangle; none for a text */
+export function boardTriangles({ shape, numbers: n = [] }) {
+  switch (shape) {
+    case 'circle':
+      return ring(n[0], n[1], n[2], METRES_PER_PIXEL * n[3]);
+    case 'line':
+      return beam([n[0], n[1], over(n[2])], [n[3], n[4], over(n[5])], (METRES_PER_PIXEL * n[6]) / 2);
+    case 'point':
+      return octahedron([n[0], n[1], over(n[2])], (METRES_PER_PIXEL * n[3]) / 2);
+    case 'sphere':
+      return ball([n[0], n[1], n[2]], n[3]);
+    case 'polygon':
+      return fan(n);
+    default:
+      return [];
+  }
+}
+
+/** What lies on the ground would flicker with it. @param {number} z */
+function over(z) {
+  return Math.abs(z) < OVER_GROUND ? OVER_GROUND : z;
+}
+
+/** @param {number} x @param {number} y @param {number} radius @param {number} thickness */
+function ring(x, y, radius, thickness) {
+  const at = (/** @type {number} */ part, /** @type {number} */ r) => {
+    const angle = (2 * Math.PI * part) / PARTS;
+    return /** @type {Point} */ ([x + r * Math.cos(angle), y + r * Math.sin(angle), OVER_GROUND]);
+  };
+  const [inner, outer] = [Math.max(0, radius - thickness / 2), radius + thickness / 2];
+  return Array.from({ length: PARTS }, (_, i) =>
+    quad(at(i, inner), at(i, outer), at(i + 1, inner), at(i + 1, outer)),
+  ).flat();
+}
+
+/** Two crossed ribbons, so that a line is seen from all sides. @param {Point} a @param {Point} b @param {number} half */
+function beam(a, b, half) {
+  const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+  const flat = Math.hypot(dx, dy);
+  const side = flat > 1e-6 ? [(-dy / flat) * half, (dx / flat) * half, 0] : [half, 0, 0];
+  const up = flat > 1e-6 ? [0, 0, half] : [0, half, 0];
+  return [side, up].flatMap((by) => quad(plus(a, by), plus(a, by, -1), plus(b, by), plus(b, by, -1)));
+}
+
+/** @param {Point} point @param {number[]} by @param {number} [times] @returns {Point} */
+function plus(point, by, times = 1) {
+  return [point[0] + times * by[0], point[1] + times * by[1], point[2] + times * by[2]];
+}
+
+/** @param {Point} centre @param {number} r */
+function octahedron(centre, r) {
+  return ball(centre, r, 4, 2);
+}
+
+/** @param {Point} centre @param {number} r @param {number} [around] @param {number} [high] */
+function ball([x, y, z], r, around = 16, high = 8) {
+  const at = (/** @type {number} */ i, /** @type {number} */ j) => {
+    const [turn, rise] = [(2 * Math.PI * i) / around, Math.PI * (j / high - 0.5)];
+    const flat = r * Math.cos(rise);
+    return /** @type {Point} */ ([x + flat * Math.cos(turn), y + flat * Math.sin(turn), z + r * Math.sin(rise)]);
+  };
+  return Array.from({ length: around * high }, (_, k) => {
+    const [i, j] = [k % around, Math.floor(k / around)];
+    return quad(at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1));
+  }).flat();
+}
+
+/** @param {number[]} numbers x, y and z of each corner */
+function fan(numbers) {
+  const corner = (/** @type {number} */ i) => [numbers[3 * i], numbers[3 * i + 1], over(numbers[3 * i + 2])];
+  const count = Math.floor(numbers.length / 3);
+  return Array.from({ length: Math.max(0, count - 2) }, (_, i) =>
+    [corner(0), corner(i + 1), corner(i + 2)].flat(),
+  ).flat();
+}
+
+/** @param {Point} a @param {Point} b @param {Point} c beside a @param {Point} d beside b */
+function quad(a, b, c, d) {
+  return [...a, ...b, ...c, ...c, ...b, ...d];
+}

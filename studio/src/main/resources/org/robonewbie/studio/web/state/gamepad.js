@@ -1,0 +1,37 @@
+/** How a person steers a robot with a gamepad: the left stick walks, the right one and the triggers turn, buttons kick. Pure. */
+
+const DEAD = 0.18;
+const STEPS = 5;
+
+/** Buttons of the standard gamepad. @type {Record<number, string>} */
+const MOTIONS = { 0: 'kick-right', 2: 'kick-left', 3: 'wave', 1: 'stand' };
+
+/**
+ * @typedef {object} Pad what the browser tells of a gamepad
+ * @property {readonly number[]} axes
+ * @property {ReadonlyArray<{pressed: boolean}>} buttons
+ */
+
+/**
+ * @param {Pad} pad
+ * @returns {import('./puppet.js').Walk} in coarse steps, so that a trembling thumb gives no new order
+ */
+export function walkOfPad({ axes }) {
+  const part = (/** @type {number | undefined} */ value = 0) =>
+    Math.abs(value) < DEAD ? 0 : -Math.round(STEPS * value) / STEPS || 0;
+  return { forward: part(axes[1]), left: part(axes[0]), turn: part(axes[2]) };
+}
+
+/**
+ * @param {Pad} pad
+ * @param {ReadonlySet<number>} before buttons that were down
+ * @returns {{down: Set<number>, motion: string | undefined}} buttons that are down, and the motion that was just asked for
+ */
+export function buttonsOfPad({ buttons }, before) {
+  const down = new Set([...buttons.keys()].filter((i) => buttons[i].pressed));
+  const fresh = [...down].find((i) => !before.has(i) && MOTIONS[i] !== undefined);
+  return { down, motion: fresh === undefined ? undefined : MOTIONS[fresh] };
+}
+
+/** What a person reads about it. */
+export const PAD_TEXT = 'Gamepad: left stick walks, right stick turns, A and X kick, Y waves, B stands.';

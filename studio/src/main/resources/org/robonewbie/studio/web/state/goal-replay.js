@@ -1,0 +1,68 @@
+/** Shows a goal again, slowly, a moment after it was scored; then the picture goes back to now. Pure. */
+
+const CYCLES_PER_SECOND = 50;
+const BEFORE_SECONDS = 5;
+const AFTER_SECONDS = 1.2;
+const SPEED = 0.5;
+
+export class GoalReplay {
+  /** The cycle that is shown, while a goal is shown again. @type {number | undefined} */
+  at;
+  /** @type {number | undefined} */
+  #goal;
+
+  /** @param {number} cycle in which a goal was scored */
+  scored(cycle) {
+    this.#goal = cycle;
+    this.at = undefined;
+  }
+
+  stop() {
+    this.#goal = undefined;
+    this.at = undefined;
+  }
+
+  /**
+   * Moves on.
+   *
+   * @param {number} seconds since the last call
+   * @param {{first: number, last: number}} history cycles that can be shown
+   * @returns {'nothing' | 'shows' | 'ends'} whether `at` is to be shown, or now again
+   */
+  turn(seconds, { first, last }) {
+    if (this.#goal === undefined) {
+      return 'nothing';
+    }
+    const end = this.#goal + AFTER_SECONDS * CYCLES_PER_SECOND;
+    if (this.at === undefined) {
+      if (last < end + 1) {
+        return 'nothing';
+      }
+      this.at = Math.max(first, this.#goal - BEFORE_SECONDS * CYCLES_PER_SECOND);
+    } else {
+      this.at += SPEED * CYCLES_PER_SECOND * seconds;
+    }
+    if (this.at < end) {
+      return 'shows';
+    }
+    this.stop();
+    return 'ends';
+  }
+}
+
+/**
+ * Says who has come into the game and who has left it.
+ *
+ * @param {ReadonlyArray<{team: string, number: number}>} before
+ * @param {ReadonlyArray<{team: string, number: number}>} after
+ * @returns {string[]}
+ */
+export function lineUpChanges(before, after) {
+  const names = (/** @type {typeof before} */ players) =>
+    players.filter(({ number }) => number > 0).map(({ team, number }) => `${team} ${number}`);
+  const [were, are] = [names(before), names(after)];
+  return [
+    ...were.filter((name) => !are.includes(name)).map((name) => `${name} leaves the game`),
+    ...are.filter((name) => !were.includes(name)).map((name) => `${name} comes in`),
+  ];
+}

@@ -1,0 +1,59 @@
+/** The ring around what one points at: dragging it turns a robot and throws the ball. Pure. */
+
+const RING_METRES = { ball: 0.17, robot: 0.36 };
+const RING_PIXELS = { ball: 22, robot: 34 };
+const RING_WIDTH = 0.36;
+const DEAD_METRES = 0.06;
+const SPEED_PER_METRE = 2.5;
+const HIGH_PART = 0.6;
+
+/** Faster than the hardest kicks that teams have shown. */
+export const FASTEST_THROW = 12;
+
+/** @typedef {'ball' | 'robot'} Kind */
+
+/** @param {Kind} kind @param {number} metresPerPixel at its place @returns {number} radius of the ring, metres */
+export function ringRadius(kind, metresPerPixel) {
+  return Math.max(RING_METRES[kind], RING_PIXELS[kind] * metresPerPixel);
+}
+
+/**
+ * Whether a point of the ground belongs to the ring.
+ *
+ * @param {ArrayLike<number>} centre
+ * @param {ArrayLike<number>} point
+ * @param {number} radius
+ */
+export function isOnRing(centre, point, radius) {
+  const metres = Math.hypot(point[0] - centre[0], point[1] - centre[1]);
+  return Math.abs(metres - radius) <= (RING_WIDTH / 2) * radius;
+}
+
+/**
+ * @param {ArrayLike<number>} centre
+ * @param {ArrayLike<number>} point where the pointer is
+ * @returns {number | undefined} the heading in degrees; undefined if the pointer is on the robot itself
+ */
+export function headingTo(centre, point) {
+  const [x, y] = [point[0] - centre[0], point[1] - centre[1]];
+  return Math.hypot(x, y) < DEAD_METRES ? undefined : (Math.atan2(y, x) * 180) / Math.PI;
+}
+
+/**
+ * How the ball flies when it is let go: the farther one has drawn, the faster.
+ *
+ * @param {ArrayLike<number>} ball
+ * @param {ArrayLike<number>} point where the pointer is
+ * @param {boolean} high whether it flies over robots
+ * @returns {{velocity: [number, number, number], speed: number} | undefined} metres per second; undefined if it stays
+ */
+export function throwOf(ball, point, high) {
+  const [x, y] = [point[0] - ball[0], point[1] - ball[1]];
+  const metres = Math.hypot(x, y);
+  if (metres < DEAD_METRES) {
+    return undefined;
+  }
+  const flat = Math.min(FASTEST_THROW, SPEED_PER_METRE * metres);
+  const up = high ? HIGH_PART * flat : 0;
+  return { velocity: [(flat * x) / metres, (flat * y) / metres, up], speed: Math.hypot(flat, up) };
+}

@@ -1,0 +1,48 @@
+/** Which names are shown above robots, and how they are written. Pure. */
+
+/** A robot that is drawn smaller than that has no name: it would be larger than the robot. */
+export const LEAST_ROBOT_PIXELS = 16;
+
+const LONGEST_TEAM = 14;
+const GAP_PIXELS = 2;
+
+/**
+ * @typedef {object} Tag a name at its place on the page
+ * @property {number} x middle of its lower edge, pixels
+ * @property {number} y
+ * @property {number} width pixels
+ * @property {number} height
+ * @property {number} metres how far its robot is from the eye
+ * @property {number} robotPixels how high the robot is drawn
+ */
+
+/** @param {{team: string, number: number}} player */
+export function nameOf({ team, number }) {
+  const name = team.length > LONGEST_TEAM ? `${team.slice(0, LONGEST_TEAM - 1)}…` : team;
+  return number > 0 ? `${name} ${number}`.trim() : name || 'new robot';
+}
+
+/**
+ * Chooses the names to show: none of a tiny robot, and of two that would cover each other only the nearer one.
+ *
+ * @param {readonly Tag[]} tags
+ * @returns {boolean[]} whether each is shown
+ */
+export function shownTags(tags) {
+  /** @type {Tag[]} */
+  const shown = [];
+  const nearest = [...tags].sort((a, b) => a.metres - b.metres);
+  for (const tag of nearest) {
+    if (tag.robotPixels >= LEAST_ROBOT_PIXELS && !shown.some((other) => cover(tag, other))) {
+      shown.push(tag);
+    }
+  }
+  return tags.map((tag) => shown.includes(tag));
+}
+
+/** @param {Tag} a @param {Tag} b */
+function cover(a, b) {
+  const apart = Math.abs(a.x - b.x) >= (a.width + b.width) / 2 + GAP_PIXELS;
+  const above = a.y - a.height >= b.y + GAP_PIXELS || b.y - b.height >= a.y + GAP_PIXELS;
+  return !apart && !above;
+}

@@ -1,0 +1,57 @@
+/**
+ * What is said about a program that runs, and which robot is its own. Pure.
+ *
+ * @typedef {'NONE' | 'STARTING' | 'RUNNING' | 'ENDED' | 'STOPPED' | 'REFUSED'} RunState
+ * @typedef {{id: number, state: RunState, program: string, output: string, exitCode: number}} ProgramRun
+ */
+import { fileName } from './remarks.js';
+
+const ENDLESS = /think\(\) has not returned.*?\(([^)]*)\)/s;
+
+/** @type {ProgramRun} */
+export const NO_RUN = { id: 0, state: 'NONE', program: '', output: '', exitCode: 0 };
+
+/** @param {ProgramRun} run @returns {boolean} */
+export function isUnderWay({ state }) {
+  return state === 'STARTING' || state === 'RUNNING';
+}
+
+/** @param {ProgramRun} run @returns {string} what happens, as a sentence */
+export function runText(run) {
+  const name = fileName(run.program);
+  switch (run.state) {
+    case 'STARTING':
+      return `${name} is starting…`;
+    case 'RUNNING':
+      return `${name} is running.`;
+    case 'STOPPED':
+      return `${name} was stopped.`;
+    case 'REFUSED':
+      return `${name} has mistakes and was not started.`;
+    case 'ENDED':
+      return endText(name, run);
+    default:
+      return 'Nothing runs yet. Press Run.';
+  }
+}
+
+/** @param {string} name @param {ProgramRun} run */
+function endText(name, { output, exitCode }) {
+  const endless = ENDLESS.exec(output);
+  if (endless && exitCode !== 0) {
+    return `${name} was stopped: think() did not return (${endless[1]}). Is there an endless loop?`;
+  }
+  return exitCode === 0 ? `${name} has ended.` : `${name} has ended with a mistake; it is named below.`;
+}
+
+/**
+ * Finds the robot of the program among all.
+ *
+ * @param {string} known key of the robot that was the program's until now
+ * @param {readonly string[]} before keys of the robots that were there before the program was started first
+ * @param {readonly string[]} now keys of the robots that are there
+ * @returns {string} its key, empty if it is not there yet
+ */
+export function ownRobot(known, before, now) {
+  return now.includes(known) ? known : (now.findLast((key) => !before.includes(key)) ?? now.at(-1) ?? '');
+}

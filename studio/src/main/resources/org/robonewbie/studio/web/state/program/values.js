@@ -1,0 +1,23 @@
+/** Values that a program plots, beside the lines that plot them. Pure. */
+
+const PLOT = /\bplot\(\s*"([^"\\]+)"/g;
+
+/**
+ * @param {string} text of the program
+ * @param {ReadonlyMap<string, number>} values by name
+ * @returns {Array<{line: number, text: string}>} what to show at the end of lines, from the first line on
+ */
+export function valuesAtLines(text, values) {
+  return text.split('\n').flatMap((line, i) => {
+    const shown = [...line.matchAll(PLOT)]
+      .map(([, name]) => name)
+      .filter((name) => values.has(name))
+      .map((name) => valueText(/** @type {number} */ (values.get(name))));
+    return shown.length > 0 ? [{ line: i + 1, text: shown.join(', ') }] : [];
+  });
+}
+
+/** @param {number} value @returns {string} with as many digits as can be read while it changes */
+export function valueText(value) {
+  return Number.isInteger(value) ? String(value) : Number(value.toPrecision(4)).toString();
+}

@@ -1,0 +1,183 @@
+/**
+ * A recording of any length: pieces of it are fetched when their moments are asked for, and given back when others are needed. Pure
+ * but for what fetches the pieces.
+ *
+ * @typedef {import('./recording-reader.js').Moment} Moment
+ * @typedef {import('./recording-reader.js').RecordedEvent} RecordedEvent
+ * @typedef {import('../../live/state-frame.js').Player} Player
+ *
+ * @typedef {object} Growth what is known of a recording, or what is new in it
+ * @property {number} count of its moments
+ * @property {boolean} whole whether all of it has been looked at
+ * @property {RecordedEvent[]} events
+ * @property {number[]} pieces the first moment of each piece
+ *
+ * @typedef {object} Summary
+ * @property {number} firstCycle
+ * @property {Record<string, string>} header
+ * @property {Array<[x: number, y: number]>} ball its way
+ * @property {Array<{side: number, places: Array<[x: number, y: number]>}>} ways of the robots
+ * @property {Array<{robots: Player[], cycles: number}>} rosters
+ *
+ * @typedef {{reader: RecordingReader, bytes: number, loading: Promise<void> | undefined}} Piece
+ */
+import { RecordingReader } from './recording-reader.js';
+
+/** At most about 40 megabytes. */
+const MOST_PIECES = 36;
+const PAUSE_MILLISECONDS = 1000;
+
+/** Lets a server that does not answer rest before it is asked again. @param {unknown} problem @returns {Promise<void>} */
+const pause = (problem) => new Promise((_, fail) => setTimeout(() => fail(problem), PAUSE_MILLISECONDS));
+
+export class RecordedRun {
+  /** The pieces that are there, the longest unused first. @type {Map<number, Piece>} */
+  #pieces = new Map();
+  /** @type {Map<string, Player[]>} */
+  #rosters = new Map();
+
+  /**
+   * @param {(type: string) => number} hingesOf how many hinges a type of robot has
+   * @param {(piece: number, skip: number) => Promise<Uint8Array>} fetchPiece
+   * @param {() => void} grown hears that moments have come
+   */
+  constructor(hingesOf, fetchPiece, grown) {
+    this.hingesOf = hingesOf;
+    this.fetchPiece = fetchPiece;
+    this.grown = grown;
+    this.count = 0;
+    /** How often moments have come. */
+    this.arrived = 0;
+    /** @type {number[]} */
+    this.starts = [];
+    /** @type {RecordedEvent[]} */
+    this.events = [];
+    /** @type {Summary} */
+    this.summary = { firstCycle: 0, header: {}, ball: [], ways: [], rosters: [] };
+  }
+
+  get header() {
+    return this.summary.header;
+  }
+
+  get firstCycle() {
+    return this.summary.firstCycle;
+  }
+
+  /** @param {Growth} growth */
+  grow({ count, events, pieces }) {
+    this.count = count;
+    this.events.push(...events);
+    this.starts.push(...pieces);
+  }
+
+  /** @param {number} index @returns {Moment | undefined} the moment, if it is there; else it is fetched */
+  at(index) {
+    const piece = this.#pieceOf(index);
+    const moment = this.#pieces.get(piece)?.reader.moments[index - this.starts[piece]];
+    if (piece >= 0) {
+      this.#want(piece, index);
+    }
+    if (moment) {
+      this.#wantNext(piece, index);
+    }
+    return moment;
+  }
+
+  /** @param {number} index @returns {Promise<Moment | undefined>} the moment when it has come */
+  async ready(index) {
+    const piece = this.#pieceOf(index);
+    await this.#want(piece, index);
+    return this.at(index);
+  }
+
+  /** @param {number} index @param {number} reach moments @returns {Moment[]} those around it that are there; the others are fetched */
+  around(index, reach) {
+    const [from, to] = [Math.max(0, index - reach), Math.min(this.count - 1, index + reach)];
+    const moments = [];
+    for (let piece = this.#pieceOf(from); piece >= 0 && this.starts[piece] <= to; piece++) {
+      const start = this.starts[piece];
+      this.#want(piece, Math.min(to, this.#endOf(piece) - 1));
+      const there = this.#pieces.get(piece)?.reader.moments ?? [];
+      moments.push(...there.slice(Math.max(0, from - start), to + 1 - start));
+    }
+    return moments;
+  }
+
+  /** @param {number} from @param {number} to @returns {AsyncGenerator<Moment[]>} all moments from one to another, piece by piece */
+  async *all(from = 0, to = this.count - 1) {
+    for (let piece = this.#pieceOf(from); piece >= 0 && this.starts[piece] <= to; piece++) {
+      const start = this.starts[piece];
+      await this.#want(piece, Math.min(to, this.#endOf(piece) - 1));
+      const { reader } = /** @type {Piece} */ (this.#pieces.get(piece));
+      yield reader.moments.slice(Math.max(0, from - start), to + 1 - start);
+    }
+  }
+
+  /** @param {number} piece @param {number} index that is shown */
+  #wantNext(piece, index) {
+    const [start, end] = [this.starts[piece], this.#endOf(piece)];
+    const neighbour = index - start > (end - start) / 2 ? piece + 1 : piece - 1;
+    if (neighbour >= 0 && neighbour < this.starts.length) {
+      this.#want(neighbour, Math.min(this.count, this.#endOf(neighbour)) - 1);
+    }
+  }
+
+  /** @param {number} piece @returns {number} the first moment behind it */
+  #endOf(piece) {
+    return this.starts[piece + 1] ?? this.count;
+  }
+
+  /** @param {number} index @returns {number} the piece in which a moment is, -1 if there is none */
+  #pieceOf(index) {
+    let [low, high] = [0, this.starts.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      [low, high] = this.starts[middle] <= index ? [middle + 1, high] : [low, middle];
+    }
+    return low - 1;
+  }
+
+  /** Fetches a piece up to a moment, unless it is there. @param {number} number @param {number} index @returns {Promise<void>} */
+  #want(number, index) {
+    const part = { rosters: this.#rosters, isBegun: number > 0 };
+    const piece = this.#pieces.get(number) ?? {
+      reader: new RecordingReader(this.hingesOf, part),
+      bytes: 0,
+      loading: undefined,
+    };
+    this.#pieces.delete(number);
+    this.#pieces.set(number, piece);
+    if (!piece.loading && this.starts[number] + piece.reader.moments.length <= index) {
+      piece.loading = this.#load(number, piece, index)
+        .catch(pause)
+        .finally(() => {
+          piece.loading = undefined;
+        });
+      piece.loading.catch(() => {});
+      this.#forgetOld();
+    }
+    return piece.loading ?? Promise.resolve();
+  }
+
+  /** @param {number} number @param {Piece} piece @param {number} index */
+  async #load(number, piece, index) {
+    let bytes = await this.fetchPiece(number, piece.bytes);
+    while (bytes.length > 0) {
+      piece.bytes += bytes.length;
+      piece.reader.push(bytes);
+      const isThere = this.starts[number] + piece.reader.moments.length > index;
+      bytes = isThere ? new Uint8Array() : await this.fetchPiece(number, piece.bytes);
+    }
+    this.arrived++;
+    this.grown();
+  }
+
+  #forgetOld() {
+    for (const [number, { loading }] of this.#pieces) {
+      if (this.#pieces.size > MOST_PIECES && !loading) {
+        this.#pieces.delete(number);
+      }
+    }
+  }
+}

@@ -1,0 +1,148 @@
+/**
+ * Writes moments as a recording again, without what programs commanded, which is half of one in which much moves. The format is
+ * described in docs/recording-format.md. Pure.
+ *
+ * @typedef {import('./recording-reader.js').Moment} Moment
+ * @typedef {import('./recording-reader.js').RecordedEvent} RecordedEvent
+ */
+import { MAGIC } from './recording-source.js';
+
+const VERSION = 1;
+const HEADER = 1;
+const GAME = 2;
+const ROBOTS = 3;
+const EVENT = 5;
+const CYCLE = 6;
+const POSE_NUMBERS = 7;
+const CYCLES_PER_SECOND = 50;
+const SIDES = ['', 'left', 'right'];
+
+export class RecordingWriter {
+  #bytes = new Uint8Array(1 << 16);
+  #length = 0;
+  /** @type {Moment | undefined} */
+  #last;
+  /** The numbers of the last moment, of the ball by -1. @type {Map<number, Int32Array>} */
+  #tracks = new Map();
+
+  /** @param {Record<string, string>} header @param {(type: string) => number} hingesOf */
+  constructor(header, hingesOf) {
+    this.hingesOf = hingesOf;
+    this.#raw(new TextEncoder().encode(MAGIC));
+    this.#unsigned(VERSION);
+    const lines = Object.entries(header).map((entry) => entry.join('='));
+    this.#record(HEADER, () => this.#text(lines.join('\n')));
+  }
+
+  /** @param {Moment} moment @param {readonly RecordedEvent[]} events those of this moment */
+  write(moment, events) {
+    for (const { kind, text } of events) {
+      this.#record(EVENT, () => this.#text(`${kind} ${text}`));
+    }
+    const { game, robots } = moment;
+    if (game !== this.#last?.game) {
+      this.#record(GAME, () => {
+        this.#text(game.playMode);
+        [game.half, game.scoreLeft, game.scoreRight].forEach((each) => this.#unsigned(each));
+        [game.left, game.right].forEach((each) => this.#text(each));
+      });
+    }
+    if (robots !== this.#last?.robots) {
+      this.#record(ROBOTS, () => this.#roster(robots));
+    }
+    this.#record(CYCLE, () => this.#cycle(moment));
+    this.#last = moment;
+  }
+
+  /** @returns {Uint8Array<ArrayBuffer>} all that was written */
+  get bytes() {
+    return this.#bytes.slice(0, this.#length);
+  }
+
+  /** @param {Moment['robots']} robots */
+  #roster(robots) {
+    this.#unsigned(robots.length);
+    for (const { id, type, side, number, team } of robots) {
+      [id, Number(type.slice(-1)), SIDES.indexOf(side), number].forEach((each) => this.#unsigned(each));
+      this.#text(team);
+    }
+  }
+
+  /** @param {Moment} moment */
+  #cycle({ cycle, gameTime, numbers, robots }) {
+    const ticks = (/** @type {number} */ seconds) => Math.round(seconds * CYCLES_PER_SECOND);
+    this.#unsigned(cycle);
+    this.#signed(ticks(gameTime) - ticks(this.#last?.gameTime ?? 0));
+    this.#track(-1, numbers.subarray(0, POSE_NUMBERS));
+    let at = POSE_NUMBERS;
+    for (const { id, type } of robots) {
+      const size = POSE_NUMBERS + this.hingesOf(type);
+      this.#track(id, numbers.subarray(at, at + size));
+      at += size;
+    }
+  }
+
+  /** @param {number} id @param {Int32Array} numbers */
+  #track(id, numbers) {
+    const last = this.#tracks.get(id);
+    numbers.forEach((number, i) => this.#signed(number - (last?.[i] ?? 0)));
+    this.#tracks.set(id, numbers);
+  }
+
+  /** @param {number} kind @param {() => void} fill */
+  #record(kind, fill) {
+    const outer = [this.#bytes, this.#length];
+    this.#bytes = new Uint8Array(1 << 10);
+    this.#length = 0;
+    fill();
+    const content = this.#bytes.subarray(0, this.#length);
+    [this.#bytes, this.#length] = /** @type {[Uint8Array<ArrayBuffer>, number]} */ (outer);
+    this.#byte(kind);
+    this.#unsigned(content.length);
+    this.#raw(content);
+  }
+
+  /** @param {string} text */
+  #text(text) {
+    const encoded = new TextEncoder().encode(text);
+    this.#unsigned(encoded.length);
+    this.#raw(encoded);
+  }
+
+  /** @param {number} value */
+  #signed(value) {
+    this.#unsigned(value >= 0 ? 2 * value : -2 * value - 1);
+  }
+
+  /** @param {number} value */
+  #unsigned(value) {
+    let rest = value;
+    while (rest > 127) {
+      this.#byte((rest % 128) + 128);
+      rest = Math.floor(rest / 128);
+    }
+    this.#byte(rest);
+  }
+
+  /** @param {number} value */
+  #byte(value) {
+    this.#room(1);
+    this.#bytes[this.#length++] = value;
+  }
+
+  /** @param {Uint8Array} content */
+  #raw(content) {
+    this.#room(content.length);
+    this.#bytes.set(content, this.#length);
+    this.#length += content.length;
+  }
+
+  /** @param {number} count */
+  #room(count) {
+    if (this.#length + count > this.#bytes.length) {
+      const larger = new Uint8Array(Math.max(2 * this.#bytes.length, this.#length + count));
+      larger.set(this.#bytes.subarray(0, this.#length));
+      this.#bytes = larger;
+    }
+  }
+}

@@ -1,0 +1,162 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.studio.search.SearchBoard;
+import org.robonewbie.studio.search.SearchTask;
+
+/** axe-core finds no violation in any room, light and dark, nor in what opens there. */
+@InBrowser
+class AccessibilityPageTest {
+
+    private static final String FIELD_IS_THERE = "studio.view.drawCalls > 0";
+    private static final String ROBOT_IS_THERE = "document.querySelectorAll('.joint-row').length === 22";
+    private static final String MOTION_IS_THERE = "studio.motion?.editor.state.name === 'mine' && !studio.motion.stale";
+    private static final String RECORDING_IS_THERE =
+            "studio.replay?.file?.isWhole && studio.cursor.recorded && !studio.replay.stale";
+
+    private final Chromium browser;
+    private final Axe axe = new Axe();
+
+    @TempDir
+    private Path folder;
+
+    private FurnishedStudio studio;
+
+    AccessibilityPageTest(Chromium browser) {
+        this.browser = browser;
+    }
+
+    @BeforeEach
+    void open() throws IOException {
+        studio = new FurnishedStudio(folder);
+    }
+
+    @AfterEach
+    void close() {
+        studio.close();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"light", "dark"})
+    void roomsHaveNoViolation(String theme) {
+        visit(theme, "#field", FIELD_IS_THERE);
+        assertClean("Field");
+        visit(theme, "#field/exercises", "document.querySelector('[data-exercise=kick]')");
+        assertClean("Exercises");
+        visit(theme, "#robot", ROBOT_IS_THERE);
+        assertClean("Robot");
+        visit(theme, "#motion/mine", MOTION_IS_THERE);
+        assertClean("Motion");
+        visit(theme, "#replay", "document.querySelector('[data-recording=game]')");
+        assertClean("Recordings");
+        visit(theme, "#replay/game", RECORDING_IS_THERE);
+        assertClean("Replay");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"light", "dark"})
+    void searchHasNoViolation(String theme) throws IOException {
+        SearchBoard board = new SearchBoard(new SearchTask("kick", "kick-distance", "m", true, 3, "3 rounds"));
+        StudioFolders folders = new StudioFolders(folder, Optional.empty());
+        try (StudioServer other =
+                StudioServer.start(studio.simulation(), 0, AccessToken.random(), folders, Optional.of(board))) {
+            browser.visit(SearchBoard.page(other.address()) + "&theme=" + theme);
+            browser.await("search.state.task !== undefined");
+
+            assertClean("Search");
+        }
+    }
+
+    @Tag("slow")
+    @ParameterizedTest
+    @ValueSource(strings = {"light", "dark"})
+    void whatOpensInARoomHasNoViolation(String theme) {
+        visit(theme, "#field", FIELD_IS_THERE);
+        openAll();
+        assertClean("Field with all that folds");
+        browser.click("#help-button");
+        browser.await("document.querySelector('#help').open");
+        assertClean("Keys");
+        visit(theme, "#field/exercises", "document.querySelector('[data-exercise=kick]')");
+        browser.click("[data-exercise=kick]");
+        browser.await("document.querySelector('#course-program').options.length === 2");
+        openAll();
+        assertClean("an exercise");
+        visit(theme, "#robot", ROBOT_IS_THERE);
+        browser.click("#message-tab");
+        openAll();
+        assertClean("Robot with all that folds");
+    }
+
+    @Tag("slow")
+    @ParameterizedTest
+    @ValueSource(strings = {"light", "dark"})
+    void whatOpensInAnEditorHasNoViolation(String theme) {
+        visit(theme, "#motion/mine", MOTION_IS_THERE);
+        browser.click("#timeline-curves");
+        browser.click("#motion-tools .menu-head");
+        assertClean("curves");
+        browser.click("#save-as");
+        browser.await("document.querySelector('#answer')");
+        assertClean("Save as");
+    }
+
+    @Tag("slow")
+    @ParameterizedTest
+    @ValueSource(strings = {"light", "dark"})
+    void whatOpensWithARecordingHasNoViolation(String theme) throws IOException {
+        Files.copy(folder.resolve("game.rec"), folder.resolve("other.rec"));
+        visit(theme, "#replay/game", RECORDING_IS_THERE);
+        openAll();
+        browser.evaluate("document.querySelector('#bookmark-note').value = 'here'");
+        browser.click("#bookmark-add");
+        browser.await("document.querySelector('.bookmark-go')");
+        assertClean("bookmarks");
+        browser.fill("#compare-with", "other");
+        browser.await("document.querySelector('#compare-reading').textContent !== ''");
+        assertClean("comparison");
+        visit(theme, "#replay", "document.querySelector('[data-recording=game]')");
+        browser.clickElement("document.querySelectorAll('.recording-tools button')[1]");
+        assertClean("another name");
+        browser.clickElement("document.querySelectorAll('.recording-tools button')[2]");
+        browser.await("document.querySelector('#recording-undo').checkVisibility()");
+        assertClean("deleted recording");
+    }
+
+    @Tag("slow")
+    @ParameterizedTest
+    @CsvSource({"1024, 768", "820, 1180", "390, 844"})
+    void smallScreensHaveNoViolation(int width, int height) {
+        browser.resize(width, height);
+
+        roomsHaveNoViolation("light");
+    }
+
+    private void openAll() {
+        browser.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)");
+    }
+
+    private void visit(String theme, String room, String isThere) {
+        browser.visit(studio.address() + "&quality=lowest&theme=" + theme + room);
+        browser.await("studio.state.scene.robots.length === 1");
+        browser.await(isThere);
+    }
+
+    /** Looks after the page has looked what it hides, which it does twice a second. */
+    private void assertClean(String place) {
+        browser.evaluate("window.studio?.workspace.markMore()");
+        assertThat(axe.violations(browser)).as(place).isEmpty();
+    }
+}

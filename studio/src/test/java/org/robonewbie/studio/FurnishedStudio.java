@@ -1,0 +1,52 @@
+package org.robonewbie.studio;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.file.RecordingShelf;
+
+/** A studio in which each room has something to do: a robot on the pitch, a motion, a recording, a course of exercises. */
+final class FurnishedStudio implements AutoCloseable {
+
+    private static final int SHELF_BYTES = 10_000_000;
+
+    private final SmallSimulation simulation = new SmallSimulation().withRobot();
+    private final SmallSimulation pitchOfTrial = new SmallSimulation();
+    private final ShownSimulation shown = new ShownSimulation(simulation);
+    private final SmallCourse course = new SmallCourse(simulation, pitchOfTrial, shown);
+    private final StudioServer studio;
+
+    /** Starts it with its files in a folder: the recording is called game, the motion mine. */
+    FurnishedStudio(Path folder) throws IOException {
+        RecordedRun.write(folder.resolve("game.rec"));
+        Files.writeString(folder.resolve("mine.txt"), "200" + " 0".repeat(22) + "\n400" + " 0".repeat(22) + "\n");
+        StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingShelf(folder, SHELF_BYTES)));
+        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course);
+        simulation.start();
+        pitchOfTrial.start();
+    }
+
+    /** Stops the time of the world, in which else always something moves a little. */
+    FurnishedStudio paused() {
+        simulation.order(new Order.Pause());
+        return this;
+    }
+
+    /** The page's address, to which options and the room can be added. */
+    String address() {
+        return studio.address().toString();
+    }
+
+    SmallSimulation simulation() {
+        return simulation;
+    }
+
+    @Override
+    public void close() {
+        studio.close();
+        simulation.close();
+        pitchOfTrial.close();
+    }
+}

@@ -1,0 +1,22 @@
+package org.robonewbie.studio;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Assumptions;
+
+/** What {@code npm install} brings into the folder of the studio. */
+final class NodeTool {
+
+    private NodeTool() {}
+
+    /** Returns the path of a script of a tool, or skips the test where it is not installed. */
+    static Path require(String script) {
+        Path path = Path.of("node_modules").resolve(script);
+        boolean isRequired = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;
+        if (!Files.exists(path) && !isRequired) {
+            System.out.println("SKIPPED: " + script + " is not installed; run npm install in studio first.");
+        }
+        Assumptions.assumeTrue(isRequired || Files.exists(path), script + " is not installed");
+        return path;
+    }
+}

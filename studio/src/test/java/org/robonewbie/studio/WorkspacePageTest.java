@@ -1,0 +1,121 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.model.RobotType;
+
+/** Picture and panels beside each other: edges are moved by mouse and keys, panels are folded, and the browser remembers it. */
+@InBrowser(width = 1440, height = 900)
+class WorkspacePageTest {
+
+    private static final String PICTURE_WIDTH = "document.querySelector('#stage').clientWidth";
+    private static final String EDGE = "document.querySelector('.edge[aria-orientation=vertical]')";
+
+    private final Chromium browser;
+    private final SmallSimulation simulation = new SmallSimulation();
+    private StudioServer studio;
+
+    WorkspacePageTest(Chromium browser) {
+        this.browser = browser;
+    }
+
+    @BeforeEach
+    void openRobotRoom() throws IOException {
+        studio = StudioServer.start(simulation.withRobot().start(), 0, AccessToken.random());
+        open("#robot");
+        browser.await("document.querySelectorAll('.joint-row').length > 20 && " + EDGE);
+    }
+
+    @AfterEach
+    void close() {
+        studio.close();
+        simulation.close();
+    }
+
+    private void open(String room) {
+        browser.visit(studio.address() + "&theme=light&quality=lowest" + room);
+        browser.await("studio.state.frame && studio.view.drawCalls > 0");
+    }
+
+    private int pictureWidth() {
+        return browser.evaluate(PICTURE_WIDTH).getAsInt();
+    }
+
+    @Test
+    void edgeIsDraggedAndStaysWhereItWasLeft() {
+        int before = pictureWidth();
+        double x = browser.evaluate(EDGE + ".getBoundingClientRect().left").getAsDouble() + 4;
+
+        browser.mouse("mouseMoved", x, 300);
+        browser.mouse("mousePressed", x, 300);
+        browser.mouse("mouseMoved", x + 60, 300);
+        browser.mouse("mouseMoved", x + 120, 300);
+        browser.mouse("mouseReleased", x + 120, 300);
+
+        browser.await("Math.abs(" + PICTURE_WIDTH + " - " + (before + 120) + ") < 6");
+        int after = pictureWidth();
+        open("#robot");
+        browser.await(EDGE + " && Math.abs(" + PICTURE_WIDTH + " - " + after + ") < 3");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void edgeIsMovedByArrowKeysAndADoubleClickPutsItBack() {
+        int before = pictureWidth();
+        String value = EDGE + ".ariaValueNow";
+        int percent = browser.evaluate("Number(" + value + ")").getAsInt();
+
+        browser.evaluate(EDGE + ".focus()");
+        browser.press("ArrowLeft");
+        browser.press("ArrowLeft");
+
+        browser.await(PICTURE_WIDTH + " < " + (before - 60) + " && Number(" + value + ") < " + percent);
+        browser.evaluate(EDGE + ".dispatchEvent(new MouseEvent('dblclick'))");
+        browser.await("Math.abs(" + PICTURE_WIDTH + " - " + before + ") < 3");
+    }
+
+    @Test
+    void presetsLeadFromThePictureAloneToAllPanelsAndToMotions() {
+        String pressed = "document.querySelector('#layouts [aria-pressed=true]').textContent";
+        browser.await(pressed + " === 'Understand'");
+
+        browser.clickElement(
+                "[...document.querySelectorAll('#layouts button')].find(each => each.textContent === 'Watch')");
+        browser.await(pressed + " === 'Watch' && " + PICTURE_WIDTH + " === innerWidth && location.hash === '#field'");
+        browser.clickElement(
+                "[...document.querySelectorAll('#layouts button')].find(each => each.textContent === 'Shape')");
+
+        browser.await(pressed + " === 'Shape' && document.querySelector('#motion-room').checkVisibility()"
+                + " && !document.querySelector('#stage').checkVisibility()");
+    }
+
+    @Test
+    void robotThatIsChosenInThePictureIsTheOneInThePanels() {
+        simulation.withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 4, 1, 1, 180, Posture.STANDING);
+        browser.await("document.querySelector('#robot-choice').options.length === 2");
+
+        browser.evaluate("studio.desk.choose(1); studio.touch()");
+        browser.await("document.querySelector('#robot-choice').value === '1'");
+        browser.press("n");
+
+        browser.await("document.querySelector('#robot-choice').value === '0' && studio.desk.chosen === 0");
+    }
+
+    @Test
+    void toolsOverThePictureAreFolded() {
+        open("#field");
+        browser.await("document.querySelector('#trainer').checkVisibility()");
+
+        browser.click("#side-fold");
+
+        browser.await("!document.querySelector('#trainer').checkVisibility()"
+                + " && document.querySelector('#side-fold').ariaExpanded === 'false'");
+        open("#field");
+        browser.await("!document.querySelector('#trainer').checkVisibility()");
+    }
+}

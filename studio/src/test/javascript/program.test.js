@@ -1,0 +1,108 @@
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+
+const state = '../../main/resources/org/robonewbie/studio/web/state';
+const { lineOf, rangeOf, remarksText, withMistake } = await import(`${state}/program/remarks.js`);
+const { isUnderWay, NO_RUN, ownRobot, runText } = await import(`${state}/program/run.js`);
+const { valuesAtLines } = await import(`${state}/program/values.js`);
+const { folderOfNew, freeName, isUnsaved, javaName, lessonOf, opened, written } = await import(
+  `${state}/program/documents.js`
+);
+const { PROGRAM, restoredLayout, UNDERSTAND } = await import(`${state}/layout.js`);
+
+const mistake = { from: 4, to: 9, line: 2, serious: true, text: 'cannot find symbol', hint: '' };
+
+test('a message of a robot names the line of its own file only', () => {
+  assert.equal(lineOf('think() failed with java.lang.Error (MyAgent.java:31)', 'src/main/java/my/MyAgent.java'), 31);
+  assert.equal(lineOf('think() failed with java.lang.Error (Other.java:31)', 'MyAgent.java'), 0);
+  assert.equal(lineOf('Joint speed NaN', 'MyAgent.java'), 0);
+});
+
+test('what the compiler says is shown on at least one character, and nowhere without a place', () => {
+  assert.deepEqual(rangeOf(mistake, 20), { from: 4, to: 9 });
+  assert.deepEqual(rangeOf({ ...mistake, from: 20, to: 20 }, 20), { from: 19, to: 20 });
+  assert.deepEqual(rangeOf({ ...mistake, to: 4 }, 20), { from: 4, to: 5 });
+  assert.equal(rangeOf({ ...mistake, line: 0 }, 20), undefined);
+  assert.equal(rangeOf({ ...mistake, from: -1 }, 20), undefined);
+});
+
+test('mistakes are counted, and the first has its line', () => {
+  assert.equal(remarksText([]), 'No mistakes');
+  assert.equal(remarksText([mistake]), '1 mistake, line 2');
+  assert.equal(remarksText([mistake, { ...mistake, line: 7 }]), '2 mistakes, line 2');
+  assert.equal(remarksText([{ ...mistake, serious: false }]), 'No mistakes, but a warning');
+});
+
+test('the same mistake of a running program is kept once, and only the last five', () => {
+  const many = [1, 2, 3, 4, 5, 6, 6].reduce((all, line) => withMistake(all, { line, text: 'oh' }), []);
+
+  assert.deepEqual(
+    many.map(({ line }) => line),
+    [2, 3, 4, 5, 6],
+  );
+});
+
+test('the state of a program is said, and an endless loop is named', () => {
+  const run = { ...NO_RUN, program: 'my/MyAgent.java' };
+  const output =
+    '3.02 s: think() has not returned for 5 s; the run ends here. Is this an endless loop? (MyAgent.java:12)';
+
+  assert.equal(runText({ ...run, state: 'RUNNING' }), 'MyAgent.java is running.');
+  assert.equal(runText({ ...run, state: 'ENDED' }), 'MyAgent.java has ended.');
+  assert.match(runText({ ...run, state: 'ENDED', exitCode: 1, output }), /did not return \(MyAgent\.java:12\)/);
+  assert.match(runText({ ...run, state: 'ENDED', exitCode: 1 }), /ended with a mistake/);
+  assert.equal(isUnderWay({ ...run, state: 'STARTING' }), true);
+  assert.equal(isUnderWay({ ...run, state: 'REFUSED' }), false);
+});
+
+test('the robot of the program is the one that came with it, also after a change of the program', () => {
+  assert.equal(ownRobot('', ['A\t1'], ['A\t1', 'B\t2']), 'B\t2');
+  assert.equal(ownRobot('B\t2', ['A\t1'], ['B\t2', 'C\t3']), 'B\t2');
+  assert.equal(ownRobot('', ['A\t1'], ['A\t1']), 'A\t1');
+  assert.equal(ownRobot('', [], []), '');
+});
+
+test('plotted values stand beside the lines that plot them', () => {
+  const program = 'void think() {\n  nao.plot("angle", a); nao.plot("speed", s);\n  nao.plot("other", 1);\n}';
+  const values = new Map([
+    ['angle', 31.23456],
+    ['speed', 60],
+  ]);
+
+  assert.deepEqual(valuesAtLines(program, values), [{ line: 2, text: '31.23, 60' }]);
+});
+
+test('a file of Windows keeps its line ends, and is unsaved only after a change', () => {
+  const file = opened('own', 'MyAgent.java', 'a\r\nb\r\n', 'v1');
+
+  assert.equal(isUnsaved(file, 'a\nb\n'), false);
+  assert.equal(isUnsaved(file, 'a\nc\n'), true);
+  assert.equal(written(file, 'a\nc\n'), 'a\r\nc\r\n');
+  assert.equal(isUnsaved(opened('own', 'MyAgent.java', 'a', ''), 'a'), true);
+  assert.equal(isUnsaved(opened('example', 'Agent_Wave', 'a', ''), 'b'), false);
+});
+
+test('a new program gets a free name beside the others of its project', () => {
+  const files = [{ path: 'src/main/java/my/team/MyAgent.java' }];
+
+  assert.equal(folderOfNew(files), 'src/main/java/my/team/');
+  assert.equal(folderOfNew([{ path: 'Kick.java' }]), '');
+  assert.equal(freeName('MyAgent.java', [{ path: 'MyAgent.java' }, { path: 'MyAgent2.java' }]), 'MyAgent3.java');
+  assert.equal(javaName(' Walker '), 'Walker.java');
+  assert.equal(lessonOf('src/main/java/my/Kick.java', [{ name: 'kick', file: 'Kick.java' }])?.name, 'kick');
+});
+
+test('the program has a layout of its own', () => {
+  assert.equal(restoredLayout(UNDERSTAND.wide, 'wide', 'program'), PROGRAM.wide);
+  assert.equal(restoredLayout(undefined, 'narrow', 'program'), PROGRAM.narrow);
+  assert.equal(restoredLayout(PROGRAM.wide, 'wide'), UNDERSTAND.wide);
+});
+
+test('the editor is the file that its command has made', () => {
+  const made = readFileSync('src/main/resources/org/robonewbie/studio/web/vendor/codemirror/codemirror.js');
+  const known = readFileSync('src/vendor/codemirror.sha256', 'utf8').trim();
+
+  assert.equal(createHash('sha256').update(made).digest('hex'), known);
+});
