@@ -110,9 +110,9 @@ public final class AgentConnection implements Restorable {
         return heardOf;
     }
 
-    /** Whether an agent that is still there has come through a team's door, or through none, and sent something. */
+    /** Whether an agent has come through a team's door, or through none, and sent something. */
     boolean isHeardOf(Optional<String> team) {
-        return heardOf && !hasLeft() && link.team().equals(team);
+        return heardOf && link.team().equals(team);
     }
 
     /** Whether in sync mode the world need not wait for this agent. */

@@ -155,16 +155,31 @@ public final class SimulationCycle implements Restorable {
         }
     }
 
-    /** Reads what the agents have sent, and forgets those that left before they had a robot. */
+    /**
+     * Reads what the agents have sent, and takes those that have left off the pitch: between two cycles, so that a world that
+     * waits for agents and has none left shows no robot of theirs.
+     */
     public void readMessages() {
-        boolean anybodyLeft = false;
-        for (int i = 0; i < agents.size(); i++) {
-            agents.get(i).connection().read();
-            anybodyLeft |= agents.get(i).connection().hasLeft();
+        for (int i = 0; i < agents.size(); ) {
+            ConnectedAgent agent = agents.get(i);
+            agent.connection().read();
+            if (agent.connection().hasLeft()) {
+                agents.remove(i);
+                takeLeaveOf(agent);
+            } else {
+                i++;
+            }
         }
-        if (anybodyLeft) {
-            agents.removeIf(agent -> agent.robot().isEmpty() && hasLeft(agent));
+    }
+
+    private void takeLeaveOf(ConnectedAgent agent) {
+        ServerLink link = agent.connection().link();
+        boolean unnoticed = agent.robot().isEmpty() && !agent.connection().isHeardOf();
+        if (!unnoticed || !link.closingReason().equals(ServerLink.HAS_LEFT)) {
+            console.say(agent + " " + link.closingReason());
         }
+        agent.player().ifPresent(match.teams()::leave);
+        agent.robot().ifPresent(world::removeRobot);
     }
 
     /** {@return the first agent for whose answer a synchronous world waits} */
@@ -256,7 +271,6 @@ public final class SimulationCycle implements Restorable {
         world.step();
         recorder.afterStep();
         cycle++;
-        removeVanishedAgents();
         percepts.takePictures(agents);
         match.tick();
         recorder.cycleEnded(cycle, match, participants());
@@ -279,29 +293,6 @@ public final class SimulationCycle implements Restorable {
 
     private List<Participant> participants() {
         return agents.stream().flatMap(agent -> agent.participant().stream()).toList();
-    }
-
-    private void removeVanishedAgents() {
-        for (int i = agents.size() - 1; i >= 0; i--) {
-            ConnectedAgent agent = agents.get(i);
-            if (hasLeft(agent)) {
-                agents.remove(i);
-                agent.player().ifPresent(match.teams()::leave);
-                agent.robot().ifPresent(world::removeRobot);
-            }
-        }
-    }
-
-    private boolean hasLeft(ConnectedAgent agent) {
-        if (!agent.connection().hasLeft()) {
-            return false;
-        }
-        ServerLink link = agent.connection().link();
-        boolean unnoticed = agent.robot().isEmpty() && !agent.connection().isHeardOf();
-        if (!unnoticed || !link.closingReason().equals(ServerLink.HAS_LEFT)) {
-            console.say(agent + " " + link.closingReason());
-        }
-        return true;
     }
 
     private void generateMessages() {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
@@ -105,6 +106,24 @@ class SyncModeTest {
     }
 
     @Test
+    void robotOfTheOnlyAgentLeavesWithItThoughTheWorldStillWaitsForAnAnswer() throws Exception {
+        try (Simulator simulator = start(60)) {
+            TestAgent agent = new TestAgent(simulator.connect());
+            agent.join("Stars", 1);
+
+            agent.close();
+
+            CompletableFuture<Boolean> gone = new CompletableFuture<>();
+            simulator.control().addObserver(snapshot -> {
+                if (snapshot.robots().isEmpty()) {
+                    gone.complete(true);
+                }
+            });
+            assertThat(gone).succeedsWithin(Duration.ofSeconds(60));
+        }
+    }
+
+    @Test
     void agentMayJoinWithoutSyn() throws IOException {
         try (Simulator simulator = start(60);
                 TestAgent agent = agent(simulator)) {
@@ -164,6 +183,7 @@ class SyncModeTest {
                 SimulatorSettings.beginner()
                         .agentPort(0)
                         .synchronous(true)
+                        .awaitedAgents(1)
                         .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
                         .silentAgentSeconds(silentAgentSeconds)
                         .build(),
