@@ -7,11 +7,13 @@ import com.google.gson.JsonArray;
 import java.io.IOException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 
 /** Names and trail in the picture, and what the mouse does to robots and ball. */
+@Tag("slow")
 @InBrowser(width = 1440, height = 900)
 class FieldHandPageTest {
 

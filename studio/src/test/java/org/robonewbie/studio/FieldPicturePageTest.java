@@ -10,11 +10,13 @@ import java.io.IOException;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What the picture of the field shows: all that matters, beside the panels, in all its pixels. */
+@Tag("slow")
 @InBrowser(width = 1440, height = 900)
 class FieldPicturePageTest {
 

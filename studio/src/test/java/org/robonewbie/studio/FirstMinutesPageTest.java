@@ -6,12 +6,14 @@ import java.io.IOException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
 /** Somebody opens the studio for the first time: three things to try, a gamepad in the hand, a program with mistakes. */
+@Tag("slow")
 @InBrowser(width = 1366, height = 768)
 class FirstMinutesPageTest {
 

@@ -8,10 +8,12 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What one has shaped or typed in the motion editor is never lost, and undo takes back what one sees. */
+@Tag("slow")
 @InBrowser
 class MotionSafetyPageTest {
 

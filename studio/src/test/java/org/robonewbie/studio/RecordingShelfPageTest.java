@@ -10,12 +10,14 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.file.RecordingAbout;
 import org.robonewbie.simulator.file.RecordingShelf;
 
 /** What people do with their recordings, in a real browser. */
+@Tag("slow")
 @InBrowser
 class RecordingShelfPageTest {
 

@@ -8,11 +8,13 @@ import java.net.DatagramSocket;
 import java.net.InetAddress;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.studio.roboviz.Datagram;
 import org.robonewbie.studio.roboviz.RoboVizPort;
 
 /** What teams draw for RoboViz comes as real datagrams and appears in the picture. */
+@Tag("slow")
 @InBrowser
 class RoboVizPageTest {
 

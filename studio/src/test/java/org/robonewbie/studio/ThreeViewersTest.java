@@ -12,10 +12,12 @@ import java.util.List;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Three people look: one page is frozen, one computer has closed its lid, and the third must not notice. */
+@Tag("slow")
 @Timeout(600)
 class ThreeViewersTest {
 
