@@ -28,6 +28,7 @@ enum Option {
     REPORT("FILE", "write the true results as JSON (own simulator)", Values::text),
     RECORD("FILE", "record the run (own simulator)", Values::text),
     WAIT_FOR("N", "hold the first cycle until N robots are in (own simulator)", Values.wholeNumber(1, 22)),
+    SCENE("NAME", "what stands on the pitch: soccer, obstacles, slope or box (own simulator)", Values::text),
     HELP("", "show this help", Values::flag);
 
     private final String placeholder;

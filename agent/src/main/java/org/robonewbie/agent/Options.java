@@ -256,6 +256,11 @@ public final class Options {
         return text(Option.RECORD);
     }
 
+    /** {@return the name of what stands on the pitch; empty for the bare pitch} */
+    public Optional<String> scene() {
+        return text(Option.SCENE);
+    }
+
     /** {@return how many robots must be in before the simulator starts its clock, at least 1} */
     public int waitFor() {
         return text(Option.WAIT_FOR).map(Integer::valueOf).orElse(1);

@@ -13,7 +13,7 @@ final class SimulatorChoice {
     private static final String THIS_COMPUTER = "127.0.0.1";
     private static final int USUAL_PORT = 3100;
     private static final List<Option> ONLY_OWN_SIMULATOR =
-            List.of(Option.SEED, Option.FAST, Option.REPORT, Option.RECORD, Option.WAIT_FOR);
+            List.of(Option.SEED, Option.FAST, Option.REPORT, Option.RECORD, Option.WAIT_FOR, Option.SCENE);
 
     private SimulatorChoice() {}
 
@@ -55,6 +55,7 @@ final class SimulatorChoice {
                 options.isHeadless(),
                 !options.isNoBrowser() && !options.isHeadless(),
                 options.isTruth(),
+                options.scene(),
                 options.report(),
                 options.record(),
                 Math.max(robots, options.waitFor()),

@@ -70,6 +70,7 @@ class JoiningTest {
                 false,
                 Optional.empty(),
                 Optional.empty(),
+                Optional.empty(),
                 1,
                 "Ada"));
     }

@@ -5,6 +5,7 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.simulator.landscape.Thing;
 
 /**
  * The true state of the world at the end of one cycle.
@@ -20,6 +21,7 @@ import org.robonewbie.nao.kinematics.Rotation;
  * @param ballPosition centre of the ball in the world frame, metres
  * @param ballRotation how the ball is turned
  * @param robots all robots in the order in which they connected
+ * @param things what else stands on the pitch, where it is now; empty in a soccer match
  * @param paused whether the clock stands still
  * @param speed what was asked for with {@link org.robonewbie.protocol.order.Order.SetSpeed}
  * @param realTimeFactor simulated seconds per second, measured over the last second
@@ -36,6 +38,7 @@ public record WorldSnapshot(
         Vector3 ballPosition,
         Rotation ballRotation,
         List<RobotSnapshot> robots,
+        List<Thing> things,
         boolean paused,
         double speed,
         double realTimeFactor) {
@@ -61,6 +64,7 @@ public record WorldSnapshot(
                 ballPosition,
                 ballRotation,
                 robots,
+                things,
                 isPaused,
                 newSpeed,
                 newFactor);

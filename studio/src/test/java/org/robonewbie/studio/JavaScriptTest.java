@@ -119,6 +119,7 @@ class JavaScriptTest {
                     world.ballPosition(),
                     world.ballRotation(),
                     world.robots(),
+                    world.things(),
                     true,
                     SimulationControl.AS_FAST_AS_POSSIBLE,
                     3.5);

@@ -194,6 +194,7 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
                 world.ball().position(),
                 world.ball().rotation().toTurn(),
                 robots(),
+                List.of(),
                 paused,
                 speed,
                 paused ? 0 : speed);

@@ -5,6 +5,7 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.simulator.landscape.Thing;
 
 /**
  * What is true at one moment of a trial, without noise and delay; measures look at nothing else. The world frame has its origin
@@ -14,6 +15,7 @@ import org.robonewbie.nao.kinematics.BodyState;
  * @param robots the robots in the order of the scene
  * @param ball centre of the ball, metres
  * @param ballVelocity metres per second
+ * @param things what else stands on the pitch, where it is now
  * @param playMode what the referee has decided
  * @param leftGoals goals of the team that plays towards the right
  * @param rightGoals goals of the other team
@@ -23,13 +25,15 @@ public record Moment(
         List<BodyState> robots,
         Vector3 ball,
         Vector3 ballVelocity,
+        List<Thing> things,
         PlayMode playMode,
         int leftGoals,
         int rightGoals) {
 
-    /** Copies the list. */
+    /** Copies the lists. */
     public Moment {
         robots = List.copyOf(robots);
+        things = List.copyOf(things);
     }
 
     /** {@return the first robot} */

@@ -3,6 +3,7 @@ package org.robonewbie.trial;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
@@ -15,10 +16,16 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  *
  * @param parameters the pitch and the referee's rules
  * @param noise whether cameras are as imprecise as those of the league
+ * @param landscape what stands on the pitch besides goals and ball
  * @param robots the robots in the order in which they enter
  * @param ball where the ball lies at first, its height does not matter; empty for the centre spot
  */
-public record Scene(SoccerParameters parameters, boolean noise, List<RobotStart> robots, Optional<Vector3> ball) {
+public record Scene(
+        SoccerParameters parameters,
+        boolean noise,
+        Landscape landscape,
+        List<RobotStart> robots,
+        Optional<Vector3> ball) {
 
     /** Copies the list. */
     public Scene {
@@ -35,7 +42,7 @@ public record Scene(SoccerParameters parameters, boolean noise, List<RobotStart>
      * @return the scene
      */
     public static Scene of(RobotStart... robots) {
-        return new Scene(SoccerParameters.beginner(), true, List.of(robots), Optional.empty());
+        return new Scene(SoccerParameters.beginner(), true, Landscape.SOCCER, List.of(robots), Optional.empty());
     }
 
     /**
@@ -56,7 +63,7 @@ public record Scene(SoccerParameters parameters, boolean noise, List<RobotStart>
      * @return a changed copy
      */
     public Scene withBall(Vector3 place) {
-        return new Scene(parameters, noise, robots, Optional.of(place));
+        return new Scene(parameters, noise, landscape, robots, Optional.of(place));
     }
 
     /**
@@ -66,7 +73,17 @@ public record Scene(SoccerParameters parameters, boolean noise, List<RobotStart>
      * @return a changed copy
      */
     public Scene withParameters(SoccerParameters other) {
-        return new Scene(other, noise, robots, ball);
+        return new Scene(other, noise, landscape, robots, ball);
+    }
+
+    /**
+     * Puts things on the pitch.
+     *
+     * @param other what stands there
+     * @return a changed copy
+     */
+    public Scene withLandscape(Landscape other) {
+        return new Scene(parameters, noise, other, robots, ball);
     }
 
     /**
@@ -75,7 +92,7 @@ public record Scene(SoccerParameters parameters, boolean noise, List<RobotStart>
      * @return a changed copy
      */
     public Scene withoutNoise() {
-        return new Scene(parameters, false, robots, ball);
+        return new Scene(parameters, false, landscape, robots, ball);
     }
 
     /**
@@ -88,6 +105,6 @@ public record Scene(SoccerParameters parameters, boolean noise, List<RobotStart>
         List<RobotStart> named = robots.stream()
                 .map(robot -> robot.team().equals(RobotStart.TEAM) ? robot.withTeam(name, robot.number()) : robot)
                 .toList();
-        return new Scene(parameters, noise, named, ball);
+        return new Scene(parameters, noise, landscape, named, ball);
     }
 }

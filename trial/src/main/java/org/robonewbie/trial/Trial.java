@@ -68,6 +68,7 @@ public final class Trial implements AutoCloseable {
         WorldSettings settings = WorldSettings.beginner()
                 .withParameters(scene.parameters())
                 .withNoise(scene.noise())
+                .withLandscape(scene.landscape())
                 .withSeed(seed);
         simulator = SteppedSimulator.start(settings, recording, Console.silent());
         world = new ServedWorld(simulator);
@@ -274,6 +275,7 @@ public final class Trial implements AutoCloseable {
                 bodies.stream().map(body -> body.robot().body()).toList(),
                 ball().position(),
                 ball().velocity(),
+                simulator.world().things().now(),
                 game.playMode(),
                 game.score(TeamSide.LEFT),
                 game.score(TeamSide.RIGHT));

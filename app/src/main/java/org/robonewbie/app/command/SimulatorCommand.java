@@ -133,6 +133,9 @@ final class SimulatorCommand implements Callable<Integer> {
     @Option(names = "--beginner", description = "Small pitch and simple rules, as in the demo.")
     private boolean beginner;
 
+    @Mixin
+    private final LandscapeOption scene = new LandscapeOption();
+
     @Option(
             names = "--set",
             paramLabel = "NAME=VALUE",
@@ -209,6 +212,7 @@ final class SimulatorCommand implements Callable<Integer> {
                 .speed(isFast ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
                 .noise(!withoutNoise)
                 .physics(physics)
+                .landscape(scene.landscape())
                 .groundTruth(isTold("mypos"), isTold("myorien"), isTold("ballpos"))
                 .silentAgentSeconds(silentAgentSeconds())
                 .seed(seed.orElseGet(() -> (long) new Random().nextInt(Integer.MAX_VALUE)))

@@ -79,6 +79,9 @@ final class StudioCommand implements Callable<Integer> {
     private Optional<Integer> drawingPort = Optional.empty();
 
     @Mixin
+    private final LandscapeOption scene = new LandscapeOption();
+
+    @Mixin
     private final LanguageOption language = new LanguageOption();
 
     @Option(names = "--no-browser", description = "Print the studio's address and open no browser.")
@@ -144,6 +147,7 @@ final class StudioCommand implements Callable<Integer> {
                         .agentPort(agentPort)
                         .synchronous(true)
                         .awaitedAgents(1)
+                        .landscape(scene.landscape())
                         .seed(System.nanoTime() & 0xfffff)
                         .recording(recording)
                         .build(),

@@ -14,6 +14,7 @@ import org.robonewbie.app.Printed;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.SoccerParameter;
@@ -48,6 +49,19 @@ class SimulatorCommandTest {
         assertThatThrownBy(() -> settings("--beginner", "--league"))
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessageContaining("exclude each other");
+    }
+
+    @Test
+    void whatStandsOnThePitchIsChosenByName() {
+        assertThat(settings().world().landscape()).isSameAs(Landscape.SOCCER);
+        assertThat(settings("--scene", "slope").world().landscape()).isSameAs(Landscape.SLOPE);
+    }
+
+    @Test
+    void unknownSceneIsRefused() {
+        assertThatThrownBy(() -> settings("--scene", "moon"))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("Choose one of soccer, obstacles, slope, box.");
     }
 
     @Test

@@ -121,7 +121,7 @@ class PenaltyContestTest {
         BodyState body = BodyState.of(RobotType.TYPE_0, torso, Posture.ZERO);
         RobotSnapshot robot = new RobotSnapshot(1, "Red", Optional.of(TeamSide.LEFT), 2, body);
         return judge.watch(new WorldSnapshot(
-                1, 0.02, mode, "Red", "", goals, 0, 1, ball, Rotation.NONE, List.of(robot), false, 1, 1));
+                1, 0.02, mode, "Red", "", goals, 0, 1, ball, Rotation.NONE, List.of(robot), List.of(), false, 1, 1));
     }
 
     private static void play(

@@ -14,6 +14,7 @@ import java.util.OptionalLong;
  * @param headless whether to do without the studio
  * @param openBrowser whether to open the studio in the user's browser
  * @param truth whether cameras also tell the true places of their robot and the ball, for experiments
+ * @param scene name of what stands on the pitch; empty for the bare pitch
  * @param report name of the file for the true results as JSON, written at the end
  * @param recording name of the file for the recording of the run
  * @param awaitedAgents how many agents must be connected before the clock starts, at least 1
@@ -27,6 +28,7 @@ public record SimulatorRequest(
         boolean headless,
         boolean openBrowser,
         boolean truth,
+        Optional<String> scene,
         Optional<String> report,
         Optional<String> recording,
         int awaitedAgents,

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.RotationMatrix;
 import org.robonewbie.simulator.soccer.Player;
@@ -31,6 +32,22 @@ final class Restoration {
             player(robot).ifPresent(player -> player.robot().place(motions(earlier, robot, seconds)));
         }
         cycle.world().ball().place(LinkMotion.between(ball(before), ball(moment), seconds));
+        restoreThings(before.things(), moment.things(), seconds);
+    }
+
+    private void restoreThings(List<Thing> before, List<Thing> now, double seconds) {
+        List<Thing> present = cycle.world().things().landscape().things();
+        for (int i = 0; i < Math.min(present.size(), now.size()); i++) {
+            Thing earlier = i < before.size() ? before.get(i) : now.get(i);
+            cycle.world()
+                    .things()
+                    .place(
+                            i,
+                            LinkMotion.between(
+                                    BodyPose.of(earlier.pose()),
+                                    BodyPose.of(now.get(i).pose()),
+                                    seconds));
+        }
     }
 
     private void restoreGame(WorldSnapshot moment) {

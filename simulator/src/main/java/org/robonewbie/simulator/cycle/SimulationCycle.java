@@ -81,7 +81,7 @@ public final class SimulationCycle implements Restorable {
         SoccerParameters parameters = settings.parameters();
         BallProperties ball = new BallProperties(
                 parameters.get(SoccerParameter.BALL_RADIUS), parameters.get(SoccerParameter.BALL_MASS));
-        return new SoccerWorld(parameters.field(), ball, settings.physics().newWorld());
+        return new SoccerWorld(parameters.field(), ball, settings.physics().newWorld(), settings.landscape());
     }
 
     /** {@return what watches the run} */
@@ -132,9 +132,10 @@ public final class SimulationCycle implements Restorable {
                         + " agents are connected already.");
     }
 
-    /** Resets ball, robots and score to the start of the game. */
+    /** Resets ball, things, robots and score to the start of the game. */
     public void reset() {
         match.restart();
+        world.things().reset();
         for (ConnectedAgent agent : agents) {
             agent.player().ifPresent(player -> effectors.renew(agent, player));
         }
@@ -215,7 +216,7 @@ public final class SimulationCycle implements Restorable {
      * @return the present state
      */
     public WorldSnapshot snapshot(boolean paused, double speed, double realTimeFactor) {
-        return Snapshots.of(cycle, match, world.ball(), participants()).withPace(paused, speed, realTimeFactor);
+        return Snapshots.of(cycle, match, world, participants()).withPace(paused, speed, realTimeFactor);
     }
 
     /**

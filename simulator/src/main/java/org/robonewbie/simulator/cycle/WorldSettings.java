@@ -2,6 +2,7 @@ package org.robonewbie.simulator.cycle;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.PhysicsEngine;
@@ -17,10 +18,16 @@ import org.robonewbie.simulator.world.PhysicsEngine;
  * @param synchronous whether the world waits for the agents; else it runs on the clock
  * @param camera how robots see: noise, and what no camera could know
  * @param physics what computes the motion of all bodies
+ * @param landscape what stands on the pitch
  * @param seed start of all random numbers
  */
 public record WorldSettings(
-        SoccerParameters parameters, boolean synchronous, CameraSettings camera, PhysicsEngine physics, long seed) {
+        SoccerParameters parameters,
+        boolean synchronous,
+        CameraSettings camera,
+        PhysicsEngine physics,
+        Landscape landscape,
+        long seed) {
 
     /**
      * Begins with pitch, rules and noise of the league.
@@ -41,7 +48,8 @@ public record WorldSettings(
     }
 
     private static WorldSettings of(SoccerParameters parameters) {
-        return new WorldSettings(parameters, true, CameraSettings.STANDARD, PhysicsEngine.STANDARD, 0);
+        return new WorldSettings(
+                parameters, true, CameraSettings.STANDARD, PhysicsEngine.STANDARD, Landscape.SOCCER, 0);
     }
 
     /**
@@ -51,7 +59,7 @@ public record WorldSettings(
      * @return the same settings otherwise
      */
     public WorldSettings withParameters(SoccerParameters value) {
-        return new WorldSettings(value, synchronous, camera, physics, seed);
+        return new WorldSettings(value, synchronous, camera, physics, landscape, seed);
     }
 
     /**
@@ -61,7 +69,7 @@ public record WorldSettings(
      * @return the same settings otherwise
      */
     public WorldSettings withSynchronous(boolean value) {
-        return new WorldSettings(parameters, value, camera, physics, seed);
+        return new WorldSettings(parameters, value, camera, physics, landscape, seed);
     }
 
     /**
@@ -71,7 +79,7 @@ public record WorldSettings(
      * @return the same settings otherwise
      */
     public WorldSettings withCamera(CameraSettings value) {
-        return new WorldSettings(parameters, synchronous, value, physics, seed);
+        return new WorldSettings(parameters, synchronous, value, physics, landscape, seed);
     }
 
     /**
@@ -91,7 +99,17 @@ public record WorldSettings(
      * @return the same settings otherwise
      */
     public WorldSettings withPhysics(PhysicsEngine value) {
-        return new WorldSettings(parameters, synchronous, camera, value, seed);
+        return new WorldSettings(parameters, synchronous, camera, value, landscape, seed);
+    }
+
+    /**
+     * Changes what stands on the pitch.
+     *
+     * @param value the new landscape
+     * @return the same settings otherwise
+     */
+    public WorldSettings withLandscape(Landscape value) {
+        return new WorldSettings(parameters, synchronous, camera, physics, value, seed);
     }
 
     /**
@@ -101,7 +119,7 @@ public record WorldSettings(
      * @return the same settings otherwise
      */
     public WorldSettings withSeed(long value) {
-        return new WorldSettings(parameters, synchronous, camera, physics, value);
+        return new WorldSettings(parameters, synchronous, camera, physics, landscape, value);
     }
 
     /** {@return the settings as lines of the form {@code name=value}, as recordings begin with them} */
@@ -112,6 +130,9 @@ public record WorldSettings(
         lines.add("noise=" + camera.noise());
         lines.add("truth=" + camera.ownPosition() + "," + camera.ownOrientation() + "," + camera.ballPosition());
         lines.add("physics=" + physics);
+        if (!landscape.isBare()) {
+            lines.add("scene=" + landscape.name());
+        }
         lines.addAll(parameters.assignments());
         return lines;
     }

@@ -11,6 +11,7 @@ import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -41,18 +42,27 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
         }
     }
 
-    private static SimulatorSettings settings(SimulatorRequest request) {
+    private static SimulatorSettings settings(SimulatorRequest request) throws IOException {
         return SimulatorSettings.beginner()
                 .agentPort(request.agentPort())
                 .synchronous(true)
                 .speed(request.fast() ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
                 .seed(request.seed().orElseGet(() -> (long) new Random().nextInt((int) SEEDS)))
                 .truth(request.truth())
+                .landscape(landscape(request))
                 .awaitedAgents(request.awaitedAgents())
                 .seconds(request.seconds())
                 .recording(request.recording().map(Path::of).or(() -> shelved(request)))
                 .report(request.report().map(Path::of))
                 .build();
+    }
+
+    private static Landscape landscape(SimulatorRequest request) throws IOException {
+        try {
+            return request.scene().map(Landscape::named).orElse(Landscape.SOCCER);
+        } catch (IllegalArgumentException unknown) {
+            throw new IOException(unknown.getMessage(), unknown);
+        }
     }
 
     /** Runs that people watch are recorded, so that they can look at them again. */

@@ -107,6 +107,7 @@ public final class RecordedLog {
                 game,
                 List.copyOf(fouls),
                 ball,
+                state.things(),
                 state.robots().stream().map(RecordedLog::robot).toList());
     }
 

@@ -7,11 +7,15 @@ import java.util.Map;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.protocol.monitor.TransformNode;
 
-/** The scene that monitors draw: the pitch, the ball, and behind them the robots in the order in which they connected. */
+/**
+ * The scene that monitors draw: the pitch, the ball, behind them what else stands there, and the robots in the order in
+ * which they connected.
+ */
 final class SoccerScene {
 
     private final PitchScene pitch;
     private final Map<Integer, RobotFigure> figures = new LinkedHashMap<>();
+    private final ThingFigures things = new ThingFigures();
     private List<TransformNode> nodes;
 
     SoccerScene(SoccerField field, double ballRadius) {
@@ -30,6 +34,7 @@ final class SoccerScene {
         List<Integer> ids =
                 snapshot.robots().stream().map(MonitoredRobotState::id).toList();
         boolean changed = figures.keySet().retainAll(ids);
+        changed |= things.update(snapshot.things());
         for (MonitoredRobotState robot : snapshot.robots()) {
             changed |= show(robot);
         }
@@ -52,6 +57,7 @@ final class SoccerScene {
 
     private List<TransformNode> allNodes() {
         List<TransformNode> all = new ArrayList<>(pitch.nodes());
+        all.addAll(things.nodes());
         figures.values().forEach(figure -> all.add(figure.root()));
         return List.copyOf(all);
     }

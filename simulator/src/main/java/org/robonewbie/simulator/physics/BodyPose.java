@@ -51,4 +51,19 @@ public record BodyPose(Vector3 position, RotationMatrix rotation) {
         org.robonewbie.nao.kinematics.Pose own = SimSparkFrame.linkFromBody(link);
         return new BodyPose(own.position(), RotationMatrix.of(own.rotation()));
     }
+
+    /**
+     * Takes on the pose of anything but a link, whose axes are its own.
+     *
+     * @param pose its pose in the world frame
+     * @return the same pose
+     */
+    public static BodyPose of(org.robonewbie.nao.kinematics.Pose pose) {
+        return new BodyPose(pose.position(), RotationMatrix.of(pose.rotation()));
+    }
+
+    /** {@return the same pose for anything but a link} */
+    public org.robonewbie.nao.kinematics.Pose toPose() {
+        return new org.robonewbie.nao.kinematics.Pose(position, rotation.toTurn());
+    }
 }

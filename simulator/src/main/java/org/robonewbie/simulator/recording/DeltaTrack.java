@@ -44,4 +44,25 @@ final class DeltaTrack {
         last[index] += source.getSigned();
         return last[index] / stepsPerUnit;
     }
+
+    /** Reads the seven numbers of a pose from the beginning on; the quaternion gets its length of 1 again. */
+    Pose getPose(ByteSource source) throws IOException {
+        double[] numbers = new double[RecordingFormat.NUMBERS_PER_POSE];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = get(i, i < 3 ? RecordingFormat.STEPS_PER_METRE : RecordingFormat.STEPS_PER_TURN, source);
+        }
+        double length = Math.sqrt(
+                numbers[3] * numbers[3] + numbers[4] * numbers[4] + numbers[5] * numbers[5] + numbers[6] * numbers[6]);
+        double scale = length == 0 ? 0 : 1 / length;
+        return new Pose(
+                new Vector3(numbers[0], numbers[1], numbers[2]),
+                length == 0
+                        ? Rotation.NONE
+                        : new Rotation(numbers[3] * scale, numbers[4] * scale, numbers[5] * scale, numbers[6] * scale));
+    }
+
+    /** Reads a pose that is written as it is, not as a change. */
+    static Pose readPose(ByteSource source) throws IOException {
+        return new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE).getPose(source);
+    }
 }

@@ -16,6 +16,12 @@ final class RecordingFormat {
     /** Stands only before a part of a recording that is sent to a page, never in a file. */
     static final int STATE = 7;
 
+    /** What else stands on the pitch; not in the recording of a soccer match. */
+    static final int THINGS = 8;
+
+    /** A thing that has been moved. */
+    static final int MOVED_THING = 9;
+
     /** Positions are kept in steps of 0.1 mm. */
     static final double STEPS_PER_METRE = 10_000;
 
@@ -27,6 +33,9 @@ final class RecordingFormat {
 
     /** Commanded speeds are kept in steps of 0.0001 rad/s. */
     static final double STEPS_PER_RADIAN = 10_000;
+
+    /** Masses are kept in grams. */
+    static final double STEPS_PER_KILOGRAM = 1000;
 
     /** Numbers of a place: three of the position, four of the rotation. */
     static final int NUMBERS_PER_POSE = 7;

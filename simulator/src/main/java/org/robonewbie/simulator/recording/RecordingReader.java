@@ -16,15 +16,14 @@ import java.util.zip.ZipException;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
-import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Pose;
-import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.landscape.Thing;
 
 /**
  * Reads a recording cycle by cycle, also the part that a killed program has left.
@@ -45,6 +44,7 @@ public final class RecordingReader implements AutoCloseable {
     private final DeltaTrack ballTrack = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE);
     private final Map<Integer, DeltaTrack> robotTracks = new HashMap<>();
     private List<RecordedRobot> robots = List.of();
+    private List<Thing> things = List.of();
     private Game game = new Game(PlayMode.BEFORE_KICK_OFF, 1, 0, 0, "", "");
     private long playTicks;
 
@@ -100,6 +100,8 @@ public final class RecordingReader implements AutoCloseable {
                     case RecordingFormat.ROBOTS -> robots = readRobots();
                     case RecordingFormat.COMMANDS -> commands.add(readCommands());
                     case RecordingFormat.EVENT -> events.add(source.getText());
+                    case RecordingFormat.THINGS -> things = List.copyOf(ThingTrack.readAll(source));
+                    case RecordingFormat.MOVED_THING -> things = ThingTrack.readMoved(things, source);
                     case RecordingFormat.CYCLE -> {
                         return Optional.of(new RecordedCycle(readCycle(), commands, events));
                     }
@@ -189,7 +191,7 @@ public final class RecordingReader implements AutoCloseable {
     private WorldSnapshot readCycle() throws IOException {
         long cycle = source.getUnsigned();
         playTicks += source.getSigned();
-        Pose ball = readPose(ballTrack);
+        Pose ball = ballTrack.getPose(source);
         List<RobotSnapshot> snapshots = new ArrayList<>();
         for (RecordedRobot robot : robots) {
             snapshots.add(readRobot(robot));
@@ -206,6 +208,7 @@ public final class RecordingReader implements AutoCloseable {
                 ball.position(),
                 ball.rotation(),
                 snapshots,
+                things,
                 false,
                 1,
                 1);
@@ -215,7 +218,7 @@ public final class RecordingReader implements AutoCloseable {
         int hinges = NaoModel.of(robot.type()).hinges().size();
         DeltaTrack track = robotTracks.compute(
                 robot.id(), (id, known) -> DeltaTrack.fitting(known, RecordingFormat.NUMBERS_PER_POSE + hinges));
-        Pose torso = readPose(track);
+        Pose torso = track.getPose(source);
         double[] degrees = new double[hinges];
         for (int i = 0; i < hinges; i++) {
             degrees[i] = track.get(RecordingFormat.NUMBERS_PER_POSE + i, RecordingFormat.STEPS_PER_DEGREE, source);
@@ -226,20 +229,5 @@ public final class RecordingReader implements AutoCloseable {
                 robot.side(),
                 robot.number(),
                 BodyState.ofHinges(robot.type(), SimSparkFrame.linkToBody(torso), degrees));
-    }
-
-    private Pose readPose(DeltaTrack track) throws IOException {
-        double[] numbers = new double[RecordingFormat.NUMBERS_PER_POSE];
-        for (int i = 0; i < numbers.length; i++) {
-            numbers[i] = track.get(i, i < 3 ? RecordingFormat.STEPS_PER_METRE : RecordingFormat.STEPS_PER_TURN, source);
-        }
-        double length = Math.sqrt(
-                numbers[3] * numbers[3] + numbers[4] * numbers[4] + numbers[5] * numbers[5] + numbers[6] * numbers[6]);
-        double scale = length == 0 ? 0 : 1 / length;
-        return new Pose(
-                new Vector3(numbers[0], numbers[1], numbers[2]),
-                length == 0
-                        ? Rotation.NONE
-                        : new Rotation(numbers[3] * scale, numbers[4] * scale, numbers[5] * scale, numbers[6] * scale));
     }
 }

@@ -42,6 +42,8 @@ public final class RecordingState {
     private List<Integer> score = List.of(0, 0);
     private List<String> teams = List.of("", "");
     private byte[] roster = {};
+    private byte[] things = {};
+    private final Map<Long, byte[]> movedThings = new LinkedHashMap<>();
     private long playTicks;
     private byte[] rest = {};
     private boolean begun;
@@ -149,6 +151,9 @@ public final class RecordingState {
             case RecordingFormat.EVENT -> listener.happened(content.getText());
             case RecordingFormat.CYCLE -> takeCycle(content);
             case RecordingFormat.STATE -> takeState(content);
+            case RecordingFormat.THINGS -> takeThings(Arrays.copyOfRange(bytes, from, end));
+            case RecordingFormat.MOVED_THING ->
+                movedThings.put(content.getUnsigned(), Arrays.copyOfRange(bytes, from, end));
             default -> {}
         }
     }
@@ -179,6 +184,11 @@ public final class RecordingState {
         }
         robots = List.copyOf(read);
         roster = payload;
+    }
+
+    private void takeThings(byte[] payload) {
+        things = payload;
+        movedThings.clear();
     }
 
     private void takeCommands(RecordCursor content) {
@@ -274,6 +284,8 @@ public final class RecordingState {
         ByteSink records = new ByteSink();
         put(RecordingFormat.GAME, game, records);
         put(RecordingFormat.ROBOTS, roster, records);
+        put(RecordingFormat.THINGS, things, records);
+        movedThings.values().forEach(moved -> put(RecordingFormat.MOVED_THING, moved, records));
         speeds.forEach((id, known) -> {
             ByteSink payload = new ByteSink();
             payload.putUnsigned(id);

@@ -29,6 +29,7 @@ public final class RecordingWriter implements AutoCloseable {
     private final RecordSink sink;
     private final DeltaTrack ballTrack = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE);
     private final Map<Integer, RobotTrack> robotTracks = new HashMap<>();
+    private final ThingTrack things = new ThingTrack();
     private byte[] lastRobots = {};
     private double lastPlaySeconds;
 
@@ -80,6 +81,7 @@ public final class RecordingWriter implements AutoCloseable {
         for (RobotSnapshot robot : snapshot.robots()) {
             writeCommands(robot, commands.getOrDefault(robot.id(), List.of()));
         }
+        things.write(snapshot.things(), sink);
         writeCycle(snapshot);
         sink.send();
         if (snapshot.cycle() % CYCLES_PER_FLUSH == 0) {

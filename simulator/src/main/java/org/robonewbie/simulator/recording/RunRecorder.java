@@ -92,7 +92,7 @@ public final class RunRecorder implements AutoCloseable {
             }
         }
         writer.write(
-                Snapshots.of(cycle, match, world.ball(), participants),
+                Snapshots.of(cycle, match, world, participants),
                 match.events().stream().map(MatchEvent::text).toList(),
                 commands(participants));
     }

@@ -8,7 +8,7 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.MatchState;
 import org.robonewbie.simulator.soccer.Player;
-import org.robonewbie.simulator.world.Ball;
+import org.robonewbie.simulator.world.SoccerWorld;
 
 /** Takes pictures of the world for recordings and observers. */
 public final class Snapshots {
@@ -20,11 +20,11 @@ public final class Snapshots {
      *
      * @param cycle number of the cycle
      * @param match the game
-     * @param ball the ball
+     * @param world ball and things
      * @param participants all robots in the order in which they connected
      * @return the present state
      */
-    public static WorldSnapshot of(long cycle, Match match, Ball ball, List<Participant> participants) {
+    public static WorldSnapshot of(long cycle, Match match, SoccerWorld world, List<Participant> participants) {
         MatchState state = match.state();
         return new WorldSnapshot(
                 cycle,
@@ -35,9 +35,10 @@ public final class Snapshots {
                 state.score(TeamSide.LEFT),
                 state.score(TeamSide.RIGHT),
                 state.half(),
-                ball.position(),
-                ball.rotation().toTurn(),
+                world.ball().position(),
+                world.ball().rotation().toTurn(),
                 participants.stream().map(Snapshots::robot).toList(),
+                world.things().now(),
                 false,
                 1,
                 1);

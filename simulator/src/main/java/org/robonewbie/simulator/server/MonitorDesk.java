@@ -128,8 +128,7 @@ final class MonitorDesk {
                     .ifPresent(robot -> robots.add(MonitoredRobotState.of(
                             agent.id(), robot, agent.player().map(MonitorDesk::number), isSelected)));
         }
-        return MonitorSnapshot.of(
-                game(cycle.match()), cycle.match().fouls(), cycle.world().ball(), robots);
+        return MonitorSnapshot.of(game(cycle.match()), cycle.match().fouls(), cycle.world(), robots);
     }
 
     private static PlayerNumber number(Player player) {

@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.cycle.WorldSettings;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.monitor.MonitorSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.PhysicsEngine;
@@ -213,6 +214,17 @@ public record SimulatorSettings(
          */
         public Builder physics(PhysicsEngine value) {
             world = world.withPhysics(value);
+            return this;
+        }
+
+        /**
+         * Sets what stands on the pitch.
+         *
+         * @param value the landscape
+         * @return this builder
+         */
+        public Builder landscape(Landscape value) {
+            world = world.withLandscape(value);
             return this;
         }
 

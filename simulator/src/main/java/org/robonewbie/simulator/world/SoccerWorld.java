@@ -10,11 +10,13 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.physics.PhysicsWorld;
 import org.robonewbie.simulator.state.WorldState;
 
 /**
- * The physical world of SimSpark's soccer simulation: ground, walls, goals, ball and robots.
+ * The physical world of SimSpark's soccer simulation: ground, walls, goals, ball, robots, and the things of a
+ * landscape.
  *
  * <p>It knows no rules, no time and no randomness: equal calls in equal order give bit-identical worlds. One thread at a
  * time. Dropping a world frees it.
@@ -31,6 +33,7 @@ public final class SoccerWorld implements Restorable {
     private final SoccerField field;
     private final PhysicsWorld engine;
     private final Ball ball;
+    private final PlacedThings things;
     private final List<Robot> robots = new ArrayList<>();
     private final ContactReport report = new ContactReport();
 
@@ -61,10 +64,23 @@ public final class SoccerWorld implements Restorable {
      * @param engine an empty world
      */
     public SoccerWorld(SoccerField field, BallProperties ballProperties, PhysicsWorld engine) {
+        this(field, ballProperties, engine, Landscape.SOCCER);
+    }
+
+    /**
+     * Creates a pitch in a given engine with things on it.
+     *
+     * @param field dimensions of the pitch
+     * @param ballProperties radius and mass of the ball
+     * @param engine an empty world
+     * @param landscape what stands on the pitch
+     */
+    public SoccerWorld(SoccerField field, BallProperties ballProperties, PhysicsWorld engine, Landscape landscape) {
         this.field = field;
         this.engine = engine;
         new Pitch(engine, field, ballProperties.radius()).build();
         this.ball = new Ball(engine.scenery(), ballProperties);
+        this.things = new PlacedThings(engine.scenery(), landscape);
     }
 
     /** {@return the dimensions of the pitch} */
@@ -75,6 +91,11 @@ public final class SoccerWorld implements Restorable {
     /** {@return the ball} */
     public Ball ball() {
         return ball;
+    }
+
+    /** {@return what else stands on the pitch} */
+    public PlacedThings things() {
+        return things;
     }
 
     /**
@@ -114,6 +135,7 @@ public final class SoccerWorld implements Restorable {
         report.read(engine.contacts());
         engine.step(Cycle.SECONDS);
         ball.finishStep();
+        things.finishStep();
         robots.forEach(Robot::finishStep);
     }
 
@@ -166,7 +188,8 @@ public final class SoccerWorld implements Restorable {
 
     /** {@return what must agree between the world that is saved and the one that is restored, one setting in each line} */
     public String settings() {
-        return field + "\n" + ball.properties();
+        String pitch = field + "\n" + ball.properties();
+        return things.landscape().isBare() ? pitch : pitch + "\n" + things.landscape();
     }
 
     @Override

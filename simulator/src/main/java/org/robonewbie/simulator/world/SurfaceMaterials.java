@@ -6,8 +6,8 @@ import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.Material.Bounce;
 
 /**
- * The four surfaces of the pitch with the values that really act in rcssserver3d 0.7.3, where some lines of its scene
- * files fail silently.
+ * The four surfaces of SimSpark's pitch with the values that really act in rcssserver3d 0.7.3, where some lines of its scene
+ * files fail silently; and that of things, which is ours.
  */
 final class SurfaceMaterials {
 
@@ -22,6 +22,10 @@ final class SurfaceMaterials {
     /** The ball: very soft. */
     static final Material BALL = new Material(
             Optional.of(new Bounce(0.8, 0.8)), OptionalDouble.of(0.5), OptionalDouble.of(0.05), OptionalDouble.of(0.6));
+
+    /** Things that can be pushed: as the ground, but they give way to a push and come to rest when it ends. */
+    static final Material THING =
+            new Material(Optional.empty(), OptionalDouble.of(0.2), OptionalDouble.empty(), OptionalDouble.of(0.1));
 
     /** All parts of the robot. */
     static final Material ROBOT =

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.landscape.Landscape;
 
 class SteppedSimulatorTest {
 
@@ -46,6 +47,24 @@ class SteppedSimulatorTest {
 
         assertThat(simulator.world().robots()).hasSize(2);
         assertThat(simulator.cycles()).isEqualTo(22);
+    }
+
+    @Test
+    void equalRunsAmongThingsGiveEqualRecordings() throws IOException {
+        WorldSettings among = WorldSettings.beginner().withSeed(3).withLandscape(Landscape.BOX);
+
+        assertThat(hashOf(among)).isEqualTo(hashOf(among)).isNotEqualTo(hashOf(among.withLandscape(Landscape.SLOPE)));
+    }
+
+    private String hashOf(WorldSettings settings) throws IOException {
+        SteppedSimulator one = SteppedSimulator.start(settings, Console.silent());
+        AgentLink agent = one.connect();
+        send(agent, CREATE);
+        for (int i = 0; i < 30; i++) {
+            agent.receive(message);
+            send(agent, "(he1 1)(syn)");
+        }
+        return one.report().recordingSha256();
     }
 
     @Test

@@ -112,6 +112,14 @@ class BeginnersSimulatorProviderTest {
     }
 
     @Test
+    void unknownSceneIsExplainedAtOnce() {
+        assertThatThrownBy(() -> provider.start(
+                        requestFor(OptionalDouble.empty(), Optional.of("moon"), Optional.empty(), Optional.empty())))
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining("There is no scene \"moon\"");
+    }
+
+    @Test
     void closingTwiceDoesNothing() throws IOException {
         EmbeddedSimulator simulator =
                 provider.start(request(OptionalDouble.empty(), Optional.empty(), Optional.empty()));
@@ -164,6 +172,11 @@ class BeginnersSimulatorProviderTest {
     }
 
     private static SimulatorRequest request(OptionalDouble seconds, Optional<Path> report, Optional<Path> recording) {
+        return requestFor(seconds, Optional.empty(), report, recording);
+    }
+
+    private static SimulatorRequest requestFor(
+            OptionalDouble seconds, Optional<String> scene, Optional<Path> report, Optional<Path> recording) {
         return new SimulatorRequest(
                 0,
                 OptionalLong.of(4),
@@ -172,6 +185,7 @@ class BeginnersSimulatorProviderTest {
                 true,
                 false,
                 false,
+                scene,
                 report.map(Path::toString),
                 recording.map(Path::toString),
                 1,

@@ -44,7 +44,7 @@ final class RecordedMonitorMessages {
         List<MonitoredRobotState> robots =
                 world.robots().stream().map(RecordedMonitorMessages::state).toList();
         return new MonitorSnapshot(
-                world.gameState(), world.newFouls(), places(List.of(world.ball().orElseThrow())), robots);
+                world.gameState(), world.newFouls(), places(List.of(world.ball().orElseThrow())), List.of(), robots);
     }
 
     private static MonitoredRobotState state(MonitoredRobot robot) {

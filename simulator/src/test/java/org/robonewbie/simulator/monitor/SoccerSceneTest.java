@@ -11,6 +11,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -20,6 +23,11 @@ import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
 import org.robonewbie.protocol.monitor.TransformNode;
 import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.physics.BodyPose;
+import org.robonewbie.simulator.world.BallProperties;
+import org.robonewbie.simulator.world.LinkMotion;
+import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -144,6 +152,34 @@ class SoccerSceneTest {
     }
 
     @Test
+    void thingsStandBehindTheBallAndBeforeTheRobots() {
+        SoccerWorld hill = new SoccerWorld(
+                SoccerField.LEAGUE, BallProperties.STANDARD, PhysicsEngine.STANDARD.newWorld(), Landscape.SLOPE);
+
+        scene.update(MonitorSnapshot.of(MonitoredGame.UNKNOWN, List.of(), hill, List.of(state(1, 5))));
+
+        assertThat(scene.nodes()).hasSize(36 + 4 + 1);
+        assertThat(scene.nodes().get(37).position().x())
+                .isEqualTo((float) Landscape.SLOPE.things().get(1).centre().x());
+        assertThat(fullText()).contains("(load StdUnitBox) (sSc 0.7 2 0.104587)");
+    }
+
+    @Test
+    void pushedThingNeedsNoFullMessage() {
+        SoccerWorld pushing = new SoccerWorld(
+                SoccerField.LEAGUE, BallProperties.STANDARD, PhysicsEngine.STANDARD.newWorld(), Landscape.BOX);
+        boolean first = scene.update(MonitorSnapshot.of(MonitoredGame.UNKNOWN, List.of(), pushing, List.of()));
+        BodyPose place = BodyPose.of(new Pose(new Vector3(2, 1, 0.2), Rotation.NONE));
+        pushing.things().place(0, LinkMotion.between(place, place, 0));
+
+        boolean second = scene.update(MonitorSnapshot.of(MonitoredGame.UNKNOWN, List.of(), pushing, List.of()));
+
+        assertThat(first).isTrue();
+        assertThat(second).isFalse();
+        assertThat(scene.nodes().get(36).position().x()).isEqualTo(2f);
+    }
+
+    @Test
     void modelAndFigureHaveTheSameLinks() {
         for (RobotType type : RobotType.values()) {
             assertThat(new RobotFigure(type).root().children())
@@ -161,7 +197,7 @@ class SoccerSceneTest {
     }
 
     private MonitorSnapshot snapshotOf(List<MonitoredRobotState> robots) {
-        return MonitorSnapshot.of(MonitoredGame.UNKNOWN, List.of(), world.ball(), robots);
+        return MonitorSnapshot.of(MonitoredGame.UNKNOWN, List.of(), world, robots);
     }
 
     private MonitoredWorld show(List<MonitoredRobotState> robots) {

@@ -114,7 +114,7 @@ final class WatchedWorld implements AutoCloseable {
         }
         MonitoredGame game = new MonitoredGame(
                 cycle * 0.02, Optional.of("us"), Optional.empty(), 1, 0, 0, Optional.of(PlayMode.PLAY_ON), 0, 0);
-        return MonitorSnapshot.of(game, List.of(), world.ball(), states);
+        return MonitorSnapshot.of(game, List.of(), world, states);
     }
 
     @Override

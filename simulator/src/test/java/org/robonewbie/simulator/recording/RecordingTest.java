@@ -92,7 +92,7 @@ class RecordingTest {
                 List<Participant> robots =
                         List.of(new Participant(1, Optional.of(player), player.robot(), commands, 0));
                 cycle++;
-                writer.write(Snapshots.of(cycle, match, world.ball(), robots), List.of(), Map.of(1, commands));
+                writer.write(Snapshots.of(cycle, match, world, robots), List.of(), Map.of(1, commands));
             }
         }
 
@@ -140,7 +140,7 @@ class RecordingTest {
     void runningRecordingIsKeptAsPart() throws Exception {
         Path file = folder.resolve("run.rec");
         RecordingWriter writer = RecordingWriter.open(RecordingFile.open(file, sentence -> {}), List.of());
-        writer.write(Snapshots.of(50, match, world.ball(), List.of()), List.of());
+        writer.write(Snapshots.of(50, match, world, List.of()), List.of());
 
         List<RecordedCycle> cycles = read(folder.resolve("run.rec.part"));
 
@@ -185,7 +185,7 @@ class RecordingTest {
                         List.of(new EffectorCommand.SetHingeSpeed("rle4", -1.5), new EffectorCommand.Say("hello"));
                 List<Participant> robots = List.of(new Participant(1, Optional.of(player), robot, commands, 0));
                 writer.write(
-                        Snapshots.of(i, match, world.ball(), robots),
+                        Snapshots.of(i, match, world, robots),
                         match.events().stream().map(MatchEvent::text).toList(),
                         Map.of(1, commands));
                 match.clearEvents();

@@ -8,6 +8,7 @@ import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.landscape.Thing;
 
 /** A state between two known ones: everything moves evenly. */
 final class Blend {
@@ -41,6 +42,7 @@ final class Blend {
                                         .times(part)),
                 blended(from.ballRotation(), to.ballRotation(), part),
                 robots(from.robots(), to.robots(), part),
+                things(from.things(), to.things(), part),
                 to.paused(),
                 to.speed(),
                 to.realTimeFactor());
@@ -62,13 +64,19 @@ final class Blend {
         return robots;
     }
 
+    private static List<Thing> things(List<Thing> from, List<Thing> to, double part) {
+        List<Thing> things = new ArrayList<>();
+        for (int i = 0; i < Math.min(from.size(), to.size()); i++) {
+            Pose pose = from.get(i).pose();
+            Pose later = to.get(i).pose();
+            things.add(from.get(i).at(between(pose, later, step(pose, later, part))));
+        }
+        return things;
+    }
+
     private static RobotSnapshot robot(RobotSnapshot from, RobotSnapshot to, double part) {
-        Pose torso = from.body().torso();
-        Pose later = to.body().torso();
-        Vector3 way = later.position().minus(torso.position());
-        double step = Math.hypot(way.x(), way.y()) > JUMP_METRES ? 0 : part;
-        Pose between =
-                new Pose(torso.position().plus(way.times(step)), blended(torso.rotation(), later.rotation(), step));
+        double step = step(from.body().torso(), to.body().torso(), part);
+        Pose between = between(from.body().torso(), to.body().torso(), step);
         return new RobotSnapshot(
                 from.id(),
                 from.team(),
@@ -78,6 +86,16 @@ final class Blend {
                         from.type(),
                         between,
                         blended(from.body().hingeDegrees(), to.body().hingeDegrees(), step)));
+    }
+
+    private static double step(Pose from, Pose to, double part) {
+        Vector3 way = to.position().minus(from.position());
+        return Math.hypot(way.x(), way.y()) > JUMP_METRES ? 0 : part;
+    }
+
+    private static Pose between(Pose from, Pose to, double step) {
+        Vector3 way = to.position().minus(from.position());
+        return new Pose(from.position().plus(way.times(step)), blended(from.rotation(), to.rotation(), step));
     }
 
     /** The parts of quaternions are blended alike; a quaternion that points the other way is turned round first. */

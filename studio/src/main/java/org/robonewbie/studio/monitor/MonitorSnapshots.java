@@ -43,6 +43,7 @@ final class MonitorSnapshots {
                 world.ball().map(TransformNode::position).orElse(Vector3.ZERO),
                 world.ball().map(ball -> rotation(ball).toTurn()).orElse(org.robonewbie.nao.kinematics.Rotation.NONE),
                 world.robots().stream().map(robot -> robot(robot, game)).toList(),
+                MonitoredThings.of(world),
                 standing,
                 1,
                 realTimeFactor);
@@ -104,7 +105,7 @@ final class MonitorSnapshots {
         return Math.toDegrees(2 * Math.atan2(sine, turn[0]));
     }
 
-    private static RotationMatrix rotation(TransformNode node) {
+    static RotationMatrix rotation(TransformNode node) {
         Vector3 x = node.axisX();
         Vector3 y = node.axisY();
         Vector3 z = node.axisZ();

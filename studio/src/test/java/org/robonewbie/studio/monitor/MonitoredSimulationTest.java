@@ -30,6 +30,8 @@ import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.MatchEvent;
@@ -71,6 +73,7 @@ class MonitoredSimulationTest implements SimulationObserver {
                         .awaitedAgents(1)
                         .speed(4)
                         .seed(1)
+                        .landscape(Landscape.BOX)
                         .build(),
                 Console.silent());
     }
@@ -136,6 +139,17 @@ class MonitoredSimulationTest implements SimulationObserver {
         assertThat(seenRobot.body().position().x()).isCloseTo(-1, within(0.2));
         assertThat(watched.field().length()).isEqualTo(12);
         assertThat(watched.field().penaltyWidth()).isCloseTo(2.6, within(1e-6));
+    }
+
+    @Test
+    void whatStandsOnThePitchIsSeen() throws InterruptedException {
+        WorldSnapshot snapshot = await(now -> !now.things().isEmpty());
+
+        Thing original = Landscape.BOX.things().get(0);
+        assertThat(snapshot.things()).hasSize(1);
+        assertThat(snapshot.things().get(0).size().distanceTo(original.size())).isLessThan(1e-5);
+        assertThat(snapshot.things().get(0).centre().distanceTo(original.centre()))
+                .isLessThan(0.01);
     }
 
     @Test

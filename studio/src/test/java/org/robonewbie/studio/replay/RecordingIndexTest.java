@@ -80,6 +80,7 @@ class RecordingIndexTest {
                 ball,
                 Rotation.NONE,
                 robots,
+                List.of(),
                 false,
                 1,
                 1);

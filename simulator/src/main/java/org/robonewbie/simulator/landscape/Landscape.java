@@ -1,0 +1,133 @@
+package org.robonewbie.simulator.landscape;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.nao.math.PortableMath;
+
+/**
+ * What stands on the pitch: nothing in a soccer match, else things to walk around, to climb or to push. On the command line it is
+ * chosen by {@code --scene}.
+ *
+ * <pre>{@code
+ * WorldSettings settings = WorldSettings.beginner().withLandscape(Landscape.SLOPE);
+ * }</pre>
+ *
+ * @param name its name on the command line
+ * @param description what is there, as a part of a sentence
+ * @param things the things at the beginning, in their order
+ */
+public record Landscape(String name, String description, List<Thing> things) {
+
+    private static final double WALL_HEIGHT = 0.3;
+    private static final double WALL_THICKNESS = 0.1;
+    private static final double WALL_KG = 2;
+    private static final double POST_WIDTH = 0.12;
+    private static final double POST_HEIGHT = 0.6;
+    private static final double POST_KG = 0.5;
+
+    private static final double HILL_BEGIN = -4.2;
+    private static final double HILL_WIDTH = 2;
+    private static final double SLOPE_DEGREES = 5;
+    private static final double SLOPE_LENGTH = 1.2;
+    private static final double SLOPE_THICKNESS = 0.05;
+    private static final double TOP_LENGTH = 0.7;
+    private static final double STEP_LENGTH = 0.35;
+    private static final int STEPS = 2;
+
+    /** The bare pitch. */
+    public static final Landscape SOCCER = new Landscape("soccer", "the bare pitch", List.of());
+
+    /** Two walls and two posts, each light enough that it shows when something has run into it. */
+    public static final Landscape OBSTACLES = new Landscape(
+            "obstacles",
+            "two walls and two posts, to be passed on a winding path",
+            List.of(wall(-3.6, 0.7), post(-3.6, -1.3), wall(-2.2, -0.7), post(-2.2, 1.3)));
+
+    /** A hill: a slope to walk up, a level top, and steps down behind it. */
+    public static final Landscape SLOPE =
+            new Landscape("slope", "a hill with a slope before it and steps behind it", hill());
+
+    /** A box that is wide enough for two robots to push it side by side. */
+    public static final Landscape BOX = new Landscape(
+            "box",
+            "a wide box that robots can push, alone or together",
+            List.of(Thing.movable("box", new Vector3(0.4, 1.6, 0.4), new Vector3(-3.2, 0, 0.2), 4)));
+
+    /** All landscapes, the bare pitch first. */
+    public static final List<Landscape> ALL = List.of(SOCCER, OBSTACLES, SLOPE, BOX);
+
+    /** Copies the list. */
+    public Landscape {
+        things = List.copyOf(things);
+    }
+
+    /**
+     * Looks up a landscape.
+     *
+     * @param name its name
+     * @return the landscape; empty if there is none of this name
+     */
+    public static Optional<Landscape> find(String name) {
+        return ALL.stream().filter(each -> each.name.equals(name)).findFirst();
+    }
+
+    /**
+     * Looks up a landscape that a user has named.
+     *
+     * @param name its name
+     * @return the landscape
+     * @throws IllegalArgumentException if there is none of this name; the message lists all of them
+     */
+    public static Landscape named(String name) {
+        return find(name)
+                .orElseThrow(() -> new IllegalArgumentException("There is no scene \"" + name + "\". Choose one of "
+                        + ALL.stream().map(Landscape::name).collect(Collectors.joining(", ")) + "."));
+    }
+
+    /** {@return whether nothing stands on the pitch} */
+    public boolean isBare() {
+        return things.isEmpty();
+    }
+
+    private static Thing wall(double x, double y) {
+        return Thing.movable(
+                "wall", new Vector3(WALL_THICKNESS, 2, WALL_HEIGHT), new Vector3(x, y, WALL_HEIGHT / 2), WALL_KG);
+    }
+
+    private static Thing post(double x, double y) {
+        return Thing.movable(
+                "post", new Vector3(POST_WIDTH, POST_WIDTH, POST_HEIGHT), new Vector3(x, y, POST_HEIGHT / 2), POST_KG);
+    }
+
+    /** A slope that rises towards positive x, a level top, and steps that lead down again. */
+    private static List<Thing> hill() {
+        double radians = PortableMath.toRadians(SLOPE_DEGREES);
+        double cosine = PortableMath.cos(radians);
+        double sine = PortableMath.sin(radians);
+        double height = SLOPE_LENGTH * sine;
+        Vector3 middleOfSlope = new Vector3(
+                HILL_BEGIN + SLOPE_LENGTH / 2 * cosine + SLOPE_THICKNESS / 2 * sine,
+                0,
+                height / 2 - SLOPE_THICKNESS / 2 * cosine);
+        List<Thing> parts = new ArrayList<>();
+        parts.add(Thing.fixed("slope", new Vector3(SLOPE_LENGTH, HILL_WIDTH, SLOPE_THICKNESS), middleOfSlope)
+                .at(new Pose(middleOfSlope, Rotation.about(new Vector3(0, 1, 0), -SLOPE_DEGREES))));
+        double x = HILL_BEGIN + SLOPE_LENGTH * cosine;
+        parts.add(block("top", x, TOP_LENGTH, height));
+        x += TOP_LENGTH;
+        for (int i = STEPS; i > 0; i--) {
+            parts.add(block("step", x, STEP_LENGTH, height * i / (STEPS + 1)));
+            x += STEP_LENGTH;
+        }
+        return parts;
+    }
+
+    private static Thing block(String name, double x, double length, double height) {
+        return Thing.fixed(name, new Vector3(length, HILL_WIDTH, height), new Vector3(x + length / 2, 0, height / 2));
+    }
+}

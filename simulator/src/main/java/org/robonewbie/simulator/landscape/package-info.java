@@ -1,0 +1,7 @@
+/**
+ * What stands on the pitch besides goals and ball. Read {@link org.robonewbie.simulator.landscape.Landscape} first.
+ *
+ * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.simulator.landscape;

@@ -1,0 +1,90 @@
+package org.robonewbie.simulator.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.model.Shape;
+import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.landscape.Thing;
+import org.robonewbie.simulator.physics.Assembly;
+import org.robonewbie.simulator.physics.BodyPose;
+import org.robonewbie.simulator.physics.MassDistribution;
+import org.robonewbie.simulator.physics.RigidBody;
+
+/** The things of a landscape in the physical world: those that never move, and bodies that can be pushed. */
+public final class PlacedThings {
+
+    private final Landscape landscape;
+    private final List<Optional<RigidBody>> bodies = new ArrayList<>();
+
+    PlacedThings(Assembly scenery, Landscape landscape) {
+        this.landscape = landscape;
+        landscape.things().forEach(thing -> bodies.add(build(scenery, thing)));
+    }
+
+    private static Optional<RigidBody> build(Assembly scenery, Thing thing) {
+        Shape shape = new Shape.Box(thing.size());
+        if (!thing.isMovable()) {
+            scenery.addFixture(BodyPose.of(thing.pose()), shape, SurfaceMaterials.GROUND, Pitch.SCENERY);
+            return Optional.empty();
+        }
+        RigidBody body = scenery.addBody(MassDistribution.of(shape, thing.massKg()), thing.centre());
+        body.setRotation(BodyPose.of(thing.pose()).rotation());
+        scenery.addCollider(body, shape, SurfaceMaterials.THING, Pitch.SCENERY);
+        return Optional.of(body);
+    }
+
+    /** {@return the landscape as it was at the beginning} */
+    public Landscape landscape() {
+        return landscape;
+    }
+
+    /** {@return all things of the landscape where they are now, in its order} */
+    public List<Thing> now() {
+        List<Thing> things = new ArrayList<>();
+        for (int i = 0; i < bodies.size(); i++) {
+            Thing thing = landscape.things().get(i);
+            things.add(bodies.get(i).map(body -> thing.at(body.pose().toPose())).orElse(thing));
+        }
+        return things;
+    }
+
+    /** Returns all things to where they were at the beginning. */
+    public void reset() {
+        for (int i = 0; i < bodies.size(); i++) {
+            reset(i);
+        }
+    }
+
+    private void reset(int index) {
+        BodyPose start = BodyPose.of(landscape.things().get(index).pose());
+        place(index, LinkMotion.between(start, start, 0));
+    }
+
+    /**
+     * Moves a thing, if it can be moved.
+     *
+     * @param index its index in the landscape
+     * @param motion its new pose and velocity
+     */
+    public void place(int index, LinkMotion motion) {
+        bodies.get(index).ifPresent(body -> {
+            body.setPosition(WorldLimits.place(motion.pose().position()));
+            body.setRotation(motion.pose().rotation());
+            body.setVelocity(WorldLimits.velocity(motion.velocity()));
+            body.setAngularVelocity(motion.radiansPerSecond());
+            body.wake();
+        });
+    }
+
+    /** Returns what went beyond all limits to its beginning. */
+    void finishStep() {
+        for (int i = 0; i < bodies.size(); i++) {
+            if (bodies.get(i)
+                    .filter(body -> !WorldLimits.isWithin(body.position()))
+                    .isPresent()) {
+                reset(i);
+            }
+        }
+    }
+}
