@@ -63,46 +63,51 @@ public record Grade(String exercise, List<SeededScore> trials) {
         return new Grade(printed.exercise, printed.trials);
     }
 
-    /**
-     * Translates the hints; what was measured stays as it is.
-     *
-     * @param language the language of the hints
-     * @return the same grade with hints in this language
-     */
-    public Grade in(Language language) {
-        return new Grade(
-                exercise,
-                trials.stream()
-                        .map(trial ->
-                                new SeededScore(trial.seed(), trial.score().in(language)))
-                        .toList());
-    }
-
-    /** Returns the grade in words. */
+    /** Returns the grade in English words. */
     @Override
     public String toString() {
-        String lines = trials.stream().map(Grade::line).collect(Collectors.joining());
+        return text(Language.ENGLISH);
+    }
+
+    /**
+     * Returns the grade in words.
+     *
+     * @param language the language of the words
+     * @return a line for each trial, the result, and each hint once
+     */
+    public String text(Language language) {
+        List<SeededScore> told = trials.stream()
+                .map(trial -> new SeededScore(trial.seed(), trial.score().in(language)))
+                .toList();
+        String lines = told.stream().map(trial -> line(trial, language)).collect(Collectors.joining());
         String result = String.format(
                 Locale.ROOT,
-                "%s %s: %.1f of %d points%n",
+                "%s %s: %.1f %s %d %s%n",
                 exercise,
-                passed() ? "PASSED" : "not yet passed",
+                language.translated(passed() ? "PASSED" : "not yet passed"),
                 points(),
-                Score.MOST_POINTS);
-        String hints = trials.stream()
+                language.translated("of"),
+                Score.MOST_POINTS,
+                language.translated("points"));
+        String hints = told.stream()
                 .map(trial -> trial.score().hint())
                 .filter(hint -> !hint.isEmpty())
                 .distinct()
-                .map(hint -> String.format("Hint: %s%n", hint))
+                .map(hint -> String.format("%s: %s%n", language.translated("Hint"), hint))
                 .collect(Collectors.joining());
         return lines + result + hints;
     }
 
-    private static String line(SeededScore trial) {
+    private static String line(SeededScore trial, Language language) {
         Score score = trial.score();
         return String.format(
-                "  seed %-3d %-6s %2d points  %s%n",
-                trial.seed(), score.passed() ? "passed" : "failed", score.points(), score.finding());
+                "  %s %-3d %-6s %2d %s  %s%n",
+                language.translated("seed"),
+                trial.seed(),
+                language.translated(score.passed() ? "passed" : "failed"),
+                score.points(),
+                language.translated("points"),
+                score.finding());
     }
 
     private record Printed(String exercise, boolean passed, double points, List<SeededScore> trials) {}

@@ -1,41 +1,35 @@
 package org.robonewbie.exercises;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.Locale;
-import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 
 /**
- * The language of worksheets and hints. Names, findings and messages are English in both.
+ * The language of worksheets, goals, hints and findings. Names and messages of programs are English in both.
  *
- * <p>Tasks write their hints in English; the file {@code hints-de.txt} has each of them with its translation below it.
+ * <p>Tasks speak English; {@code hints-de.txt} has each goal and hint with its translation below it, {@code findings-de.txt} what is
+ * measured, with gaps for the figures.
  *
  * <pre>{@code
- * Language.GERMAN.hint(score.hint());
+ * Language.GERMAN.translated(score.hint());
  * Language.GERMAN.worksheet(exercise);   // de/12-kick
  * }</pre>
  */
 public enum Language {
     /** The language in which everything is written first. */
-    ENGLISH("en"),
+    ENGLISH("en", Phrasebook.empty()),
     /** A translation of worksheets and hints. */
-    GERMAN("de");
+    GERMAN("de", Phrasebook.read("hints-de.txt", "findings-de.txt"));
 
     /** The environment variable with the language of all programs, such as {@code de}. */
     public static final String VARIABLE = "ROBONEWBIE_LANGUAGE";
 
-    private static final Map<String, String> GERMAN_HINTS = read("hints-de.txt");
-
     private final String code;
+    private final Phrasebook phrases;
 
-    Language(String code) {
+    Language(String code, Phrasebook phrases) {
         this.code = code;
+        this.phrases = phrases;
     }
 
     /** {@return two letters, such as {@code de}} */
@@ -57,13 +51,13 @@ public enum Language {
     }
 
     /**
-     * Translates a hint.
+     * Translates a goal, a hint or a finding.
      *
-     * @param english the hint of a score
-     * @return the hint in this language; in English if it has no translation
+     * @param english the text in English
+     * @return the text in this language; what has no translation stays English
      */
-    public String hint(String english) {
-        return hints().getOrDefault(english, english);
+    public String translated(String english) {
+        return phrases.translated(english);
     }
 
     /**
@@ -76,22 +70,8 @@ public enum Language {
         return this == ENGLISH ? exercise.fullName() : code + "/" + exercise.fullName();
     }
 
-    /** {@return all hints that have a translation, by their English text} */
-    Map<String, String> hints() {
-        return this == GERMAN ? GERMAN_HINTS : Map.of();
-    }
-
-    private static Map<String, String> read(String file) {
-        Map<String, String> pairs = new HashMap<>();
-        try (InputStream stream =
-                Objects.requireNonNull(Language.class.getResourceAsStream(file), "There is no file " + file)) {
-            for (String pair : new String(stream.readAllBytes(), StandardCharsets.UTF_8).split("\\R\\R", -1)) {
-                String[] lines = pair.strip().split("\\R", -1);
-                pairs.put(lines[0], lines[1]);
-            }
-        } catch (IOException unreadable) {
-            throw new UncheckedIOException("The file " + file + " cannot be read.", unreadable);
-        }
-        return Map.copyOf(pairs);
+    /** {@return what is translated} */
+    Phrasebook phrases() {
+        return phrases;
     }
 }

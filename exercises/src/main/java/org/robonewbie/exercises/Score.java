@@ -61,12 +61,12 @@ public record Score(boolean passed, int points, String finding, String hint) {
     }
 
     /**
-     * Translates the hint.
+     * Translates finding and hint.
      *
-     * @param language the language of the hint
-     * @return the same score with the hint in this language
+     * @param language the language
+     * @return the same score in this language
      */
     public Score in(Language language) {
-        return new Score(passed, points, finding, language.hint(hint));
+        return new Score(passed, points, language.translated(finding), language.translated(hint));
     }
 }

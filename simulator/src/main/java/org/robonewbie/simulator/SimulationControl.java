@@ -45,6 +45,11 @@ public interface SimulationControl {
      */
     default void restore(WorldSnapshot before, WorldSnapshot moment) {}
 
+    /** {@return the trial that is judged here; empty for a world in which everybody just plays} */
+    default Optional<TrialLabel> trial() {
+        return Optional.empty();
+    }
+
     /** {@return the TCP port at which agents join; empty where they cannot} */
     default OptionalInt agentPort() {
         return OptionalInt.empty();

@@ -8,6 +8,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
@@ -17,6 +18,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  * @param clock whether time can be stopped
  * @param agentPort the TCP port at which agents join; empty where they cannot
  * @param puppets whether robots can join that people steer
+ * @param trial the trial that is judged; empty where everybody just plays
  * @param teamLeft name of the left team, empty before it joined
  * @param teamRight name of the right team, empty before it joined
  * @param robots the robots in the order of the state frames
@@ -26,6 +28,7 @@ record LineUp(
         boolean clock,
         OptionalInt agentPort,
         boolean puppets,
+        Optional<TrialLabel> trial,
         String teamLeft,
         String teamRight,
         List<Player> robots) {
@@ -53,6 +56,7 @@ record LineUp(
                 simulation.hasClock(),
                 simulation.agentPort(),
                 desk.isOpen(),
+                simulation.trial(),
                 snapshot.teamLeft(),
                 snapshot.teamRight(),
                 snapshot.robots().stream()

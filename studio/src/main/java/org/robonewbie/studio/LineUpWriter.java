@@ -13,6 +13,7 @@ import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
+import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /** Writes a {@link LineUp} as JSON for the pages, with the bodies of all robot types that play. */
@@ -35,6 +36,7 @@ final class LineUpWriter {
         json.addProperty("clock", scene.clock());
         scene.agentPort().ifPresent(port -> json.addProperty("agentPort", port));
         json.addProperty("puppets", scene.puppets());
+        scene.trial().ifPresent(trial -> json.add("trial", trial(trial)));
         JsonObject teams = new JsonObject();
         teams.addProperty("left", scene.teamLeft());
         teams.addProperty("right", scene.teamRight());
@@ -65,6 +67,14 @@ final class LineUpWriter {
         json.addProperty("penaltyLength", field.penaltyLength());
         json.addProperty("penaltyWidth", field.penaltyWidth());
         json.addProperty("centreCircleRadius", field.centreCircleRadius());
+        return json;
+    }
+
+    private static JsonObject trial(TrialLabel trial) {
+        JsonObject json = new JsonObject();
+        json.addProperty("task", trial.task());
+        json.addProperty("attempt", trial.attempt());
+        json.addProperty("seed", trial.seed());
         return json;
     }
 

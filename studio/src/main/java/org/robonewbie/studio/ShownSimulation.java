@@ -10,6 +10,7 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.state.WorldState;
 
@@ -71,6 +72,11 @@ public final class ShownSimulation implements SimulationControl {
     @Override
     public void restore(WorldState state, Consumer<OptionalInt> receiver) {
         shown.restore(state, receiver);
+    }
+
+    @Override
+    public Optional<TrialLabel> trial() {
+        return shown.trial();
     }
 
     @Override

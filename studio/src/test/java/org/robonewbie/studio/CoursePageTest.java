@@ -123,6 +123,36 @@ class CoursePageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Test
+    void lastTrialIsAGhostBesideTheNextOne() {
+        visit();
+        letAProgramTry();
+        browser.await("document.querySelector('#course-judged').innerText.startsWith('✗ Seed 1')");
+        browser.await("!studio.field.ghosts.group.visible");
+
+        browser.click("#course-start");
+
+        browser.await("studio.state.scene.trial.attempt === 2 && studio.field.ghosts.group.visible");
+        browser.await("studio.field.ghosts.crowd.scene.robots.length === 1");
+        browser.click("#course-ghost");
+        browser.await("!studio.field.ghosts.group.visible");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void exercisesSpeakGermanToo() {
+        visit();
+        chooseKick();
+
+        browser.evaluate("document.querySelector('#course-language').value = 'de'");
+        browser.evaluate("document.querySelector('#course-language').dispatchEvent(new Event('change'))");
+
+        browser.await("document.querySelector('.lesson h3').innerText === '2 Ein Schuss'");
+        browser.await("document.querySelector('.lesson').innerText.includes('Schieß ihn.')");
+        browser.await("document.querySelector('.lesson a').getAttribute('href') === 'docs/exercises/de/k.html'");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
     private void letAProgramTry() {
         chooseKick();
         browser.evaluate("document.querySelector('#course-program').value = 'Other.java'");

@@ -3,6 +3,7 @@ package org.robonewbie.studio;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Attempt.State;
 import org.robonewbie.studio.course.Course;
@@ -14,14 +15,16 @@ import org.robonewbie.studio.course.Standings;
 final class SmallCourse implements Course {
 
     private final SimulationControl freePitch;
-    private final SimulationControl pitchOfTrial;
+    private final SmallSimulation pitchOfTrial;
     private final ShownSimulation shown;
     private final List<String> programs = new CopyOnWriteArrayList<>(List.of("Other.java"));
     private final List<String> hints = List.of("Look first.", "Then kick.");
     private volatile int open;
+    private volatile String language = "en";
+    private volatile long begun;
     private volatile Attempt attempt = Attempt.NONE;
 
-    SmallCourse(SimulationControl freePitch, SimulationControl pitchOfTrial, ShownSimulation shown) {
+    SmallCourse(SimulationControl freePitch, SmallSimulation pitchOfTrial, ShownSimulation shown) {
         this.freePitch = freePitch;
         this.pitchOfTrial = pitchOfTrial;
         this.shown = shown;
@@ -44,14 +47,24 @@ final class SmallCourse implements Course {
                 new Lesson(
                         2,
                         "kick",
-                        "A kick",
-                        "Kick it.",
+                        language.equals("de") ? "Ein Schuss" : "A kick",
+                        language.equals("de") ? "Schieß ihn." : "Kick it.",
                         "challenge",
                         120,
                         10,
-                        "docs/exercises/k.html",
+                        language.equals("de") ? "docs/exercises/de/k.html" : "docs/exercises/k.html",
                         "Kick.java",
                         Lesson.Standing.NONE));
+    }
+
+    @Override
+    public String language() {
+        return language;
+    }
+
+    @Override
+    public void speak(String code) {
+        language = code;
     }
 
     @Override
@@ -70,14 +83,16 @@ final class SmallCourse implements Course {
 
     @Override
     public void begin(String exercise, String program, int trials) {
-        attempt = new Attempt(1, State.RUNNING, exercise, program, 3110, trials, List.of(), 0, false, "");
+        begun++;
+        pitchOfTrial.judging(new TrialLabel(exercise, begun, 1));
+        attempt = new Attempt(begun, State.RUNNING, exercise, program, 3110, trials, List.of(), 0, false, "");
         shown.show(pitchOfTrial);
     }
 
     /** Ends the only trial. */
     void judge(Attempt.Judged trial, String output) {
         attempt = new Attempt(
-                1,
+                begun,
                 State.OVER,
                 attempt.exercise(),
                 attempt.program(),

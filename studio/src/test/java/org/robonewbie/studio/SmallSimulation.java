@@ -22,6 +22,7 @@ import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
@@ -43,6 +44,7 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
     private volatile boolean open = true;
     private volatile boolean paused;
     private volatile double speed = 1;
+    private volatile Optional<TrialLabel> trial = Optional.empty();
     private volatile PlayMode playMode = PlayMode.BEFORE_KICK_OFF;
     private volatile WorldSnapshot latest;
     private long cycle;
@@ -224,6 +226,16 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
     /** Whether all steps that were asked for are done. */
     boolean standsStill() {
         return cyclesToStep.get() == 0;
+    }
+
+    /** Names the trial that is judged here from now on. */
+    void judging(TrialLabel label) {
+        trial = Optional.of(label);
+    }
+
+    @Override
+    public Optional<TrialLabel> trial() {
+        return trial;
     }
 
     @Override

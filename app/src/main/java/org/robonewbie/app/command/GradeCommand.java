@@ -27,6 +27,7 @@ import org.robonewbie.app.program.StudentsAgents;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
+import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.progress.SolutionShelf;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -46,7 +47,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie grade arm-by-side ArmBySide.java",
             "  robonewbie grade 3 ArmBySide.java --seeds 10 --json grade.json",
             "  robonewbie grade kick Kick.java --watch     and look at the first trial in the studio",
-            "  robonewbie grade kick Kick.java --language de   hints in German",
+            "  robonewbie grade kick Kick.java --language de   findings and hints in German",
             "  robonewbie grade kick Kick.java --record kick.rec   then: robonewbie studio kick.rec",
             "  robonewbie grade kick --hint              open one hint after the other",
             "  robonewbie grade kick --solution          show a solution, after three tries",
@@ -136,7 +137,7 @@ final class GradeCommand implements Callable<Integer> {
             return gradeClass(classFolder.get());
         }
         if (exerciseName.isEmpty()) {
-            System.out.print(CommandWord.here().in(list()));
+            System.out.print(CommandWord.here().in(list(language.language())));
             return ExitCode.OK;
         }
         Exercise exercise = exercise(exerciseName.get());
@@ -213,14 +214,15 @@ final class GradeCommand implements Callable<Integer> {
         RoboNewbieCommand.run(words.toArray(String[]::new));
     }
 
-    private static int openHint(Exercise exercise) {
-        Coach.Hints hints = Coach.ofUser().nextHint(exercise);
+    private int openHint(Exercise exercise) {
+        Language spoken = language.language();
+        Coach.Hints hints = Coach.ofUser().nextHint(exercise, spoken);
         for (int i = 0; i < hints.open().size(); i++) {
-            System.out.println("Hint " + (i + 1) + " of " + hints.all() + ": "
-                    + hints.open().get(i));
+            String number = spoken.translated("Hint " + (i + 1) + " of " + hints.all());
+            System.out.println(number + ": " + hints.open().get(i));
         }
         if (hints.all() == 0) {
-            System.out.println("There are no hints for " + exercise.name() + ".");
+            System.out.println(spoken.translated("There are no hints for " + exercise.name() + "."));
         }
         return ExitCode.OK;
     }
@@ -232,8 +234,9 @@ final class GradeCommand implements Callable<Integer> {
     }
 
     private int tell(Exercise exercise, Grade grade) {
-        System.out.print(grade.in(language.language()));
-        Coach.ofUser().graded(exercise, grade.points(), grade.passed()).stream()
+        Language spoken = language.language();
+        System.out.print(grade.text(spoken));
+        Coach.ofUser().graded(exercise, grade.points(), grade.passed(), spoken).stream()
                 .map(CommandWord.here()::in)
                 .forEach(System.out::println);
         json.ifPresent(file -> GradingProcess.write(file, grade.json()));
@@ -244,7 +247,7 @@ final class GradeCommand implements Callable<Integer> {
         return StudentsAgents.of(new AgentFinder(ExampleCatalogue.load(), classPath.folders()).findClass(program));
     }
 
-    private static int handOut(Exercise exercise) throws IOException {
+    private int handOut(Exercise exercise) throws IOException {
         Path file = Path.of(exercise.className() + ".java");
         if (Files.exists(file)) {
             throw new CalledWronglyException(
@@ -253,17 +256,18 @@ final class GradeCommand implements Callable<Integer> {
         Files.writeString(file, exercise.startCode());
         Coach.ofUser().begun(exercise);
         System.out.println(CommandWord.here()
-                .in("Written: " + file + System.lineSeparator() + exercise.goal() + System.lineSeparator()
+                .in("Written: " + file + System.lineSeparator()
+                        + language.language().translated(exercise.goal()) + System.lineSeparator()
                         + "Change it, watch it with: robonewbie run " + file + System.lineSeparator()
                         + "and grade it with: robonewbie grade " + exercise.name() + " " + file));
         return ExitCode.OK;
     }
 
-    private static String list() {
+    private static String list(Language spoken) {
         List<String> lines = new ArrayList<>();
         lines.add("The exercises are:");
         for (Exercise exercise : Exercises.all()) {
-            lines.add(String.format("  %-20s %s", exercise.fullName(), exercise.goal()));
+            lines.add(String.format("  %-20s %s", exercise.fullName(), spoken.translated(exercise.goal())));
         }
         lines.add("Begin with: robonewbie grade raise-arms --start");
         return lines.stream().map(line -> line + System.lineSeparator()).collect(Collectors.joining());

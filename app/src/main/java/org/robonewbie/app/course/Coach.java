@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.progress.ExerciseProgress;
 import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.exercises.progress.ProgressFile;
@@ -81,15 +82,16 @@ public final class Coach {
      * @param exercise the exercise
      * @param points what was earned, 0 to 10
      * @param passed whether all trials have passed
+     * @param language the language of what is said
      * @return what the student can do next, as sentences; empty after a success
      */
-    public List<String> graded(Exercise exercise, double points, boolean passed) {
+    public List<String> graded(Exercise exercise, double points, boolean passed, Language language) {
         ExerciseProgress state = change(exercise, before -> before.tried(points, passed, clock.instant()));
-        return passed ? List.of() : advice(exercise, state);
+        return passed ? List.of() : advice(exercise, state, language);
     }
 
-    private List<String> advice(Exercise exercise, ExerciseProgress state) {
-        int hints = Worksheet.of(exercise).hints().size();
+    private List<String> advice(Exercise exercise, ExerciseProgress state, Language language) {
+        int hints = Worksheet.of(exercise, language).hints().size();
         boolean solution = state.triesBeforeSolution() == 0 && solutions.offers(exercise);
         String name = exercise.name();
         return Stream.of(
@@ -99,6 +101,7 @@ public final class Coach {
                                 : "",
                         solution ? "Show me a solution: robonewbie grade " + name + " --solution" : "")
                 .filter(line -> !line.isEmpty())
+                .map(language::translated)
                 .toList();
     }
 
@@ -106,22 +109,24 @@ public final class Coach {
      * Opens the next hint.
      *
      * @param exercise the exercise
+     * @param language the language of the hints
      * @return all hints that are open now
      */
-    public Hints nextHint(Exercise exercise) {
-        int all = Worksheet.of(exercise).hints().size();
+    public Hints nextHint(Exercise exercise, Language language) {
+        int all = Worksheet.of(exercise, language).hints().size();
         change(exercise, state -> state.withNextHint(all));
-        return hints(exercise);
+        return hints(exercise, language);
     }
 
     /**
      * Returns the hints that are open.
      *
      * @param exercise the exercise
+     * @param language the language of the hints
      * @return the hints
      */
-    public Hints hints(Exercise exercise) {
-        List<String> all = Worksheet.of(exercise).hints();
+    public Hints hints(Exercise exercise, Language language) {
+        List<String> all = Worksheet.of(exercise, language).hints();
         int open = Math.min(progress().of(exercise).hints(), all.size());
         return new Hints(all.subList(0, open), all.size());
     }

@@ -11,6 +11,7 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Attempt.State;
 import org.robonewbie.trial.Performer;
@@ -99,7 +100,7 @@ final class CourseAttempt implements AutoCloseable {
     }
 
     private void tryAll() {
-        for (int seed = 1; seed <= trials && beginTrial(); seed++) {
+        for (int seed = 1; seed <= trials && beginTrial(seed); seed++) {
             Score score = Performance.of(exercise, seed, this::nextRobot, Optional.empty(), trial);
             end(seed, score);
         }
@@ -110,12 +111,12 @@ final class CourseAttempt implements AutoCloseable {
         finish();
     }
 
-    private synchronized boolean beginTrial() {
+    private synchronized boolean beginTrial(long seed) {
         if (closed) {
             return false;
         }
         state = State.WAITING;
-        trial = trial.next();
+        trial = trial.next(new TrialLabel(exercise.name(), id, seed));
         screen.accept(trial);
         return true;
     }

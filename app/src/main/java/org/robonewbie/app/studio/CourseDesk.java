@@ -17,6 +17,7 @@ import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.progress.ExerciseProgress;
 import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.exercises.progress.SolutionShelf;
+import org.robonewbie.exercises.progress.Worksheet;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.studio.ShownSimulation;
 import org.robonewbie.studio.course.Attempt;
@@ -65,28 +66,40 @@ public final class CourseDesk implements Course, AutoCloseable {
         language = wanted;
     }
 
-    private synchronized Language language() {
+    private synchronized Language spoken() {
         return language;
+    }
+
+    @Override
+    public String language() {
+        return spoken().code();
+    }
+
+    @Override
+    public void speak(String code) {
+        speak(Language.of(code)
+                .orElseThrow(() -> new IllegalArgumentException("There is no language \"" + code + "\".")));
     }
 
     @Override
     public List<Lesson> lessons() {
         Progress progress = coach.progress();
+        Language spoken = spoken();
         return Exercises.all().stream()
-                .map(exercise -> lesson(exercise, progress.of(exercise)))
+                .map(exercise -> lesson(exercise, progress.of(exercise), spoken))
                 .toList();
     }
 
-    private Lesson lesson(Exercise exercise, ExerciseProgress state) {
+    private static Lesson lesson(Exercise exercise, ExerciseProgress state, Language spoken) {
         return new Lesson(
                 exercise.number(),
                 exercise.name(),
-                exercise.title(),
-                exercise.goal(),
-                exercise.level(),
+                Worksheet.of(exercise, spoken).title(),
+                spoken.translated(exercise.goal()),
+                spoken.translated(exercise.level()),
                 exercise.minutes(),
                 Score.MOST_POINTS,
-                "docs/exercises/" + language().worksheet(exercise) + ".html",
+                "docs/exercises/" + spoken.worksheet(exercise) + ".html",
                 exercise.className() + JAVA,
                 new Lesson.Standing(
                         state.tries(),
@@ -103,12 +116,12 @@ public final class CourseDesk implements Course, AutoCloseable {
 
     @Override
     public Help help(String exercise) {
-        return help(find(exercise), coach.hints(find(exercise)));
+        return help(find(exercise), coach.hints(find(exercise), spoken()));
     }
 
     @Override
     public Help nextHint(String exercise) {
-        return help(find(exercise), coach.nextHint(find(exercise)));
+        return help(find(exercise), coach.nextHint(find(exercise), spoken()));
     }
 
     private Help help(Exercise exercise, Coach.Hints hints) {
@@ -161,7 +174,7 @@ public final class CourseDesk implements Course, AutoCloseable {
                 trials,
                 folder,
                 shown::show,
-                result -> coach.graded(found, result.points(), result.passed())));
+                result -> coach.graded(found, result.points(), result.passed(), spoken())));
     }
 
     @Override
@@ -173,7 +186,7 @@ public final class CourseDesk implements Course, AutoCloseable {
 
     @Override
     public synchronized Attempt attempt() {
-        return current.map(CourseAttempt::state).orElse(Attempt.NONE).withHints(language::hint);
+        return current.map(CourseAttempt::state).orElse(Attempt.NONE).inWords(language::translated);
     }
 
     /** Waits until the attempt that goes on is over. */

@@ -6,17 +6,21 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Language;
 
 /**
- * The hints of an exercise's worksheet, which open one after the other.
+ * An exercise's worksheet: its title, and its hints, which open one after the other.
  *
+ * @param title the title, without its number
  * @param hints the hints in their order, without marks of Markdown
  */
-public record Worksheet(List<String> hints) {
+public record Worksheet(String title, List<String> hints) {
 
-    private static final String HEADING = "## Hints";
+    private static final String TITLE = "# ";
+    private static final Set<String> HINTS = Set.of("## Hints", "## Hinweise");
 
     /** Takes a copy. */
     public Worksheet {
@@ -27,39 +31,42 @@ public record Worksheet(List<String> hints) {
      * Reads a worksheet of the documentation.
      *
      * @param exercise the exercise
-     * @return its hints; none if the program comes without worksheets
+     * @param language the language of the worksheet
+     * @return its title and hints; none but the English title if the program comes without worksheets
      */
-    public static Worksheet of(Exercise exercise) {
-        String file = "/org/robonewbie/exercises/worksheet/" + exercise.fullName() + ".md";
+    public static Worksheet of(Exercise exercise, Language language) {
+        String file = "/org/robonewbie/exercises/worksheet/" + language.worksheet(exercise) + ".md";
         try (@Nullable InputStream stream = Worksheet.class.getResourceAsStream(file)) {
             return stream == null
-                    ? new Worksheet(List.of())
+                    ? new Worksheet(exercise.title(), List.of())
                     : parse(new String(stream.readAllBytes(), StandardCharsets.UTF_8));
         } catch (IOException unreadable) {
             throw new UncheckedIOException("The worksheet " + file + " cannot be read.", unreadable);
         }
     }
 
-    /** Takes the list below the heading "Hints"; lines that are indented belong to the one before. */
+    /** Takes the list below the heading of the hints; lines that are indented belong to the one before. */
     static Worksheet parse(String markdown) {
+        String title = "";
         List<String> hints = new ArrayList<>();
         boolean inside = false;
         for (String line : markdown.lines().toList()) {
-            if (line.startsWith("## ")) {
-                inside = line.strip().equals(HEADING);
+            if (line.startsWith(TITLE)) {
+                title = line.substring(line.indexOf(':') + 1).strip();
+            } else if (line.startsWith("## ")) {
+                inside = HINTS.contains(line.strip());
             } else if (inside && line.startsWith("- ")) {
-                hints.add(plain(line.substring(2)));
+                hints.add(line.substring(2).strip());
             } else if (inside && line.startsWith("  ") && !hints.isEmpty()) {
                 int last = hints.size() - 1;
-                hints.set(last, hints.get(last) + " " + plain(line));
+                hints.set(last, hints.get(last) + " " + line.strip());
             }
         }
-        return new Worksheet(hints);
+        return new Worksheet(title, hints.stream().map(Worksheet::plain).toList());
     }
 
     private static String plain(String markdown) {
-        return markdown.strip()
-                .replaceAll("\\[([^\\]]*)\\]\\([^)]*\\)", "$1")
+        return markdown.replaceAll("\\[([^\\]]*)\\]\\([^)]*\\)", "$1")
                 .replace("`", "")
                 .replace("**", "");
     }

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.Language;
 
 /** Hints and solutions. */
 class HelpTest {
@@ -40,16 +41,21 @@ class HelpTest {
 
     @ParameterizedTest
     @MethodSource("exercises")
-    void eachWorksheetHasHints(Exercise exercise) {
-        assertThat(Worksheet.of(exercise).hints())
-                .isNotEmpty()
-                .allSatisfy(hint -> assertThat(hint).isNotBlank().doesNotContain("`", "]("));
+    void eachWorksheetHasTheSameHintsInAllLanguages(Exercise exercise) {
+        List<String> english = Worksheet.of(exercise, Language.ENGLISH).hints();
+
+        assertThat(english).isNotEmpty();
+        for (Language language : Language.values()) {
+            assertThat(Worksheet.of(exercise, language).hints())
+                    .hasSameSizeAs(english)
+                    .allSatisfy(hint -> assertThat(hint).isNotBlank().doesNotContain("`", "]("));
+        }
     }
 
     @Test
     void hintsAreTheListBelowTheirHeading() {
         Worksheet sheet = Worksheet.parse("""
-                # Kick
+                # Exercise 12: Kick
 
                 - no hint
 
@@ -64,6 +70,7 @@ class HelpTest {
                 - nothing
                 """);
 
+        assertThat(sheet.title()).isEqualTo("Kick");
         assertThat(sheet.hints()).containsExactly("Use a, see b.", "Slow down.");
     }
 

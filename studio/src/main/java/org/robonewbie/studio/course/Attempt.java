@@ -61,15 +61,19 @@ public record Attempt(
     }
 
     /**
-     * Writes the hints in other words.
+     * Writes findings and hints in other words.
      *
-     * @param words what to write in the place of a hint
-     * @return the same attempt with these hints
+     * @param words what to write in the place of a sentence
+     * @return the same attempt with these sentences
      */
-    public Attempt withHints(UnaryOperator<String> words) {
+    public Attempt inWords(UnaryOperator<String> words) {
         List<Judged> translated = judged.stream()
                 .map(trial -> new Judged(
-                        trial.seed(), trial.passed(), trial.points(), trial.finding(), words.apply(trial.hint())))
+                        trial.seed(),
+                        trial.passed(),
+                        trial.points(),
+                        words.apply(trial.finding()),
+                        words.apply(trial.hint())))
                 .toList();
         return new Attempt(id, state, exercise, program, port, trials, translated, points, passed, output);
     }

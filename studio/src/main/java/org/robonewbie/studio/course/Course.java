@@ -9,6 +9,17 @@ public interface Course {
     /** {@return all exercises, in the order of the course} */
     List<Lesson> lessons();
 
+    /** {@return the language of titles, goals, worksheets, findings and hints, as two letters} */
+    String language();
+
+    /**
+     * Chooses the language.
+     *
+     * @param code two letters
+     * @throws IllegalArgumentException if there is no such language; the message says so
+     */
+    void speak(String code);
+
     /** {@return programs that could solve an exercise: Java files of the working directory} */
     List<String> programs();
 

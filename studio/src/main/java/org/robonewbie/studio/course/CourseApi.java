@@ -12,14 +12,13 @@ import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
-import org.eclipse.jetty.util.Fields;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Serves the exercises to the pages.
  *
  * <pre>
  * GET    /api/course                the exercises, and programs that are there
+ * POST   /api/course/language?code=de   chooses the language
  * GET    /api/course/attempt        the progress of the program that is being tried
  * POST   /api/course/NAME?program=FILE&amp;trials=N   begins to try a program
  * PUT    /api/course/NAME           writes the program to begin with
@@ -33,6 +32,7 @@ public final class CourseApi extends Handler.Abstract {
 
     private static final String COURSE = "/api/course";
     private static final String ATTEMPT = "/api/course/attempt";
+    private static final String LANGUAGE = "/api/course/language";
     private static final int MOST_TRIALS = 20;
     private static final Gson GSON = new Gson();
 
@@ -71,13 +71,25 @@ public final class CourseApi extends Handler.Abstract {
             }
             return GSON.toJson(course.attempt());
         }
-        if (path.equals(COURSE)) {
-            JsonObject json = new JsonObject();
-            json.add("lessons", GSON.toJsonTree(course.lessons()));
-            json.add("programs", GSON.toJsonTree(course.programs()));
-            json.add("standings", GSON.toJsonTree(course.standings()));
-            return GSON.toJson(json);
+        if (path.equals(LANGUAGE) && request.getMethod().equals("POST")) {
+            course.speak(parameter(request, "code"));
         }
+        if (path.equals(COURSE) || path.equals(LANGUAGE)) {
+            return overview(course);
+        }
+        return ofExercise(course, request, path);
+    }
+
+    private static String overview(Course course) {
+        JsonObject json = new JsonObject();
+        json.addProperty("language", course.language());
+        json.add("lessons", GSON.toJsonTree(course.lessons()));
+        json.add("programs", GSON.toJsonTree(course.programs()));
+        json.add("standings", GSON.toJsonTree(course.standings()));
+        return GSON.toJson(json);
+    }
+
+    private static String ofExercise(Course course, Request request, String path) throws IOException {
         String[] words = path.substring(COURSE.length() + 1).split("/", 2);
         String name = URLDecoder.decode(words[0], StandardCharsets.UTF_8);
         if (words.length > 1) {
@@ -87,9 +99,7 @@ public final class CourseApi extends Handler.Abstract {
             return GSON.toJson(course.handOut(name));
         }
         if (request.getMethod().equals("POST")) {
-            Fields parameters = Request.extractQueryParameters(request);
-            String program = Optional.ofNullable(parameters.getValue("program")).orElse("");
-            course.begin(name, program, trials(parameters.getValue("trials")));
+            course.begin(name, parameter(request, "program"), trials(parameter(request, "trials")));
         }
         return GSON.toJson(course.attempt());
     }
@@ -101,9 +111,14 @@ public final class CourseApi extends Handler.Abstract {
         return wish.equals("solution") && opens ? course.solution(exercise) : course.help(exercise);
     }
 
-    private static int trials(@Nullable String text) {
+    private static String parameter(Request request, String name) {
+        return Optional.ofNullable(Request.extractQueryParameters(request).getValue(name))
+                .orElse("");
+    }
+
+    private static int trials(String text) {
         try {
-            return Math.max(1, Math.min(MOST_TRIALS, Integer.parseInt(String.valueOf(text))));
+            return Math.max(1, Math.min(MOST_TRIALS, Integer.parseInt(text)));
         } catch (NumberFormatException noNumber) {
             throw new IllegalArgumentException(
                     "How many trials? Choose a number from 1 to " + MOST_TRIALS + ".", noNumber);

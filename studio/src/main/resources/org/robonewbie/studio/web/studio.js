@@ -190,7 +190,7 @@ export class Studio {
     this.commentary = new Commentary(this.session, (text) => this.happenings?.tell(text));
     this.mistakes = new Mistakes(this.#lookInside);
     this.puppet = puppet;
-    this.course = new CoursePanel(this.token, this.note, this.goLive);
+    this.course = new CoursePanel(this.token, this.note, this.goLive, this.field.showGhost);
     setShadows(shadows);
   }
 

@@ -11,6 +11,7 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.trial.Audience;
 import org.robonewbie.trial.Trial;
@@ -25,6 +26,7 @@ public final class WatchedTrial implements SimulationControl, Audience {
     private static final double SLOWEST = 0.1;
     private static final long MOST_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
 
+    private final Optional<TrialLabel> label;
     private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
@@ -36,15 +38,22 @@ public final class WatchedTrial implements SimulationControl, Audience {
     private Optional<WorldSnapshot> last = Optional.empty();
 
     /** Creates the view of a trial that has not begun. */
-    public WatchedTrial() {}
+    public WatchedTrial() {
+        this(Optional.empty());
+    }
+
+    private WatchedTrial(Optional<TrialLabel> label) {
+        this.label = label;
+    }
 
     /**
      * Creates the view of the next trial, with the speed that people have chosen for the one before.
      *
+     * @param name what is judged in it
      * @return the view of a trial that has not begun
      */
-    public WatchedTrial next() {
-        WatchedTrial next = new WatchedTrial();
+    public WatchedTrial next(TrialLabel name) {
+        WatchedTrial next = new WatchedTrial(Optional.of(name));
         change(() -> next.speed = speed);
         return next;
     }
@@ -117,6 +126,11 @@ public final class WatchedTrial implements SimulationControl, Audience {
         } finally {
             lock.unlock();
         }
+    }
+
+    @Override
+    public Optional<TrialLabel> trial() {
+        return label;
     }
 
     @Override

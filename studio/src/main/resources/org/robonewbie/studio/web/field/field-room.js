@@ -4,6 +4,7 @@ import { DrawingDesk } from '../panels/drawing-desk.js';
 import { byId, setText } from '../panels/elements.js';
 import { QUALITIES, qualityIndex } from '../state/quality.js';
 import { CameraDesk, CAMERAS } from './camera-desk.js';
+import { Ghosts } from './ghosts.js';
 import { Hand } from './hand.js';
 import { chooserFor, openView } from './open-view.js';
 
@@ -25,6 +26,7 @@ export class FieldRoom {
     const asked = qualityIndex(quality);
     this.view = openView(QUALITIES[asked < 0 ? 1 : asked]);
     this.chooser = chooserFor(this.view, asked);
+    this.ghosts = new Ghosts(this.view.scene, this.view.quality);
     this.desk = new CameraDesk(this.view.camera, () => this.view.free);
     this.drawings = new DrawingDesk(this.view, () => session.touch());
     this.board = new BoardDesk(this.view.board, () => session.touch());
@@ -47,6 +49,12 @@ export class FieldRoom {
   showBeside = ({ names, trail }) => {
     this.view.names.isOn = names;
     this.view.trail.isOn = trail;
+    this.session.touch();
+  };
+
+  /** @param {boolean} on whether the last trial of an exercise is seen beside the present one */
+  showGhost = (on) => {
+    this.session.ghost.isOn = on;
     this.session.touch();
   };
 
@@ -97,6 +105,7 @@ export class FieldRoom {
       view.update(picture);
       view.trail.follow(frame.cycle, frame.ball);
     }
+    this.ghosts.show(session.ghost.beside(scene, frame), view.camera.position);
     this.drawings.show(session.shown, session.drawings);
     view.board.group.visible = session.shown.tense === 'live';
     this.hand.draw();

@@ -11,6 +11,7 @@ import {
   withScene,
 } from '../state/studio-state.js';
 import { TimeCursor } from '../state/time-cursor.js';
+import { TrialGhost } from '../state/trial-ghost.js';
 import { readFrame } from './state-frame.js';
 
 /**
@@ -37,6 +38,7 @@ export class Session {
     this.state = initialState(hasToken);
     this.cursor = new TimeCursor();
     this.smoothing = new Smoothing();
+    this.ghost = new TrialGhost();
     /** What robots of the running simulation have drawn. */
     this.drawn = new DrawingMemory();
     /** Whether the picture must be drawn again. */
@@ -110,6 +112,7 @@ export class Session {
     if (frame && !this.#repeats(bytes)) {
       const now = this.clock();
       this.cursor.history.push(frame.cycle, scene, bytes);
+      this.ghost.hear(frame.cycle, scene, bytes);
       this.#set(withFrame(this.state, frame, now));
       this.smoothing.push(frame, now);
     }

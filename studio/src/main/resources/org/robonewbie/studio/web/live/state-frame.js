@@ -49,6 +49,9 @@
  * @property {number} [agentPort] where agents join, if they can
  * @property {boolean} [clock] whether time can be stopped
  * @property {boolean} [puppets] whether robots can join that people steer
+ * @property {Trial} [trial] what is judged, if anything is
+ *
+ * @typedef {{task: string, attempt: number, seed: number}} Trial trials of one task and seed begin alike
  */
 
 const VERSION = 1;

@@ -2,7 +2,7 @@
 import { hints, lessonLine, lessonTitle, progressText, trialText, usualProgram } from '../state/course.js';
 import { CourseHelp } from './course-help.js';
 import { CourseStandings } from './course-standings.js';
-import { button, byId, element, setEntries, setText } from './elements.js';
+import { button, byId, check, choice, element, setEntries, setText } from './elements.js';
 
 /**
  * @typedef {import('../state/course.js').Lesson} Lesson
@@ -11,6 +11,10 @@ import { button, byId, element, setEntries, setText } from './elements.js';
 
 const PLACE = '#field/exercises';
 const LOOK_MILLISECONDS = 400;
+const LANGUAGES = /** @type {const} */ ([
+  ['en', 'English'],
+  ['de', 'Deutsch'],
+]);
 const TRIALS = ['1', '3', '10'];
 const USUAL_TRIALS = '3';
 
@@ -25,20 +29,40 @@ export class CoursePanel {
   #shown = '';
   #looking = false;
   #help = new CourseHelp((path, method) => this.#ask(path, method));
+  #language = choice(
+    {
+      id: 'course-language',
+      'aria-label': 'Language of the exercises',
+      title: 'Language of worksheets, hints and findings',
+    },
+    LANGUAGES,
+    (code) => this.#attemptTo(() => this.#speak(code)),
+  );
   #standings = new CourseStandings();
-  #parts = parts(this.#help.element);
+  /** @type {ReturnType<typeof parts>} */
+  #parts;
 
   /**
    * @param {string} token
    * @param {(text: string) => void} note
    * @param {() => void} goLive shows what happens now
+   * @param {(on: boolean) => void} showGhost of the last trial
    */
-  constructor(token, note, goLive) {
+  constructor(token, note, goLive, showGhost) {
     this.#token = token;
     this.#note = note;
     this.#goLive = goLive;
+    const ghost = check(
+      'course-ghost',
+      'Ghost of my last trial',
+      'Shows your last trial beside the present one',
+      showGhost,
+    );
+    ghost.box.checked = true;
+    this.#parts = parts(this.#help.element, ghost.label);
     const { back, write, start, stop, list, detail } = this.#parts;
-    byId('course').append(element('h2', {}, 'Exercises'), this.#standings.element, list, detail);
+    const head = element('div', { class: 'course-head' }, element('h2', {}, 'Exercises'), this.#language);
+    byId('course').append(head, this.#standings.element, list, detail);
     back.addEventListener('click', () => this.#choose(undefined));
     write.addEventListener('click', () => this.#attemptTo(() => this.#write()));
     start.addEventListener('click', () => this.#attemptTo(() => this.#start()));
@@ -78,22 +102,35 @@ export class CoursePanel {
 
   /** @param {Lesson | undefined} lesson */
   #choose(lesson) {
-    const { list, detail, title, line, goal, worksheet } = this.#parts;
+    const { list, detail } = this.#parts;
     this.#chosen = lesson;
     list.hidden = lesson !== undefined;
     detail.hidden = lesson === undefined;
     this.#standings.element.hidden = lesson !== undefined;
     if (lesson) {
-      setText(title, lessonTitle(lesson));
-      setText(line, lessonLine(lesson));
-      setText(goal, lesson.goal);
-      worksheet.href = lesson.worksheet;
+      this.#describe(lesson);
       this.#attemptTo(() => this.#refresh());
     }
   }
 
+  /** @param {Lesson} lesson */
+  #describe(lesson) {
+    const { title, line, goal, worksheet } = this.#parts;
+    setText(title, lessonTitle(lesson));
+    setText(line, lessonLine(lesson));
+    setText(goal, lesson.goal);
+    worksheet.href = lesson.worksheet;
+  }
+
+  /** @param {string} code of a language */
+  async #speak(code) {
+    await this.#ask(`course/language?code=${code}`, 'POST');
+    await this.#refresh();
+  }
+
   async #refresh() {
-    const { lessons, programs, standings } = await this.#ask('course');
+    const { language, lessons, programs, standings } = await this.#ask('course');
+    this.#language.value = language;
     this.#lessons = lessons;
     this.#parts.list.replaceChildren(...this.#lessons.map((lesson) => this.#entry(lesson)));
     if (standings) {
@@ -102,8 +139,7 @@ export class CoursePanel {
     this.#chosen = this.#lessons.find(({ name }) => name === this.#chosen?.name);
     const lesson = this.#chosen;
     if (lesson) {
-      setText(this.#parts.title, lessonTitle(lesson));
-      setText(this.#parts.line, lessonLine(lesson));
+      this.#describe(lesson);
       await this.#help.show(lesson.name);
       const { program, write } = this.#parts;
       const before = program.value;
@@ -145,7 +181,7 @@ export class CoursePanel {
       try {
         this.#draw(await this.#ask('course/attempt'));
       } catch {
-        // the studio has ended or begins anew; the page says so elsewhere
+        // the studio has ended or begins again; the page says so elsewhere
       }
       await new Promise((done) => setTimeout(done, LOOK_MILLISECONDS));
     }
@@ -191,7 +227,7 @@ export class CoursePanel {
 }
 
 /** The parts of the panel. */
-function parts(/** @type {HTMLElement} */ help) {
+function parts(/** @type {HTMLElement} */ help, /** @type {HTMLElement} */ ghost) {
   const made = { ...words(), ...controls(), ...verdicts() };
   const { program, trials, start, stop, write } = made;
   made.output.append(made.printed);
@@ -201,6 +237,7 @@ function parts(/** @type {HTMLElement} */ help) {
     ...[made.back, made.title, made.line, made.goal, element('p', {}, made.worksheet)],
     element('div', { class: 'scene-line' }, program, trials),
     element('div', { class: 'scene-line' }, start, stop, write),
+    ghost,
     ...[made.progress, made.judged, made.advice, made.output, help],
   );
   return { ...made, detail };

@@ -1,0 +1,57 @@
+/** Robots and ball of a trial that is over, clear as glass beside those of the present one. */
+import * as THREE from 'three';
+import { BALL_RADIUS } from './ball.js';
+import { ghostMaterial } from './materials.js';
+import { RobotCrowd } from './robot-crowd.js';
+
+/**
+ * @typedef {import('../live/state-frame.js').Scene} Scene
+ * @typedef {import('../live/state-frame.js').Frame} Frame
+ */
+
+/** What one can look through is drawn after everything else. */
+const AFTER_ROBOTS = 2;
+const NO_NEAR_ROBOTS = { nearMetres: 0, mostNear: 0 };
+const BALL_OPACITY = 0.4;
+
+export class Ghosts {
+  /** @type {Scene | undefined} */
+  #scene;
+
+  /** @param {THREE.Scene} place @param {import('../state/quality.js').Quality} quality */
+  constructor(place, quality) {
+    this.crowd = new RobotCrowd(ghostMaterial());
+    this.crowd.setQuality({ ...quality, ...NO_NEAR_ROBOTS });
+    this.ball = new THREE.Mesh(
+      new THREE.SphereGeometry(BALL_RADIUS, 16, 12),
+      new THREE.MeshLambertMaterial({ transparent: true, opacity: BALL_OPACITY, depthWrite: false }),
+    );
+    this.ball.renderOrder = AFTER_ROBOTS;
+    this.group = new THREE.Group();
+    this.group.add(this.crowd.group, this.ball);
+    this.group.visible = false;
+    place.add(this.group);
+  }
+
+  /** @param {{scene: Scene, frame: Frame} | undefined} moment @param {THREE.Vector3} eye where the camera is */
+  show(moment, eye) {
+    this.group.visible = moment !== undefined;
+    if (moment) {
+      this.#setScene(moment.scene);
+      this.crowd.update(moment.frame.robots, eye);
+      const [x, y, z] = moment.frame.ball;
+      this.ball.position.set(x, y, z);
+    }
+  }
+
+  /** @param {Scene} scene */
+  #setScene(scene) {
+    if (scene !== this.#scene) {
+      this.#scene = scene;
+      this.crowd.setScene(scene);
+      this.crowd.meshes.forEach((mesh) => {
+        mesh.renderOrder = AFTER_ROBOTS;
+      });
+    }
+  }
+}
