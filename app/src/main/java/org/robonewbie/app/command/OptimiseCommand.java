@@ -21,6 +21,7 @@ import org.robonewbie.learning.optimise.OptimisationPlan;
 import org.robonewbie.learning.optimise.OptimisationResult;
 import org.robonewbie.learning.optimise.OtherSide;
 import org.robonewbie.learning.optimise.Subject;
+import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.motion.file.ShippedMotions;
@@ -55,7 +56,7 @@ import picocli.CommandLine.Parameters;
         })
 final class OptimiseCommand implements Callable<Integer> {
 
-    private static final double STEP_OF_MOTIONS = 0.15;
+    private static final double STEP_OF_MOTIONS = 0.05;
     private static final double STEP_OF_AGENTS = 0.5;
 
     @Mixin
@@ -79,9 +80,14 @@ final class OptimiseCommand implements Callable<Integer> {
     @Option(
             names = "--population",
             paramLabel = "N",
-            defaultValue = "12",
-            description = "Candidates in each round (default: 12).")
-    private int population;
+            description = "Candidates in each round (default: 4 + 3 ln(n) for n numbers).")
+    private Optional<Integer> population = Optional.empty();
+
+    @Option(
+            names = "--plain",
+            description =
+                    "Learn from good candidates only, and never begin again: plain CMA-ES, as for the library's motions.")
+    private boolean plain;
 
     @Option(
             names = "--seed",
@@ -101,7 +107,7 @@ final class OptimiseCommand implements Callable<Integer> {
             names = "--step",
             paramLabel = "X",
             description =
-                    "Spread of the first candidates: 1 is 5 degrees and 60 ms in each keyframe (default: 0.15), or a"
+                    "Spread of the first candidates: 1 is 5 degrees and 60 ms in each keyframe (default: 0.05), or a"
                             + " quarter of each range of an agent's numbers (default: 0.5).")
     private Optional<Double> step = Optional.empty();
 
@@ -171,14 +177,15 @@ final class OptimiseCommand implements Callable<Integer> {
         if (bothSides) {
             OtherSide.of(file);
         }
-        var plan = new OptimisationPlan(seed, generations, population, trials, firstStep(), threads);
+        int candidates = population.orElseGet(() -> CovarianceMatrixAdaptation.usualPopulation(subject.dimension()));
+        var plan = new OptimisationPlan(seed, generations, candidates, trials, firstStep(), threads, plain);
         System.out.printf(
                 Locale.ROOT,
                 "%s: %d numbers, %d generations of %d candidates with %d trials each, on %d threads%n",
                 subject.name(),
                 subject.dimension(),
                 generations,
-                population,
+                candidates,
                 trials,
                 threads);
         OptimisationResult result = run(subject, wanted, plan, file);

@@ -127,7 +127,7 @@ class OptimiseCommandTest {
         Objective objective = Objective.named("kick-distance", getClass().getClassLoader());
         MotionFile motion = ShippedMotions.file("kick-right");
         Subject subject = new MotionSubject("kick-right", motion, objective);
-        OptimisationPlan plan = new OptimisationPlan(1, 2, 4, 1, 0.1, 1);
+        OptimisationPlan plan = new OptimisationPlan(1, 2, 4, 1, 0.1, 1, false);
         var optimisation = new Optimisation(subject, objective, plan, output);
         try (SearchStudio studio =
                 SearchStudio.open(new SearchStudioOptions(), subject, objective, plan, optimisation, output)) {

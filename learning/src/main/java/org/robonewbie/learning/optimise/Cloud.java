@@ -2,7 +2,7 @@ package org.robonewbie.learning.optimise;
 
 import java.util.Arrays;
 import java.util.List;
-import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
+import org.robonewbie.learning.search.AskAndTell;
 
 /**
  * From where the next candidates of a search are drawn, in coordinates of its {@link Subject}.
@@ -19,8 +19,11 @@ public record Cloud(double step, List<Double> middle, List<Double> spread) {
         spread = List.copyOf(spread);
     }
 
-    static Cloud of(CovarianceMatrixAdaptation search) {
-        return new Cloud(search.step(), list(search.mean()), list(search.spread()));
+    static Cloud of(AskAndTell search) {
+        return new Cloud(
+                search.distribution().step(),
+                list(search.mean()),
+                list(search.distribution().spread()));
     }
 
     private static List<Double> list(double[] numbers) {

@@ -6,13 +6,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.IntStream;
 import org.robonewbie.learning.optimise.Generation.Pace;
 import org.robonewbie.learning.optimise.Generation.Score;
-import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
+import org.robonewbie.learning.search.AskAndTell;
 
 /**
  * Improves a subject with respect to an objective: candidates around the present state are tried under several circumstances,
@@ -98,8 +97,7 @@ public final class Optimisation {
 
     private double[] search(Workers workers, Checkpoint checkpoint, double scale, OptimisationListener listener)
             throws IOException {
-        var cloud = new CovarianceMatrixAdaptation(
-                new double[subject.dimension()], plan.step(), plan.population(), plan.seed());
+        AskAndTell cloud = plan.search(subject.dimension());
         List<Checkpoint.Line> known = checkpoint.generations();
         long begin = System.nanoTime();
         for (int i = 0; i < plan.generations(); i++) {
@@ -117,19 +115,15 @@ public final class Optimisation {
                 checkpoint.add(costs, score);
                 subject.save(cloud.mean(), Map.of("so far", "generation " + (i + 1)), fileSoFar());
                 double seconds = (System.nanoTime() - begin) / 1e9 / (i + 1 - known.size());
-                listener.reached(generation(i, score, cloud, pace(seconds, i + 1)));
+                Pace pace = new Pace(costs.length * plan.trials() / seconds, seconds * (plan.generations() - i - 1));
+                listener.reached(generation(i, score, cloud, pace));
             }
         }
         return cloud.mean();
     }
 
-    private Generation generation(int index, Score score, CovarianceMatrixAdaptation cloud, Pace pace) {
+    private Generation generation(int index, Score score, AskAndTell cloud, Pace pace) {
         return new Generation(index + 1, plan.generations(), score, Cloud.of(cloud), pace);
-    }
-
-    private Pace pace(double secondsPerGeneration, int done) {
-        double trials = (double) plan.population() * plan.trials();
-        return new Pace(trials / secondsPerGeneration, secondsPerGeneration * (plan.generations() - done));
     }
 
     private static Score score(List<List<Evaluation>> evaluations, double[] costs) {
@@ -176,32 +170,16 @@ public final class Optimisation {
 
     /** Everything that the way of the search depends on, but not how long it is. */
     private String question() {
-        return String.format(
-                Locale.ROOT,
-                "optimise %s %s --objective %s --population %d --seed %d --seeds %d --step %s",
-                subject.words(),
-                subject.fingerprint(),
-                objective.label(),
-                plan.population(),
-                plan.seed(),
-                plan.trials(),
-                plan.step());
+        return "optimise " + subject.words() + " " + subject.fingerprint() + " --objective " + objective.label() + " "
+                + plan.options(false);
     }
 
     private Map<String, String> facts(OptimisationResult result) {
         Map<String, String> facts = new LinkedHashMap<>();
         facts.put(
                 "made by",
-                String.format(
-                        Locale.ROOT,
-                        "robonewbie optimise %s --objective %s --generations %d --population %d --seed %d --seeds %d --step %s",
-                        subject.words(),
-                        objective.label(),
-                        plan.generations(),
-                        plan.population(),
-                        plan.seed(),
-                        plan.trials(),
-                        plan.step()));
+                "robonewbie optimise " + subject.words() + " --objective " + objective.label() + " "
+                        + plan.options(true));
         facts.put("before", result.words(result.before()));
         facts.put("after", result.words(result.after()));
         return facts;

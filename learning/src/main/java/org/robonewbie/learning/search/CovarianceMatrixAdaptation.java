@@ -5,13 +5,18 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
  * Finds numbers with a small cost by drawing candidates from a distribution that moves, stretches and rotates towards the
  * better ones (CMA-ES). It needs no derivatives and copes with noisy, bumpy costs such as "how far did the robot walk".
  *
- * <p>Source: N. Hansen, The CMA Evolution Strategy: A Tutorial (2016), with its default constants.
+ * <p>The distribution also shrinks in the directions in which the worse half lies (active CMA-ES), which saves a fifth to a
+ * third of the trials where coordinates matter differently. {@link #plain} leaves that out.
+ *
+ * <p>Source: N. Hansen, The CMA Evolution Strategy: A Tutorial (2016), with its default constants; equation numbers are
+ * those of the tutorial.
  *
  * <pre>{@code
  * var search = new CovarianceMatrixAdaptation(new double[] {3, 4}, 0.5, 12, 1);
@@ -21,12 +26,16 @@ import java.util.stream.IntStream;
  * }
  * }</pre>
  */
-public final class CovarianceMatrixAdaptation {
+public final class CovarianceMatrixAdaptation implements AskAndTell {
+
+    /** Lets a population of 4 learn as well, where the other terms of equation 58 leave nothing. */
+    private static final double ACTIVE_OFFSET = 0.25;
 
     private final int dimension;
     private final int population;
     private final Random random;
     private final double[] weights;
+    private final double[] aversions;
     private final double effectiveParents;
     private final double pathDecay;
     private final double stepDecay;
@@ -47,7 +56,7 @@ public final class CovarianceMatrixAdaptation {
     private double bestCost = Double.POSITIVE_INFINITY;
 
     /**
-     * Starts a search.
+     * Starts a search that learns from good and bad candidates.
      *
      * @param start the centre of the first cloud; all coordinates should be of similar size
      * @param step the spread of the first cloud in each coordinate, greater than 0
@@ -55,6 +64,33 @@ public final class CovarianceMatrixAdaptation {
      * @param seed the same seed gives the same candidates for the same costs
      */
     public CovarianceMatrixAdaptation(double[] start, double step, int population, long seed) {
+        this(start, step, population, seed, true);
+    }
+
+    /**
+     * Starts a search that learns from the better half only, as the motions of the library were found.
+     *
+     * @param start the centre of the first cloud; all coordinates should be of similar size
+     * @param step the spread of the first cloud in each coordinate, greater than 0
+     * @param population how many candidates are drawn at a time, at least 4
+     * @param seed the same seed gives the same candidates for the same costs
+     * @return the search
+     */
+    public static CovarianceMatrixAdaptation plain(double[] start, double step, int population, long seed) {
+        return new CovarianceMatrixAdaptation(start, step, population, seed, false);
+    }
+
+    /**
+     * Returns how many candidates are usually enough for a number of coordinates (equation 48).
+     *
+     * @param dimension the number of coordinates
+     * @return 4 + 3 ln(dimension), rounded down
+     */
+    public static int usualPopulation(int dimension) {
+        return 4 + (int) (3 * Math.log(dimension));
+    }
+
+    private CovarianceMatrixAdaptation(double[] start, double step, int population, long seed, boolean isActive) {
         if (start.length == 0 || step <= 0 || population < 4) {
             throw new IllegalArgumentException("A search needs at least one coordinate, a step greater than 0 and a"
                     + " population of at least 4. Given: " + start.length + " coordinates, step " + step
@@ -73,7 +109,10 @@ public final class CovarianceMatrixAdaptation {
         this.stepDecay = (parents + 2) / (n + parents + 5);
         this.pathDecay = (4 + parents / n) / (n + 4 + 2 * parents / n);
         this.rankOneRate = 2 / ((n + 1.3) * (n + 1.3) + parents);
-        this.rankManyRate = Math.min(1 - rankOneRate, 2 * (parents - 2 + 1 / parents) / ((n + 2) * (n + 2) + parents));
+        double offset = isActive ? ACTIVE_OFFSET : 0;
+        this.rankManyRate =
+                Math.min(1 - rankOneRate, 2 * (parents - 2 + 1 / parents + offset) / ((n + 2) * (n + 2) + parents));
+        this.aversions = isActive ? aversions() : new double[0];
         this.damping = 1 + 2 * Math.max(0, Math.sqrt((parents - 1) / (n + 1)) - 1) + stepDecay;
         this.expectedLength = Math.sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n));
         this.path = new double[dimension];
@@ -86,10 +125,11 @@ public final class CovarianceMatrixAdaptation {
     }
 
     /**
-     * Draws the next candidates.
+     * {@inheritDoc}
      *
-     * @return as many points as the population is large; their costs are wanted by {@link #tell}
+     * @return as many points as the population is large
      */
+    @Override
     public List<double[]> ask() {
         candidates.clear();
         for (int i = 0; i < population; i++) {
@@ -98,27 +138,22 @@ public final class CovarianceMatrixAdaptation {
         return candidates.stream().map(double[]::clone).toList();
     }
 
-    /**
-     * Learns from the costs of the last candidates.
-     *
-     * @param costs one cost for each candidate of {@link #ask}, in the same order; smaller is better, NaN is worst
-     */
+    @Override
     public void tell(double[] costs) {
         if (costs.length != candidates.size() || costs.length == 0) {
             throw new IllegalArgumentException(costs.length + " costs for " + candidates.size()
                     + " candidates. Call ask() first, then tell() once.");
         }
-        List<double[]> parents = IntStream.range(0, population)
+        List<double[]> ranked = IntStream.range(0, population)
                 .boxed()
                 .sorted(Comparator.comparingDouble((Integer i) -> rank(costs[i])))
-                .limit(weights.length)
                 .map(candidates::get)
                 .toList();
         rememberBest(costs);
         double[] before = mean.clone();
-        moveMean(parents);
+        moveMean(ranked);
         updatePaths(before);
-        updateCovariance(parents, before);
+        updateCovariance(ranked, before);
         updateStep();
         candidates.clear();
         generation++;
@@ -126,6 +161,7 @@ public final class CovarianceMatrixAdaptation {
     }
 
     /** {@return a copy of the mean of the distribution; with noisy costs it is a better answer than {@link #best}} */
+    @Override
     public double[] mean() {
         return mean.clone();
     }
@@ -152,12 +188,48 @@ public final class CovarianceMatrixAdaptation {
                 .toArray();
     }
 
+    /** The largest standard deviation of the next candidates in any direction. */
+    double largestSpread() {
+        return step * Math.sqrt(eigenvalues().max().orElseThrow());
+    }
+
+    /** How much longer than wide the distribution is, squared. */
+    double condition() {
+        return eigenvalues().max().orElseThrow()
+                / Math.max(Double.MIN_NORMAL, eigenvalues().min().orElseThrow());
+    }
+
+    private DoubleStream eigenvalues() {
+        return IntStream.range(0, dimension).mapToDouble(decomposed::value);
+    }
+
+    @Override
+    public CovarianceMatrixAdaptation distribution() {
+        return this;
+    }
+
     private static double[] parentWeights(int parents) {
         double[] raw = IntStream.rangeClosed(1, parents)
                 .mapToDouble(i -> Math.log(parents + 0.5) - Math.log(i))
                 .toArray();
         double sum = Arrays.stream(raw).sum();
         return Arrays.stream(raw).map(w -> w / sum).toArray();
+    }
+
+    /** The negative weights of the worse half, so small that the covariance stays positive definite (equations 49 to 53). */
+    private double[] aversions() {
+        double[] raw = IntStream.rangeClosed(weights.length + 1, population)
+                .mapToDouble(i -> Math.log(weights.length + 0.5) - Math.log(i))
+                .toArray();
+        double sum = -Arrays.stream(raw).sum();
+        double effective = sum * sum / Arrays.stream(raw).map(w -> w * w).sum();
+        double whole = DoubleStream.of(
+                        1 + rankOneRate / rankManyRate,
+                        1 + 2 * effective / (effectiveParents + 2),
+                        (1 - rankOneRate - rankManyRate) / (dimension * rankManyRate))
+                .min()
+                .orElseThrow();
+        return Arrays.stream(raw).map(w -> w / sum * whole).toArray();
     }
 
     private static double rank(double cost) {
@@ -184,11 +256,11 @@ public final class CovarianceMatrixAdaptation {
         }
     }
 
-    private void moveMean(List<double[]> parents) {
+    private void moveMean(List<double[]> ranked) {
         Arrays.fill(mean, 0);
         for (int k = 0; k < weights.length; k++) {
             for (int i = 0; i < dimension; i++) {
-                mean[i] += weights[k] * parents.get(k)[i];
+                mean[i] += weights[k] * ranked.get(k)[i];
             }
         }
     }
@@ -229,9 +301,16 @@ public final class CovarianceMatrixAdaptation {
         return length(stepPath) / Math.sqrt(settled) < (1.4 + 2.0 / (dimension + 1)) * expectedLength;
     }
 
-    private void updateCovariance(List<double[]> parents, double[] before) {
+    private void updateCovariance(List<double[]> ranked, double[] before) {
         double lost = isStepPathShort() ? 0 : rankOneRate * pathDecay * (2 - pathDecay);
-        double keep = 1 - rankOneRate - rankManyRate + lost;
+        double keep = 1
+                - rankOneRate
+                - rankManyRate
+                + lost
+                - rankManyRate * Arrays.stream(aversions).sum();
+        List<double[]> parents = ranked.subList(0, weights.length);
+        List<double[]> others = ranked.subList(weights.length, aversions.length + weights.length);
+        double[] push = pushes(others, before);
         for (int i = 0; i < dimension; i++) {
             for (int j = 0; j <= i; j++) {
                 double many = 0;
@@ -239,11 +318,28 @@ public final class CovarianceMatrixAdaptation {
                     double[] parent = parents.get(k);
                     many += weights[k] * (parent[i] - before[i]) * (parent[j] - before[j]) / (step * step);
                 }
+                for (int k = 0; k < push.length; k++) {
+                    double[] other = others.get(k);
+                    many += push[k] * (other[i] - before[i]) * (other[j] - before[j]);
+                }
                 double value = keep * covariance[i][j] + rankOneRate * path[i] * path[j] + rankManyRate * many;
                 covariance[i][j] = value;
                 covariance[j][i] = value;
             }
         }
+    }
+
+    /** How strongly each of the worse half pushes the distribution off: less the further away it was drawn (equation 46). */
+    private double[] pushes(List<double[]> others, double[] before) {
+        return IntStream.range(0, others.size())
+                .mapToDouble(k -> {
+                    double[] move = IntStream.range(0, dimension)
+                            .mapToDouble(i -> others.get(k)[i] - before[i])
+                            .toArray();
+                    double far = length(whiten(move));
+                    return aversions[k] * dimension / Math.max(Double.MIN_NORMAL, far * far);
+                })
+                .toArray();
     }
 
     private void updateStep() {

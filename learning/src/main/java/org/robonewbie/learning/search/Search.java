@@ -37,7 +37,7 @@ public final class Search {
      * @return the centre of the last candidates
      */
     public double[] run(double[] start, Consumer<SearchProgress> listener) {
-        var adaptation = new CovarianceMatrixAdaptation(start, plan.step(), plan.population(), plan.seed());
+        var adaptation = CovarianceMatrixAdaptation.plain(start, plan.step(), plan.population(), plan.seed());
         for (int i = 0; i < plan.generations(); i++) {
             List<double[]> candidates = adaptation.ask();
             double[] costs = costs(candidates, i / plan.keepTrials());

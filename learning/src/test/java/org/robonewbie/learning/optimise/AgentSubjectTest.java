@@ -37,7 +37,7 @@ class AgentSubjectTest {
     @Test
     void programGetsFurther() throws IOException {
         Path file = folder.resolve("Walker.numbers");
-        OptimisationPlan plan = new OptimisationPlan(1, 4, 4, 1, 0.5, 2);
+        OptimisationPlan plan = new OptimisationPlan(1, 4, 4, 1, 0.5, 2, false);
 
         OptimisationResult result = new Optimisation(walker, NamedObjective.named("distance-walked"), plan, file)
                 .run(false, generation -> {});

@@ -185,10 +185,10 @@ class OptimisationTest {
 
     @Test
     void refusesPlansThatCannotWork() {
-        assertThatThrownBy(() -> new OptimisationPlan(1, 1, 3, 1, 1, 1))
+        assertThatThrownBy(() -> new OptimisationPlan(1, 1, 3, 1, 1, 1, false))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("--population 3: give at least 4.");
-        assertThatThrownBy(() -> new OptimisationPlan(1, 1, 4, 1, 0, 1))
+        assertThatThrownBy(() -> new OptimisationPlan(1, 1, 4, 1, 0, 1, false))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("--step 0.0: give a number greater than 0, at most 10.");
     }
@@ -202,6 +202,6 @@ class OptimisationTest {
     }
 
     private static OptimisationPlan plan(int generations, int threads) {
-        return new OptimisationPlan(5, generations, 8, 2, 0.5, threads);
+        return new OptimisationPlan(5, generations, 8, 2, 0.5, threads, false);
     }
 }
