@@ -60,7 +60,7 @@ class SoakTest {
         Path recording = folder.resolve("full.rec");
         List<String> said;
 
-        try (SoakServer server = server(room, SECONDS, recording, "--fast", "--drop-silent-after", "0.5")) {
+        try (SoakServer server = server(room, SECONDS, recording, "--fast", "--drop-silent-after", "2")) {
             assertNobodyHonestLoses(server, SECONDS);
             said = server.sentences();
         }
