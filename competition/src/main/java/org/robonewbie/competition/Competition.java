@@ -7,18 +7,17 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.stream.Collectors;
 import org.robonewbie.competition.contest.ChallengeContest;
 import org.robonewbie.competition.contest.Contest;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Entrant;
 import org.robonewbie.competition.contest.JudgedContest;
 import org.robonewbie.competition.contest.Table;
-import org.robonewbie.competition.contest.TeamResult;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.result.ResultFolder;
 import org.robonewbie.competition.result.TableFiles;
@@ -28,6 +27,7 @@ import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamProcess;
 import org.robonewbie.competition.team.TeamProgram;
 import org.robonewbie.competition.trial.ChallengePlayer;
+import org.robonewbie.competition.trial.ContestProgress;
 import org.robonewbie.competition.trial.TrialPlayer;
 import org.robonewbie.competition.trial.TrialRunner;
 
@@ -157,12 +157,13 @@ public final class Competition {
         if (finished > 0) {
             out.println(finished + " of " + planned + " trials are over already; their results are kept.");
         }
+        showProgress(folder, Optional.empty());
         List<Future<TrialResult>> running = new ArrayList<>();
         for (ContestTrial trial : missing) {
             running.add(trials.submit(() -> {
                 TrialResult result = runner.run(trial, folder.filesOf(trial));
                 folder.save(result, circumstances(trial, programs));
-                tell(result);
+                tell(result, folder);
                 return result;
             }));
         }
@@ -175,20 +176,15 @@ public final class Competition {
         }
     }
 
-    private synchronized void tell(TrialResult result) {
+    private synchronized void tell(TrialResult result, ResultFolder folder) {
         finished++;
-        String teamsTold = result.teams().stream().map(Competition::told).collect(Collectors.joining("; "));
-        out.printf("[%d/%d] %s: %s%n", finished, planned, result.id(), teamsTold);
+        out.printf("[%d/%d] %s: %s%n", finished, planned, result.id(), result.inWords());
+        showProgress(folder, Optional.of(result));
     }
 
-    private static String told(TeamResult result) {
-        String figures = result.figures().entrySet().stream()
-                .map(figure -> figure.getKey() + " " + Math.round(figure.getValue() * 100) / 100.0)
-                .collect(Collectors.joining(", "));
-        return result.team() + " "
-                + (result.isPlayed() && !figures.isEmpty()
-                        ? figures
-                        : result.ending().sentence());
+    private void showProgress(ResultFolder folder, Optional<TrialResult> last) {
+        Table table = contest.table(names(), folder);
+        settings.spectators().stands(new ContestProgress(finished, planned, table, last));
     }
 
     /** All that a result depends on: the trial itself, the programs, the limits. */

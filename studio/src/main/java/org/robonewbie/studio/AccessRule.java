@@ -2,7 +2,7 @@ package org.robonewbie.studio;
 
 import java.util.Optional;
 import java.util.Set;
-import org.robonewbie.studio.search.SearchBoard;
+import org.robonewbie.studio.board.NewsBoard;
 
 /**
  * Decides who may talk to the studio: only pages that this very server has delivered, opened under this computer's own name.
@@ -45,7 +45,7 @@ final class AccessRule {
         if (!origin.isEmpty() && !origin.equals("http://" + host)) {
             return Optional.of("Pages of \"" + origin + "\" may not talk to the studio.");
         }
-        if (path.equals(LIVE_PATH) || path.equals(SearchBoard.PATH)) {
+        if (path.equals(LIVE_PATH) || path.startsWith(NewsBoard.PATHS)) {
             return refusalOfLive(origin, shownToken);
         }
         if (path.startsWith(WORK_PATH)) {

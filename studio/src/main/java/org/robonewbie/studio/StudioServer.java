@@ -17,6 +17,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Viewer;
+import org.robonewbie.studio.board.BoardReader;
+import org.robonewbie.studio.board.NewsBoard;
 import org.robonewbie.studio.course.Course;
 import org.robonewbie.studio.course.CourseApi;
 import org.robonewbie.studio.motion.MotionApi;
@@ -26,8 +28,6 @@ import org.robonewbie.studio.replay.ReplayApi;
 import org.robonewbie.studio.replay.RunNotes;
 import org.robonewbie.studio.roboviz.RoboVizBoard;
 import org.robonewbie.studio.scene.SceneApi;
-import org.robonewbie.studio.search.SearchBoard;
-import org.robonewbie.studio.search.SearchSpectator;
 
 /**
  * The studio of one running simulation: a web server on 127.0.0.1 with the pages and the live feed on one port.
@@ -87,13 +87,9 @@ public final class StudioServer implements Viewer.View {
         return start(simulation, port, token, folders, Optional.empty());
     }
 
-    /** Starts the studio, also with the page of a search. */
+    /** Starts the studio, also with the page of a board. */
     static StudioServer start(
-            SimulationControl simulation,
-            int port,
-            AccessToken token,
-            StudioFolders folders,
-            Optional<SearchBoard> board)
+            SimulationControl simulation, int port, AccessToken token, StudioFolders folders, Optional<NewsBoard> board)
             throws IOException {
         return start(simulation, port, token, folders, board, Lessons.NONE);
     }
@@ -130,7 +126,7 @@ public final class StudioServer implements Viewer.View {
             int port,
             AccessToken token,
             StudioFolders folders,
-            Optional<SearchBoard> board,
+            Optional<NewsBoard> board,
             Lessons lessons)
             throws IOException {
         silenceServerTalk();
@@ -165,14 +161,14 @@ public final class StudioServer implements Viewer.View {
         }
     }
 
-    private static Handler live(Server server, LiveFeed feed, Optional<SearchBoard> board, Handler rooms) {
+    private static Handler live(Server server, LiveFeed feed, Optional<NewsBoard> board, Handler rooms) {
         WebSocketUpgradeHandler live = WebSocketUpgradeHandler.from(server, container -> {
             container.setIdleTimeout(QUIET_LIMIT);
             container.setMaxTextMessageSize(MAX_COMMAND_BYTES);
             container.setMaxBinaryMessageSize(MAX_COMMAND_BYTES);
             container.addMapping(AccessRule.LIVE_PATH, (request, response, callback) -> new Spectator(feed));
-            board.ifPresent(search -> container.addMapping(
-                    SearchBoard.PATH, (request, response, callback) -> new SearchSpectator(search)));
+            board.ifPresent(
+                    news -> container.addMapping(news.path(), (request, response, callback) -> new BoardReader(news)));
         });
         live.setHandler(rooms);
         return live;

@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.util.Optional;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Viewer;
+import org.robonewbie.studio.board.NewsBoard;
 import org.robonewbie.studio.course.Course;
 import org.robonewbie.studio.program.Workshop;
-import org.robonewbie.studio.search.SearchBoard;
 
 /**
  * Shows simulations in the browser; found by {@link java.util.ServiceLoader}.
@@ -37,16 +37,16 @@ public final class StudioViewer implements Viewer {
     }
 
     /**
-     * Starts to show a search, together with the contents of some folders.
+     * Starts to show the board of a program, together with the contents of some folders.
      *
      * @param simulation a world for the other rooms
      * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
      * @param folders the folders that the pages may use
-     * @param board what the search writes to; see {@link SearchBoard#page} for its address
+     * @param board what the program writes to; see {@link NewsBoard#page} for its address
      * @return the open view
      * @throws IOException if the port cannot be opened
      */
-    public static View open(SimulationControl simulation, int port, StudioFolders folders, SearchBoard board)
+    public static View open(SimulationControl simulation, int port, StudioFolders folders, NewsBoard board)
             throws IOException {
         return open(simulation, port, folders, Optional.of(board));
     }
@@ -76,7 +76,7 @@ public final class StudioViewer implements Viewer {
         }
     }
 
-    private static View open(SimulationControl simulation, int port, StudioFolders folders, Optional<SearchBoard> board)
+    private static View open(SimulationControl simulation, int port, StudioFolders folders, Optional<NewsBoard> board)
             throws IOException {
         return port == 0
                 ? openAtUsual(USUAL_PORT, simulation, folders, board)
@@ -84,7 +84,7 @@ public final class StudioViewer implements Viewer {
     }
 
     /** Takes a port if it is free, and any other if it is not. */
-    static View openAtUsual(int port, SimulationControl simulation, StudioFolders folders, Optional<SearchBoard> board)
+    static View openAtUsual(int port, SimulationControl simulation, StudioFolders folders, Optional<NewsBoard> board)
             throws IOException {
         AccessToken token = AccessToken.ofUser();
         try {

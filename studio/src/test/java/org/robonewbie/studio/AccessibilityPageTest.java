@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -21,6 +22,7 @@ import org.robonewbie.studio.search.SearchTask;
 class AccessibilityPageTest {
 
     private static final String FIELD_IS_THERE = "studio.view.drawCalls > 0";
+    private static final String PROGRAM_IS_THERE = "studio.rooms.program?.files?.file !== undefined";
     private static final String ROBOT_IS_THERE = "document.querySelectorAll('.joint-row').length === 22";
     private static final String MOTION_IS_THERE = "studio.motion?.editor.state.name === 'mine' && !studio.motion.stale";
     private static final String RECORDING_IS_THERE =
@@ -55,6 +57,8 @@ class AccessibilityPageTest {
         assertClean("Field");
         visit(theme, "#field/exercises", "document.querySelector('[data-exercise=kick]')");
         assertClean("Exercises");
+        visit(theme, "#program", PROGRAM_IS_THERE);
+        assertClean("Program");
         visit(theme, "#robot", ROBOT_IS_THERE);
         assertClean("Robot");
         visit(theme, "#motion/mine", MOTION_IS_THERE);
@@ -72,7 +76,7 @@ class AccessibilityPageTest {
         StudioFolders folders = new StudioFolders(folder, Optional.empty());
         try (StudioServer other =
                 StudioServer.start(studio.simulation(), 0, AccessToken.random(), folders, Optional.of(board))) {
-            browser.visit(SearchBoard.page(other.address()) + "&theme=" + theme);
+            browser.visit(board.page(other.address()) + "&theme=" + theme);
             browser.await("search.state.task !== undefined");
 
             assertClean("Search");
@@ -98,6 +102,31 @@ class AccessibilityPageTest {
         browser.click("#message-tab");
         openAll();
         assertClean("Robot with all that folds");
+    }
+
+    @Tag("slow")
+    @ParameterizedTest
+    @ValueSource(strings = {"light", "dark"})
+    void mistakeInAProgramHasNoViolation(String theme) {
+        visit(theme, "#program", PROGRAM_IS_THERE);
+        browser.evaluate("studio.rooms.program.editor.replace('int angle = " + SmallWorkshop.MISTAKE + ";')");
+        browser.await("document.querySelector('#program-state').innerText.includes('1 mistake')");
+        assertClean("a mistake");
+        browser.fill("#program-file", "exercise kick");
+        browser.await("document.querySelector('#program-check')");
+        assertClean("an exercise in the room for programs");
+    }
+
+    @Tag("slow")
+    @ParameterizedTest
+    @ValueSource(strings = {"light", "dark"})
+    void helpHasNoViolation(String theme) {
+        browser.visit(studio.address() + "&theme=" + theme);
+        for (String page : List.of("", "program-room.html", "competition.html", "tutorial/", "reference.html")) {
+            browser.visit(studio.address().replaceFirst("/\\?.*", "/docs/" + page));
+            browser.await("document.querySelector('main, article, h1')");
+            assertThat(axe.violations(browser)).as("Help " + page + " " + theme).isEmpty();
+        }
     }
 
     @Tag("slow")

@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.file.RecordingShelf;
 
-/** A studio in which each room has something to do: a robot on the pitch, a motion, a recording, a course of exercises. */
+/** A studio in which each room has something to do: a robot on the pitch, a motion, a recording, a course of exercises, a place for programs. */
 final class FurnishedStudio implements AutoCloseable {
 
     private static final int SHELF_BYTES = 10_000_000;
@@ -23,7 +23,7 @@ final class FurnishedStudio implements AutoCloseable {
         RecordedRun.write(folder.resolve("game.rec"));
         Files.writeString(folder.resolve("mine.txt"), "200" + " 0".repeat(22) + "\n400" + " 0".repeat(22) + "\n");
         StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingShelf(folder, SHELF_BYTES)));
-        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course);
+        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course, new SmallWorkshop(folder));
         simulation.start();
         pitchOfTrial.start();
     }

@@ -135,7 +135,7 @@ class KeyboardPageTest {
         StudioFolders folders = new StudioFolders(folder, Optional.empty());
         try (StudioServer other =
                 StudioServer.start(studio.simulation(), 0, AccessToken.random(), folders, Optional.of(board))) {
-            browser.visit(SearchBoard.page(other.address()).toString());
+            browser.visit(board.page(other.address()).toString());
             browser.await("search.state.task !== undefined");
 
             walkThrough();

@@ -157,7 +157,7 @@ class SearchPageTest {
     }
 
     private void visit(String options) {
-        browser.visit(SearchBoard.page(studio.address()) + options);
+        browser.visit(board.page(studio.address()) + options);
     }
 
     /** A search that climbs and settles. */

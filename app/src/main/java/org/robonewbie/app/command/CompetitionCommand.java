@@ -7,13 +7,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import org.robonewbie.app.course.ExerciseContests;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.program.ExampleCatalogue;
+import org.robonewbie.app.studio.ContestStudio;
 import org.robonewbie.competition.Competition;
 import org.robonewbie.competition.CompetitionSettings;
 import org.robonewbie.competition.contest.Conditions;
@@ -27,9 +25,6 @@ import org.robonewbie.competition.team.TeamList;
 import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.competition.trial.Spectators;
 import org.robonewbie.exercises.Exercises;
-import org.robonewbie.simulator.Console;
-import org.robonewbie.simulator.embedded.Browser;
-import org.robonewbie.simulator.embedded.Viewer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -68,9 +63,6 @@ import picocli.CommandLine.Parameters;
                     + " to hand out."
         })
 final class CompetitionCommand implements Callable<Integer> {
-
-    private static final long MOST_NANOS_FOR_EYES = TimeUnit.SECONDS.toNanos(20);
-    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
 
     @Mixin
     final HelpOption help = new HelpOption();
@@ -137,8 +129,13 @@ final class CompetitionCommand implements Callable<Integer> {
                     + " (${DEFAULT-VALUE}).")
     private FenceWish fence = FenceWish.AUTO;
 
-    @Option(names = "--watch", description = "Show each trial in the studio, one after the other in real time.")
+    @Option(
+            names = "--watch",
+            description = "Show the running trials side by side, in real time, and the table as it grows.")
     private boolean watched;
+
+    @Option(names = "--no-browser", description = "With --watch: print the address of the page and open no browser.")
+    private boolean withoutBrowser;
 
     @Option(names = "--headless", description = "Without effect unless --watch is given: no studio.")
     private boolean headless;
@@ -156,8 +153,32 @@ final class CompetitionCommand implements Callable<Integer> {
     private void hold(List<TeamEntry> teams) throws IOException, InterruptedException {
         Contest contest = contest(teams);
         Path folder = results.orElse(Path.of("competition-" + contest.name()));
-        boolean isWatched = watched && !headless;
-        CompetitionSettings settings = new CompetitionSettings(
+        System.out.println(contest.title() + ": " + contest.rule());
+        if (!watched || headless) {
+            hold(contest, teams, settings(folder, Spectators.NOBODY));
+            return;
+        }
+        try (ContestStudio studio = ContestStudio.open(contest, folder)) {
+            System.out.println("Watch at " + studio.address());
+            if (!withoutBrowser) {
+                studio.showBrowser();
+            }
+            studio.isOver(hold(contest, teams, settings(folder, studio)));
+        }
+    }
+
+    /** Holds the contest and returns where its results are. */
+    private static String hold(Contest contest, List<TeamEntry> teams, CompetitionSettings settings)
+            throws IOException, InterruptedException {
+        print(new Competition(contest, teams, settings, System.out).hold());
+        String results =
+                "Table, certificates and recordings: " + settings.results().resolve("table.html");
+        System.out.println(results);
+        return results;
+    }
+
+    private CompetitionSettings settings(Path folder, Spectators spectators) {
+        return new CompetitionSettings(
                 seed,
                 folder,
                 teamsFile
@@ -165,7 +186,7 @@ final class CompetitionCommand implements Callable<Integer> {
                                 .orElse(Path.of("")))
                         .orElse(Path.of("")),
                 ExampleCatalogue.load().classNames(),
-                isWatched ? 1 : Math.max(1, parallel.orElse(Runtime.getRuntime().availableProcessors())),
+                Math.max(1, parallel.orElse(Runtime.getRuntime().availableProcessors())),
                 new Limits(
                         memoryMegabytes,
                         processorSeconds,
@@ -173,11 +194,7 @@ final class CompetitionCommand implements Callable<Integer> {
                         Limits.USUAL.startSeconds(),
                         Limits.USUAL.realSeconds()),
                 fence.fence(),
-                isWatched ? spectators() : Spectators.NOBODY);
-        System.out.println(contest.title() + ": " + contest.rule());
-        Table table = new Competition(contest, teams, settings, System.out).hold();
-        print(table);
-        System.out.println("Table, certificates and recordings: " + folder.resolve("table.html"));
+                spectators);
     }
 
     private List<TeamEntry> teams() {
@@ -224,27 +241,6 @@ final class CompetitionCommand implements Callable<Integer> {
                         + "\". There are: scoring, penalties, matches, walk, kick, stand, gymnastics,"
                         + " and exercise:NAME, such as exercise:dance.");
         };
-    }
-
-    private static Spectators spectators() {
-        Viewer viewer = ServiceLoader.load(Viewer.class)
-                .findFirst()
-                .orElseThrow(() -> new IllegalStateException("This program has been packed without a studio."));
-        return (simulation, trial) -> {
-            Viewer.View view = viewer.open(simulation, 0);
-            System.out.println("Watch " + trial.id() + " at " + view.address());
-            Browser.openUnlessWatched(view, Console.standard());
-            awaitEyes(view);
-            return view::close;
-        };
-    }
-
-    /** Waits for a page that shows a trial, since some are over in seconds, but never delays a competition for long. */
-    private static void awaitEyes(Viewer.View view) {
-        long end = System.nanoTime() + MOST_NANOS_FOR_EYES;
-        while (!view.isWatched() && System.nanoTime() < end) {
-            LockSupport.parkNanos(LOOK_NANOS);
-        }
     }
 
     /** Prints the table in columns. */

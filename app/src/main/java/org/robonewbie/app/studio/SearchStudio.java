@@ -17,13 +17,7 @@ import org.robonewbie.learning.optimise.OptimisationPlan;
 import org.robonewbie.learning.optimise.OptimisationResult;
 import org.robonewbie.learning.optimise.Subject;
 import org.robonewbie.learning.optimise.SubjectNumber;
-import org.robonewbie.simulator.Console;
-import org.robonewbie.simulator.embedded.Browser;
-import org.robonewbie.simulator.embedded.Viewer;
-import org.robonewbie.simulator.server.Simulator;
-import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.studio.StudioFolders;
-import org.robonewbie.studio.StudioViewer;
 import org.robonewbie.studio.search.SearchBoard;
 import org.robonewbie.studio.search.SearchNumber;
 import org.robonewbie.studio.search.SearchRound;
@@ -38,11 +32,9 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
     private final Path fileSoFar;
     private final Path file;
     private final boolean withBrowser;
-    private final Simulator world;
-    private final Viewer.View view;
+    private final BoardStudio studio;
 
-    private SearchStudio(
-            Subject subject, SearchBoard board, Path fileSoFar, Path file, SearchStudioOptions options, Simulator world)
+    private SearchStudio(Subject subject, SearchBoard board, Path fileSoFar, Path file, SearchStudioOptions options)
             throws IOException {
         this.subject = subject;
         this.start = subject.numbers(new double[subject.dimension()]);
@@ -50,10 +42,9 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
         this.fileSoFar = fileSoFar;
         this.file = file;
         this.withBrowser = !options.isWithoutBrowser;
-        this.world = world;
         StudioFolders folders = new StudioFolders(
                 Optional.ofNullable(file.toAbsolutePath().getParent()).orElse(Path.of("")), Optional.empty());
-        this.view = StudioViewer.open(world.control(), options.port, folders, board);
+        this.studio = BoardStudio.open(board, options.port, folders);
     }
 
     /**
@@ -88,29 +79,18 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
                 objective.isLargerBetter(),
                 plan.generations(),
                 method));
-        SimulatorSettings pitch = SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .awaitedAgents(1)
-                .build();
-        Simulator world = Simulator.start(pitch, Console.silent());
-        try {
-            return new SearchStudio(subject, board, optimisation.fileSoFar(), file, options, world);
-        } catch (IOException portInUse) {
-            world.close();
-            throw portInUse;
-        }
+        return new SearchStudio(subject, board, optimisation.fileSoFar(), file, options);
     }
 
     /** {@return the address of the page that shows the search} */
     public URI address() {
-        return SearchBoard.page(view.address());
+        return studio.address();
     }
 
     /** Opens the page in the browser, unless the options ask for no browser. */
     public void showBrowser() {
         if (withBrowser) {
-            Browser.openUnlessWatched(new Page(), Console.standard());
+            studio.showBrowser();
         }
     }
 
@@ -130,10 +110,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
      * @throws InterruptedException if the thread is interrupted while it waits
      */
     public void awaitUnwatched() throws InterruptedException {
-        if (board.isWatched()) {
-            System.out.println("The page stays until you close it, or press Control-C here.");
-            board.awaitUnwatched(view::isWatched);
-        }
+        studio.awaitUnwatched();
     }
 
     @Override
@@ -163,8 +140,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
 
     @Override
     public void close() {
-        view.close();
-        world.close();
+        studio.close();
     }
 
     private List<SearchNumber> numbers(Generation generation) {
@@ -191,25 +167,6 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
         return subject instanceof MotionSubject && motion.toString().endsWith(".txt")
                 ? OpenedFile.motionPlace(motion)
                 : "";
-    }
-
-    /** Of all pages, the one that is opened. */
-    private final class Page implements Viewer.View {
-
-        @Override
-        public URI address() {
-            return SearchStudio.this.address();
-        }
-
-        @Override
-        public boolean isWatched() {
-            return board.isWatched();
-        }
-
-        @Override
-        public void close() {
-            view.close();
-        }
     }
 
     private record Both(OptimisationListener one, OptimisationListener other) implements OptimisationListener {

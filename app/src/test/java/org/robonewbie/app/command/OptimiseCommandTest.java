@@ -3,21 +3,15 @@ package org.robonewbie.app.command;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.net.URI;
-import java.net.http.HttpClient;
-import java.net.http.WebSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionStage;
-import java.util.concurrent.TimeUnit;
-import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.app.BoardPage;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.studio.SearchStudio;
 import org.robonewbie.app.studio.SearchStudioOptions;
@@ -31,7 +25,6 @@ import org.robonewbie.learning.optimise.OptimisationPlan;
 import org.robonewbie.learning.optimise.Subject;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.studio.search.SearchBoard;
 import picocli.CommandLine;
 
 class OptimiseCommandTest {
@@ -142,9 +135,15 @@ class OptimiseCommandTest {
                     new Cloud(0.1, middle, spread),
                     new Generation.Pace(8, 30)));
 
-            assertThat(toldTo(studio.address()))
-                    .contains("\"subject\":\"kick-right\"", "\"before\":5.5", "\"best\":5.9", "\"trialsPerSecond\":8.0")
-                    .contains("keyframe 1, time", "#motion/kick-so-far");
+            try (BoardPage page = new BoardPage(studio.address(), "search")) {
+                assertThat(page.next())
+                        .contains(
+                                "\"subject\":\"kick-right\"",
+                                "\"before\":5.5",
+                                "\"best\":5.9",
+                                "\"trialsPerSecond\":8.0")
+                        .contains("keyframe 1, time", "#motion/kick-so-far");
+            }
         }
     }
 
@@ -201,34 +200,6 @@ class OptimiseCommandTest {
         assertThatThrownBy(() -> command("--agent", "Agent_Dance", "--objective", "energy", "--pose", "1,2")
                         .call())
                 .hasMessageStartingWith("Give --pose three numbers, such as -1,0,0, and --ball two");
-    }
-
-    /** What a page hears first. */
-    private static String toldTo(URI page) throws Exception {
-        CompletableFuture<String> heard = new CompletableFuture<>();
-        StringBuilder text = new StringBuilder();
-        WebSocket socket = HttpClient.newHttpClient()
-                .newWebSocketBuilder()
-                .header("Origin", "http://" + page.getAuthority())
-                .buildAsync(
-                        URI.create("ws://" + page.getAuthority() + SearchBoard.PATH + "?" + page.getQuery()),
-                        new WebSocket.Listener() {
-                            @Override
-                            public @Nullable CompletionStage<?> onText(WebSocket one, CharSequence part, boolean last) {
-                                text.append(part);
-                                if (last) {
-                                    heard.complete(text.toString());
-                                }
-                                one.request(1);
-                                return null;
-                            }
-                        })
-                .join();
-        try {
-            return heard.get(120, TimeUnit.SECONDS);
-        } finally {
-            socket.abort();
-        }
     }
 
     private static OptimiseCommand command(String... arguments) {

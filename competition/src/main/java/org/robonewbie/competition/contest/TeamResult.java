@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 
 /**
  * What a trial has shown of one team.
@@ -46,5 +47,13 @@ public record TeamResult(String team, Ending ending, SortedMap<String, Double> f
     public OptionalDouble figure(String name) {
         Double value = figures.get(name);
         return value == null || !isPlayed() ? OptionalDouble.empty() : OptionalDouble.of(value);
+    }
+
+    /** {@return what the team has reached, or why it has lost the trial, for people} */
+    public String inWords() {
+        String measured = figures.entrySet().stream()
+                .map(figure -> figure.getKey() + " " + Math.round(figure.getValue() * 100) / 100.0)
+                .collect(Collectors.joining(", "));
+        return team + " " + (isPlayed() && !measured.isEmpty() ? measured : ending.sentence());
     }
 }

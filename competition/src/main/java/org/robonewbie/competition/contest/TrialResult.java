@@ -1,6 +1,7 @@
 package org.robonewbie.competition.contest;
 
 import java.util.List;
+import java.util.stream.Collectors;
 
 /**
  * What a trial has shown. Nothing in it depends on the computer, so that the same trial gives the same result.
@@ -28,5 +29,10 @@ public record TrialResult(String id, long seed, double seconds, List<TeamResult>
                 .filter(result -> result.team().equals(name))
                 .findFirst()
                 .orElseThrow();
+    }
+
+    /** {@return what each team has reached, for people} */
+    public String inWords() {
+        return teams.stream().map(TeamResult::inWords).collect(Collectors.joining("; "));
     }
 }

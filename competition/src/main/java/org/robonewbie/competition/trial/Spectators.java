@@ -31,6 +31,13 @@ public interface Spectators {
     Runnable watch(SimulationControl simulation, ContestTrial trial) throws IOException;
 
     /**
+     * Is told how the contest stands, when it begins or goes on, and after each trial; by one thread at a time.
+     *
+     * @param progress how it stands
+     */
+    default void stands(ContestProgress progress) {}
+
+    /**
      * Returns whether there are no spectators.
      *
      * @return whether trials need not keep real time

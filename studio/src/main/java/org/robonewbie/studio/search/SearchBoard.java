@@ -3,28 +3,15 @@ package org.robonewbie.studio.search;
 import com.google.gson.Gson;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
-import java.net.URI;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Set;
-import java.util.function.BooleanSupplier;
+import org.robonewbie.studio.board.NewsBoard;
 
-/**
- * Where a search reports its progress to all pages that watch it: each page receives everything written so far, and then what
- * is new. Thread-safe.
- */
-public final class SearchBoard {
-
-    /** Where pages listen. */
-    public static final String PATH = "/live-search";
-
-    private static final long RELOADING_MILLIS = 2000;
-    private static final String PAGE = "optimise.html?";
+/** Where a search reports its progress to all pages that watch it. Thread-safe. */
+public final class SearchBoard extends NewsBoard {
 
     private final Gson gson = new Gson();
     private final JsonObject known = new JsonObject();
     private final JsonArray rounds = new JsonArray();
-    private final Set<SearchSpectator> spectators = new LinkedHashSet<>();
 
     /**
      * Creates an empty board.
@@ -32,19 +19,10 @@ public final class SearchBoard {
      * @param task the task of the search
      */
     public SearchBoard(SearchTask task) {
+        super("search", "optimise.html");
         known.addProperty("kind", "whole");
         known.add("task", gson.toJsonTree(task));
         known.add("rounds", rounds);
-    }
-
-    /**
-     * Returns the address of the board.
-     *
-     * @param studio the address of the studio that shows it
-     * @return the address of the page, with its token
-     */
-    public static URI page(URI studio) {
-        return studio.resolve(PAGE + studio.getRawQuery());
     }
 
     /**
@@ -90,44 +68,8 @@ public final class SearchBoard {
         tellWhole();
     }
 
-    /** {@return whether a page is open} */
-    public synchronized boolean isWatched() {
-        return !spectators.isEmpty();
-    }
-
-    /**
-     * Waits until no page is open any more; a page may be reloaded meanwhile.
-     *
-     * @param elsewhere whether another page of the same studio is open
-     * @throws InterruptedException if this thread is interrupted
-     */
-    public synchronized void awaitUnwatched(BooleanSupplier elsewhere) throws InterruptedException {
-        boolean watched = isWatched();
-        while (watched) {
-            wait(RELOADING_MILLIS);
-            watched = isWatched() || elsewhere.getAsBoolean();
-        }
-    }
-
-    synchronized void add(SearchSpectator spectator) {
-        spectators.add(spectator);
-        spectator.offer(known.toString());
-    }
-
-    synchronized void remove(SearchSpectator spectator) {
-        spectators.remove(spectator);
-    }
-
-    /** Sends everything to a page that has missed something. */
-    synchronized void tellAgain(SearchSpectator spectator) {
-        spectator.offer(known.toString());
-    }
-
-    private void tellWhole() {
-        tell(known.toString());
-    }
-
-    private void tell(String json) {
-        spectators.forEach(spectator -> spectator.offer(json));
+    @Override
+    protected String known() {
+        return known.toString();
     }
 }

@@ -15,7 +15,7 @@ export class SaidPanel {
     this.verdict = element('div', { id: 'program-verdict' });
     this.compiler = element('ul', { id: 'program-remarks', 'aria-label': 'Mistakes that the compiler has found' });
     this.mistakes = element('ul', { id: 'program-mistakes', 'aria-label': 'Mistakes while the program ran' });
-    this.values = element('p', { id: 'program-values', 'aria-label': 'Values that the program plots' });
+    this.values = element('p', { id: 'program-values', role: 'group', 'aria-label': 'Values that the program plots' });
     this.log = element('ol', { id: 'program-log', 'aria-label': 'Log of the robot' });
     this.printed = element('pre', { id: 'program-printed' });
     this.silence = element('p', { class: 'faint' }, NOTHING);

@@ -1,6 +1,7 @@
 /** One recording as a card, with what one can do to it. */
 import { shape } from '../panels/drawing.js';
 import { button, element, setText } from '../panels/elements.js';
+import { pitchSheet } from '../panels/pitch-sheet.js';
 import { clock } from '../state/studio-state.js';
 
 /**
@@ -124,20 +125,15 @@ function counted(events, kind, [one, more]) {
 
 /** @param {RecordingCard} content */
 function smallPitch({ pitch: [length, width], ball, ways }) {
-  const [x, y] = [-length / 2 - 1, -width / 2 - 1];
-  const line = { class: 'line' };
   const path = (/** @type {Array<[number, number]>} */ places, /** @type {string} */ kind) =>
     shape('polyline', { points: places.map(([px, py]) => `${px},${-py}`).join(' '), class: `way ${kind}` });
   const dot = (/** @type {Array<[number, number]>} */ places, /** @type {number} */ r, /** @type {string} */ kind) => {
     const [cx, cy] = places.at(-1) ?? [0, 0];
     return shape('circle', { cx, cy: -cy, r, class: kind });
   };
-  return shape(
-    'svg',
-    { viewBox: `${x} ${y} ${length + 2} ${width + 2}`, 'aria-hidden': 'true' },
-    shape('rect', { x: -length / 2, y: -width / 2, width: length, height: width, ...line }),
-    shape('line', { y1: -width / 2, y2: width / 2, ...line }),
-    shape('circle', { r: length / 12, ...line }),
+  return pitchSheet(
+    length,
+    width,
     ...ways.map(({ places, side }) => path(places, SIDES[side])),
     path(ball, 'ball'),
     ...ways.map(({ places, side }) => dot(places, length / 55, SIDES[side])),

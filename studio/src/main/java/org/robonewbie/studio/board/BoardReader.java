@@ -1,16 +1,16 @@
-package org.robonewbie.studio.search;
+package org.robonewbie.studio.board;
 
 import org.eclipse.jetty.websocket.api.Callback;
 import org.eclipse.jetty.websocket.api.Session;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A page that watches a {@link SearchBoard}. If it is slower than the search it misses something, and then receives everything
+ * A page that watches a {@link NewsBoard}. If it is slower than the program it misses something, and then receives everything
  * again.
  */
-public final class SearchSpectator extends Session.Listener.AbstractAutoDemanding {
+public final class BoardReader extends Session.Listener.AbstractAutoDemanding {
 
-    private final SearchBoard board;
+    private final NewsBoard board;
     private boolean busy;
     private boolean missed;
 
@@ -19,7 +19,7 @@ public final class SearchSpectator extends Session.Listener.AbstractAutoDemandin
      *
      * @param board what it will look at
      */
-    public SearchSpectator(SearchBoard board) {
+    public BoardReader(NewsBoard board) {
         this.board = board;
     }
 

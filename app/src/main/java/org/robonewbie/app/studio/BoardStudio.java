@@ -1,0 +1,83 @@
+package org.robonewbie.app.studio;
+
+import java.io.IOException;
+import java.net.URI;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.embedded.Browser;
+import org.robonewbie.simulator.embedded.Viewer;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.studio.StudioFolders;
+import org.robonewbie.studio.StudioViewer;
+import org.robonewbie.studio.board.NewsBoard;
+
+/** A studio with an empty pitch whose first page is the board on which a program reports its progress. */
+final class BoardStudio implements Viewer.View {
+
+    private final NewsBoard board;
+    private final Simulator world;
+    private final Viewer.View view;
+
+    private BoardStudio(NewsBoard board, Simulator world, Viewer.View view) {
+        this.board = board;
+        this.world = world;
+        this.view = view;
+    }
+
+    /**
+     * Opens the studio.
+     *
+     * @param board what its first page shows
+     * @param port of the page, 0 for the usual one, or any other if that is taken
+     * @param folders what of the disk the pages may use
+     * @return the open studio
+     * @throws IOException if the port cannot be opened
+     */
+    static BoardStudio open(NewsBoard board, int port, StudioFolders folders) throws IOException {
+        SimulatorSettings pitch = SimulatorSettings.beginner()
+                .agentPort(0)
+                .synchronous(true)
+                .awaitedAgents(1)
+                .build();
+        Simulator world = Simulator.start(pitch, Console.silent());
+        try {
+            return new BoardStudio(board, world, StudioViewer.open(world.control(), port, folders, board));
+        } catch (IOException portInUse) {
+            world.close();
+            throw portInUse;
+        }
+    }
+
+    @Override
+    public URI address() {
+        return board.page(view.address());
+    }
+
+    @Override
+    public boolean isWatched() {
+        return board.isWatched();
+    }
+
+    /** Opens the page in the browser. */
+    void showBrowser() {
+        Browser.openUnlessWatched(this, Console.standard());
+    }
+
+    /**
+     * Waits until no page is open any more.
+     *
+     * @throws InterruptedException if the thread is interrupted while it waits
+     */
+    void awaitUnwatched() throws InterruptedException {
+        if (board.isWatched()) {
+            System.out.println("The page stays until you close it, or press Control-C here.");
+            board.awaitUnwatched(view::isWatched);
+        }
+    }
+
+    @Override
+    public void close() {
+        view.close();
+        world.close();
+    }
+}

@@ -1,0 +1,139 @@
+package org.robonewbie.studio.wall;
+
+import com.google.gson.Gson;
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.net.URI;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.studio.board.NewsBoard;
+
+/**
+ * The wall of a contest: each running trial in a tile, and beside them the table, which grows with each trial that is over.
+ * Thread-safe.
+ */
+public final class TrialWall extends NewsBoard implements AutoCloseable {
+
+    /** How long a picture of the trials stands until the next one is sent. */
+    static final long PICTURE_MILLIS = 80;
+
+    private final Gson gson = new Gson();
+    private final JsonObject known = new JsonObject();
+    private final JsonArray results = new JsonArray();
+    private final Map<String, TrialPicture> running = new LinkedHashMap<>();
+    private final ScheduledExecutorService painter =
+            Executors.newSingleThreadScheduledExecutor(TrialWall::paintingThread);
+
+    /**
+     * Creates the wall of a contest that has not begun.
+     *
+     * @param title the contest's title
+     * @param rule the rule in one or two sentences
+     */
+    public TrialWall(String title, String rule) {
+        super("wall", "wall.html");
+        known.addProperty("kind", "whole");
+        known.addProperty("title", title);
+        known.addProperty("rule", rule);
+        known.add("results", results);
+        painter.scheduleAtFixedRate(this::paint, PICTURE_MILLIS, PICTURE_MILLIS, TimeUnit.MILLISECONDS);
+    }
+
+    private static Thread paintingThread(Runnable work) {
+        Thread thread = new Thread(work, "trial-wall");
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    /**
+     * Writes down how the contest stands.
+     *
+     * @param table the table
+     */
+    public synchronized void stands(WallTable table) {
+        known.add("table", gson.toJsonTree(table));
+        tellWhole();
+    }
+
+    /**
+     * Shows a trial in a tile while it runs.
+     *
+     * @param id name of the trial
+     * @param teams who takes part
+     * @param simulation the trial
+     * @param studio the address at which the trial is shown alone
+     */
+    public synchronized void begins(String id, List<String> teams, SimulationControl simulation, URI studio) {
+        running.put(id, new TrialPicture(id, teams, simulation, studio.toString()));
+        tellWhole();
+    }
+
+    /**
+     * Ends the tile of a trial; its last picture stays until another trial needs the place.
+     *
+     * @param id name of the trial
+     */
+    public synchronized void ends(String id) {
+        Optional.ofNullable(running.remove(id)).ifPresent(TrialPicture::leave);
+        tellWhole();
+    }
+
+    /**
+     * Writes down what came out of a trial.
+     *
+     * @param id name of the trial
+     * @param words the outcome
+     */
+    public synchronized void result(String id, String words) {
+        JsonObject result = new JsonObject();
+        result.addProperty("id", id);
+        result.addProperty("words", words);
+        results.add(result);
+        tellWhole();
+    }
+
+    /**
+     * Writes down that the contest is over.
+     *
+     * @param words where its results are
+     */
+    public synchronized void isOver(String words) {
+        known.addProperty("outcome", words);
+        tellWhole();
+    }
+
+    @Override
+    protected String known() {
+        JsonArray trials = new JsonArray();
+        running.values().forEach(trial -> trials.add(trial.facts()));
+        known.add("trials", trials);
+        return known.toString();
+    }
+
+    private synchronized void paint() {
+        if (isWatched() && !running.isEmpty()) {
+            JsonArray moments = new JsonArray();
+            running.values().forEach(trial -> trial.moment().ifPresent(moments::add));
+            tellMoments(moments);
+        }
+    }
+
+    private void tellMoments(JsonArray moments) {
+        JsonObject news = new JsonObject();
+        news.addProperty("kind", "moments");
+        news.add("moments", moments);
+        tell(news.toString());
+    }
+
+    @Override
+    public synchronized void close() {
+        painter.shutdownNow();
+        running.values().forEach(TrialPicture::leave);
+    }
+}

@@ -1,0 +1,137 @@
+/** What is known of a contest that is held: its tiles, its table, and what came out of its trials. */
+import { playModeText } from './play-mode.js';
+import { clock } from './studio-state.js';
+
+/**
+ * @typedef {{id: string, teams: string[], studio: string, length: number, width: number}} WallTrial
+ * @typedef {{side: string, number: number, place: [number, number], heading: number, fallen: boolean}} WallRobot
+ *
+ * @typedef {object} Moment
+ * @property {string} id
+ * @property {number} seconds
+ * @property {string} playMode
+ * @property {string} left
+ * @property {string} right
+ * @property {[number, number]} score
+ * @property {[number, number]} ball
+ * @property {WallRobot[]} robots
+ *
+ * @typedef {{rank: number, team: string, cells: string[]}} Place
+ * @typedef {{over: number, planned: number, columns: string[], rows: Place[]}} WallTable
+ * @typedef {{id: string, words: string}} Result
+ * @typedef {{trial: WallTrial, running: boolean, moment: Moment | undefined}} Tile
+ * @typedef {'waiting' | 'running' | 'ended' | 'lost' | 'refused'} Phase
+ *
+ * @typedef {object} Wall
+ * @property {Phase} phase
+ * @property {string} refusal why the page was refused
+ * @property {string} title
+ * @property {string} rule
+ * @property {string} outcome
+ * @property {WallTable} table
+ * @property {readonly Result[]} results
+ * @property {readonly Tile[]} tiles
+ */
+
+/** @returns {Wall} */
+export function initialWall() {
+  return {
+    phase: 'waiting',
+    refusal: '',
+    title: '',
+    rule: '',
+    outcome: '',
+    table: { over: 0, planned: 0, columns: [], rows: [] },
+    results: [],
+    tiles: [],
+  };
+}
+
+/**
+ * @param {Wall} wall
+ * @param {any} news a message of the board
+ * @returns {Wall}
+ */
+export function withWallNews(wall, news) {
+  if (news.kind === 'moments') {
+    /** @type {Map<string, Moment>} */
+    const moments = new Map(news.moments.map((/** @type {Moment} */ moment) => [moment.id, moment]));
+    const tiles = wall.tiles.map((tile) => ({ ...tile, moment: moments.get(tile.trial.id) ?? tile.moment }));
+    return { ...wall, tiles };
+  }
+  const { title, rule, outcome = '', table = wall.table, results, trials } = news;
+  const phase = outcome ? 'ended' : 'running';
+  return { ...wall, phase, title, rule, outcome, table, results, tiles: withTrials(wall.tiles, trials) };
+}
+
+/**
+ * A trial keeps its tile. When it is over its last picture stays, until another trial takes the place; so the wall stands still
+ * while one looks.
+ *
+ * @param {readonly Tile[]} tiles
+ * @param {readonly WallTrial[]} trials those that run
+ * @returns {readonly Tile[]}
+ */
+function withTrials(tiles, trials) {
+  const running = new Set(trials.map(({ id }) => id));
+  const next = tiles.map((tile) => ({ ...tile, running: running.has(tile.trial.id) }));
+  for (const trial of trials) {
+    if (!next.some((tile) => tile.trial.id === trial.id)) {
+      const free = next.findIndex((tile) => !tile.running);
+      next.splice(free < 0 ? next.length : free, free < 0 ? 0 : 1, { trial, running: true, moment: undefined });
+    }
+  }
+  return next;
+}
+
+/** What is known stays, but nothing runs any more as far as one knows. @param {Wall} wall @returns {Wall} */
+export function withoutWallLine(wall) {
+  return {
+    ...wall,
+    phase: wall.phase === 'running' ? 'lost' : wall.phase,
+    tiles: wall.tiles.map((tile) => ({ ...tile, running: false })),
+  };
+}
+
+/** @param {Wall} wall @param {string} refusal @returns {Wall} */
+export function withWallRefusal(wall, refusal) {
+  return { ...wall, phase: 'refused', refusal };
+}
+
+/** @param {Wall} wall @returns {{tone: string, text: string}} */
+export function wallSentence({ phase, refusal, outcome, tiles }) {
+  switch (phase) {
+    case 'waiting':
+      return { tone: '', text: 'Waiting for the competition …' };
+    case 'lost':
+      return {
+        tone: 'trouble',
+        text: 'The program has ended or does not answer. The same command goes on where the competition was.',
+      };
+    case 'refused':
+      return { tone: 'trouble', text: refusal };
+    case 'ended':
+      return { tone: 'done', text: `The competition is over. ${outcome}` };
+    default:
+      return { tone: '', text: tiles.some(({ running }) => running) ? '' : 'The next trials begin …' };
+  }
+}
+
+/**
+ * What stands over the picture of a trial.
+ *
+ * @param {Tile} tile
+ * @returns {{teams: string, time: string, mode: string}}
+ */
+export function tileWords({ trial, moment, running }) {
+  const teams = trial.teams.join(' – ');
+  if (!moment) {
+    return { teams, time: '', mode: running ? 'The robots come …' : '' };
+  }
+  const { left, right, score } = moment;
+  return {
+    teams: trial.teams.length > 1 && left && right ? `${left} ${score[0]} : ${score[1]} ${right}` : teams,
+    time: clock(moment.seconds),
+    mode: running ? playModeText(moment.playMode, { left, right }) : 'Over',
+  };
+}
