@@ -241,6 +241,37 @@ class ProgramPageTest {
     }
 
     @Test
+    void panelOfExercisesLeadsToTheProgramBesideTheRobot() {
+        browser.visit(studio.address() + "&theme=light&quality=lowest#field/exercises");
+        browser.await("document.querySelector('[data-exercise=raise-arms]')");
+        browser.click("[data-exercise=raise-arms]");
+        browser.await("document.querySelector('#course-here').checkVisibility()");
+
+        browser.click("#course-here");
+
+        browser.await("document.querySelector('#program-check') !== null");
+        browser.await("studio.rooms.program.files.file.path === 'RaiseArms.java' && location.hash === '#program'");
+        browser.await("studio.rooms.program.editor.text.includes('class RaiseArms')");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void stepLetsTheWorldGoOnByOneCycle() {
+        visit();
+        write(RAISE.replace("DEGREES", "45"));
+        browser.click("#program-run");
+        awaitAngle(45);
+        browser.click("#program-step");
+        browser.await("studio.state.frame.paused");
+        int before = browser.evaluate("studio.state.frame.cycle").getAsInt();
+
+        browser.click("#program-step");
+
+        browser.await("studio.state.frame.paused && studio.state.frame.cycle > " + before);
+        assertThat(browser.evaluate("studio.state.frame.cycle").getAsInt()).isEqualTo(before + 1);
+    }
+
+    @Test
     void whatIsNotSavedIsThereAfterTheBrowserHasEnded() throws IOException {
         Files.writeString(folder.resolve("MyAgent.java"), RAISE.replace("DEGREES", "45"));
         visit();

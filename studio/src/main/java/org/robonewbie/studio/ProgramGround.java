@@ -8,6 +8,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.studio.program.Ground;
 import org.robonewbie.studio.scene.KeptMoment;
@@ -44,13 +45,20 @@ final class ProgramGround implements Ground {
         Set<Integer> before = players(moment.state());
         BooleanSupplier hasCome = () -> !before.containsAll(players(stage.now()));
         if (await(hasCome, stillWanted)) {
-            long settled = stage.now().cycle() + CYCLES_TO_SETTLE;
-            await(() -> stage.now().cycle() >= settled, stillWanted);
+            settle(moment.state().speed(), stillWanted);
             world.goBackTo(moment, false);
         }
         if (moment.state().paused()) {
             stage.simulation().order(new Order.Pause());
         }
+    }
+
+    /** These cycles are taken back, so nobody need see them in real time. */
+    private void settle(double speed, BooleanSupplier stillWanted) {
+        long settled = stage.now().cycle() + CYCLES_TO_SETTLE;
+        stage.simulation().order(new Order.SetSpeed(SimulationControl.AS_FAST_AS_POSSIBLE));
+        await(() -> stage.now().cycle() >= settled, stillWanted);
+        stage.simulation().order(new Order.SetSpeed(speed));
     }
 
     private static boolean await(BooleanSupplier condition, BooleanSupplier stillWanted) {

@@ -185,6 +185,12 @@ final class Chromium implements AutoCloseable {
         evaluate("new Promise((answer) => setTimeout(answer, " + 1000 * seconds + "))");
     }
 
+    /** How much the scripts of the page keep: what is left after a collection of garbage. */
+    long heapBytes() {
+        call("HeapProfiler.collectGarbage", new JsonObject());
+        return evaluate("performance.memory.usedJSHeapSize").getAsLong();
+    }
+
     /** Runs a script in each page before its own scripts, and returns a name for it. */
     String runBeforePages(String source) {
         JsonObject script = new JsonObject();

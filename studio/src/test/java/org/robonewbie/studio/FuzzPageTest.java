@@ -57,14 +57,14 @@ class FuzzPageTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"#field", "#field/exercises", "#robot", "#motion/mine", "#replay/game"})
+    @ValueSource(strings = {"#field", "#field/exercises", "#program", "#robot", "#motion/mine", "#replay/game"})
     void fiveHundredStepsLeaveNoErrorAndLoseNoFile(String room) throws IOException {
         fuzz(room, 500);
     }
 
     @Tag("slow")
     @ParameterizedTest
-    @ValueSource(strings = {"#field", "#robot", "#motion/mine", "#replay/game"})
+    @ValueSource(strings = {"#field", "#program", "#robot", "#motion/mine", "#replay/game"})
     void tenThousandStepsLeaveNoErrorAndLoseNoFile(String room) throws IOException {
         fuzz(room, 10_000);
     }
@@ -88,6 +88,7 @@ class FuzzPageTest {
     private static String isThere(String room) {
         return switch (room) {
             case "#field/exercises" -> "[data-exercise=kick]";
+            case "#program" -> "#program-save";
             case "#robot" -> ".joint-row";
             case "#motion/mine" -> ".keyframe";
             case "#replay/game" -> "#replay:not([hidden])";

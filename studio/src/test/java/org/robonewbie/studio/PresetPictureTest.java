@@ -64,6 +64,7 @@ class PresetPictureTest {
         browser.resize(width, height);
         for (String theme : List.of("light", "dark")) {
             take("watch", "#field", theme, width, "studio.view.drawCalls > 0");
+            take("program", "#program", theme, width, "studio.rooms.program?.files?.file !== undefined");
             take("understand", "#robot", theme, width, "document.querySelectorAll('.joint-row').length === 22");
             take("shape", "#motion/mine", theme, width, "document.querySelector('.keyframe') && !studio.motion.stale");
             take("replay", "#replay/game", theme, width, "studio.replay?.file?.isWhole && !studio.replay.stale");

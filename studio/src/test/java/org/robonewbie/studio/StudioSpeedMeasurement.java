@@ -6,13 +6,13 @@ import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.util.Locale;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Measures how many pictures per second a browser without graphics card draws of one and of 22 robots, and what each costs, for
- * {@code docs/performance.md}.
+ * Measures how many pictures per second a browser without graphics card draws of one and of 22 robots, at the quality that the
+ * studio chooses and at medium quality, and what each costs, for {@code docs/performance.md}.
  * It is not part of the usual tests, since it judges the computer: {@code -Dtest=StudioSpeedMeasurement}.
  */
 class StudioSpeedMeasurement {
@@ -23,13 +23,13 @@ class StudioSpeedMeasurement {
             + " window.pictures = 0; view.draw = () => { window.pictures++; draw(); }; })()";
 
     @ParameterizedTest
-    @ValueSource(ints = {1, 22})
-    void picturesPerSecond(int robots) throws IOException {
+    @CsvSource({"1, ''", "22, ''", "22, medium"})
+    void picturesPerSecond(int robots, String quality) throws IOException {
         Tool.BROWSER.orSkip();
         try (SmallSimulation simulation = match(robots);
                 StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
                 Chromium browser = Chromium.open(1280, 720)) {
-            browser.visit(studio.address() + "&theme=light");
+            browser.visit(studio.address() + "&theme=light" + (quality.isEmpty() ? "" : "&quality=" + quality));
             browser.await("studio.state.scene?.robots.length === " + robots
                     + " && studio.state.frame && studio.view.drawCalls > 0");
             browser.evaluate("studio.desk.setMode('free')");
@@ -60,7 +60,7 @@ class StudioSpeedMeasurement {
         }
     }
 
-    private static SmallSimulation match(int robots) {
+    static SmallSimulation match(int robots) {
         SmallSimulation simulation = new SmallSimulation();
         for (int i = 0; i < robots; i++) {
             TeamSide side = i < 11 ? TeamSide.LEFT : TeamSide.RIGHT;

@@ -34,7 +34,8 @@ import picocli.CommandLine.Parameters;
         description = {
             "Start the studio in the browser. Without a server to watch it has a simulator of its own, which waits for agents on"
                     + " the beginners' pitch.",
-            "FILE is opened at once: a recording (.rec), the log of a SimSpark server (.log, also packed), or a motion (.txt)."
+            "FILE is opened at once: a recording (.rec), the log of a SimSpark server (.log, also packed), a motion (.txt), or a"
+                    + " program (.java)."
         },
         footer = {
             "",
@@ -44,7 +45,8 @@ import picocli.CommandLine.Parameters;
             "  robonewbie studio --roboviz-drawings           also show what teams draw for RoboViz",
             "  robonewbie studio game.rec            see a recorded run again",
             "  robonewbie studio sparkmonitor.log    see the log of a server again",
-            "  robonewbie studio motions/wave.txt    shape a motion"
+            "  robonewbie studio motions/wave.txt    shape a motion",
+            "  robonewbie studio MyAgent.java        write a program beside the robot"
         })
 final class StudioCommand implements Callable<Integer> {
 
@@ -53,7 +55,10 @@ final class StudioCommand implements Callable<Integer> {
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Parameters(arity = "0..1", paramLabel = "FILE", description = "A recording, a server's log or a motion file.")
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "FILE",
+            description = "A recording, a server's log, a motion or a program.")
     private Optional<Path> file = Optional.empty();
 
     @Option(
@@ -92,10 +97,10 @@ final class StudioCommand implements Callable<Integer> {
         OpenedFile opened = OpenedFile.of(file);
         SimulationControl simulation = monitor.isPresent() ? watch(monitor.get()) : start();
         ShownSimulation shown = new ShownSimulation(simulation);
-        CourseDesk course = new CourseDesk(Path.of("").toAbsolutePath(), simulation, shown, Coach.ofUser());
+        CourseDesk course = new CourseDesk(opened.programs(), simulation, shown, Coach.ofUser());
         course.speak(language.language());
         Runtime.getRuntime().addShutdownHook(new Thread(course::close, "end-of-exercise"));
-        ProgramWorkshop workshop = new ProgramWorkshop(Path.of("").toAbsolutePath());
+        ProgramWorkshop workshop = new ProgramWorkshop(opened.programs());
         Runtime.getRuntime().addShutdownHook(new Thread(workshop::close, "end-of-programs"));
         StudioServer view = StudioViewer.open(shown, port, opened.folders(), course, workshop);
         URI address = URI.create(view.address() + opened.place());

@@ -1,6 +1,7 @@
 package org.robonewbie.app.program;
 
 import java.io.File;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -29,6 +30,7 @@ public final class StudentJava {
     /** Programs of students compute little; so Java need not spend time on making them fast. */
     public static final String QUICK_START = "-XX:TieredStopAtLevel=1";
 
+    private static final String ARCHIVE = "-XX:SharedArchiveFile=";
     private static final String MAIN = "org.robonewbie.app.Main";
 
     private StudentJava() {}
@@ -67,10 +69,18 @@ public final class StudentJava {
     public static List<String> command(List<String> javaOptions, List<String> arguments) {
         List<String> command = new ArrayList<>(
                 List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:+UseSerialGC"));
+        command.addAll(startArchive());
         command.addAll(javaOptions);
         command.addAll(List.of("-cp", classPath(), MAIN));
         command.addAll(arguments);
         return command;
+    }
+
+    /** The archive of prepared classes with which this program was started, if it was: the other process starts as quickly. */
+    private static List<String> startArchive() {
+        return ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+                .filter(option -> option.startsWith(ARCHIVE))
+                .toList();
     }
 
     /** The classes of this program, wherever the process is started. */

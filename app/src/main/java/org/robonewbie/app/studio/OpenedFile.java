@@ -1,5 +1,6 @@
 package org.robonewbie.app.studio;
 
+import java.io.File;
 import java.io.IOException;
 import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
@@ -19,13 +20,19 @@ import org.robonewbie.studio.monitor.MonitorLogReader;
  *
  * @param folders what the pages may use, with the file
  * @param place the room that shows the file, as the end of the page's address
+ * @param programs the folder of the person's programs
  */
-public record OpenedFile(StudioFolders folders, String place) {
+public record OpenedFile(StudioFolders folders, String place, Path programs) {
 
     private static final String MOTION = ".txt";
+    private static final String PROGRAM = ".java";
+
+    private OpenedFile(StudioFolders folders, String place) {
+        this(folders, place, Path.of("").toAbsolutePath());
+    }
 
     /**
-     * Opens a file: a recording, a log of a SimSpark server or a motion.
+     * Opens a file: a recording, a log of a SimSpark server, a motion or a program.
      *
      * @param file the file, if one was named
      * @return what the studio is to show
@@ -45,6 +52,9 @@ public record OpenedFile(StudioFolders folders, String place) {
         String name = String.valueOf(file.getFileName());
         if (name.toLowerCase(Locale.ROOT).endsWith(MOTION)) {
             return motion(file);
+        }
+        if (name.endsWith(PROGRAM)) {
+            return program(file);
         }
         Path recording = isRecording(file) ? file : converted(file, name);
         String title = String.valueOf(recording.getFileName()).replace(".part", "");
@@ -66,6 +76,16 @@ public record OpenedFile(StudioFolders folders, String place) {
                 motionPlace(file));
     }
 
+    /** A program of this project, or one that lies elsewhere, with what is beside it. */
+    private static OpenedFile program(Path file) {
+        Path here = Path.of("").toAbsolutePath();
+        Path folder = file.startsWith(here)
+                ? here
+                : Optional.ofNullable(file.getParent()).orElse(here);
+        String path = folder.relativize(file).toString().replace(File.separatorChar, '/');
+        return new OpenedFile(StudioFolders.ofWorkingDirectory(), "#program/" + encoded(path), folder);
+    }
+
     private static boolean isRecording(Path file) {
         try (RecordingReader reader = RecordingFile.read(file)) {
             return !reader.header().isEmpty();
@@ -84,7 +104,7 @@ public record OpenedFile(StudioFolders folders, String place) {
             MonitorLogReader.convert(log, recording);
         } catch (IOException unreadable) {
             throw new CalledWronglyException("The studio cannot open it: " + unreadable.getMessage()
-                    + " It opens recordings (.rec), logs of SimSpark servers and motions (.txt).");
+                    + " It opens recordings (.rec), logs of SimSpark servers, motions (.txt) and programs (.java).");
         }
         return recording;
     }

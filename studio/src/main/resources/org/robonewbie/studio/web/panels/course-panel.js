@@ -60,10 +60,13 @@ export class CoursePanel {
     );
     ghost.box.checked = true;
     this.#parts = parts(this.#help.element, ghost.label);
-    const { back, write, start, stop, list, detail } = this.#parts;
+    const { back, here, write, start, stop, list, detail } = this.#parts;
     const head = element('div', { class: 'course-head' }, element('h2', {}, 'Exercises'), this.#language);
     byId('course').append(head, this.#standings.element, list, detail);
     back.addEventListener('click', () => this.#choose(undefined));
+    here.addEventListener('click', () => {
+      location.hash = `#program/${this.#chosen?.name ?? ''}`;
+    });
     write.addEventListener('click', () => this.#attemptTo(() => this.#write()));
     start.addEventListener('click', () => this.#attemptTo(() => this.#start()));
     stop.addEventListener('click', () => this.#attemptTo(() => this.#stop()));
@@ -229,12 +232,13 @@ export class CoursePanel {
 /** The parts of the panel. */
 function parts(/** @type {HTMLElement} */ help, /** @type {HTMLElement} */ ghost) {
   const made = { ...words(), ...controls(), ...verdicts() };
-  const { program, trials, start, stop, write } = made;
+  const { program, trials, start, stop, write, here } = made;
   made.output.append(made.printed);
   const detail = element(
     'div',
     { class: 'lesson' },
     ...[made.back, made.title, made.line, made.goal, element('p', {}, made.worksheet)],
+    element('div', { class: 'scene-line' }, here),
     element('div', { class: 'scene-line' }, program, trials),
     element('div', { class: 'scene-line' }, start, stop, write),
     ghost,
@@ -268,6 +272,11 @@ function controls() {
   return {
     program: element('select', { id: 'course-program', 'aria-label': 'Program that solves it' }),
     trials,
+    here: control(
+      'course-here',
+      'Opens the program to begin with, or yours, in the room Program',
+      'Program it beside the robot',
+    ),
     write: control('course-write', 'Writes the program to begin with into the working folder'),
     start: control('course-start', 'Tries the program on this pitch', 'Start'),
     stop: control('course-stop', 'Ends the attempt and shows the free pitch', 'Stop'),

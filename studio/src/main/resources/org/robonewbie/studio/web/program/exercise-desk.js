@@ -39,6 +39,11 @@ export class ExerciseDesk {
     return this.lessons.map(({ name, number, title }) => `${name}\t${number} ${title}`);
   }
 
+  /** @param {string} name @returns {boolean} whether there is an exercise of this name */
+  has(name) {
+    return this.lessons.some((each) => each.name === name);
+  }
+
   async open() {
     this.lessons = await this.service.lessons();
   }

@@ -42,7 +42,7 @@ export class FileDesk {
     /** @type {OpenFile | undefined} */
     this.file = undefined;
     this.choice = choice({ id: 'program-file', 'aria-label': 'Program' }, [], (value) =>
-      room.attempt(() => this.#choose(value)),
+      room.attempt(() => this.choose(value)),
     );
     this.change = element('div', {});
     const make = button('New…', 'Makes another program', () => room.attempt(() => this.#make('')), {
@@ -174,8 +174,8 @@ export class FileDesk {
     this.room.runs.draw();
   }
 
-  /** @param {string} value */
-  async #choose(value) {
+  /** @param {string} value the kind of program and its path or name, with a space between */
+  async choose(value) {
     const [shelf, ...words] = value.split(' ');
     const path = words.join(' ');
     await this.#keepDraft();

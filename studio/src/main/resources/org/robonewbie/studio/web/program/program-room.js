@@ -1,6 +1,7 @@
 /** The room for programs: editor, compiler and the running program, beside the robot. */
 import { button, byId, element } from '../panels/elements.js';
 import { PANEL_TITLES } from '../state/layout.js';
+import { programAt } from '../state/program/documents.js';
 import { remarksText } from '../state/program/remarks.js';
 import { CodeEditor } from './code-editor.js';
 import { ExerciseDesk } from './exercise-desk.js';
@@ -58,13 +59,27 @@ class ProgramRoom {
     const list = await this.service.list();
     if (!list.open) {
       this.notes.replaceChildren(
-        note('Programs are written here when the studio is started by: ./robonewbie studio (or robonewbie.cmd studio)'),
+        note(
+          'This studio belongs to a robot that runs by itself. To write programs beside the robot, end it (Control-C) and start: ' +
+            './robonewbie studio MyAgent.java, with the name of your file, or none for a new program.',
+        ),
       );
       return;
     }
     await this.exercises.open();
     await this.files.open(list);
+    await this.#followAddress();
+    addEventListener('hashchange', () => this.attempt(() => this.#followAddress()));
     await this.runs.look();
+  }
+
+  /** Opens what the address names: an exercise, or one of the person's own files. */
+  async #followAddress() {
+    const wanted = programAt(location.hash);
+    if (wanted !== '') {
+      history.replaceState(undefined, '', '#program');
+      await this.files.choose(this.exercises.has(wanted) ? `exercise ${wanted}` : `own ${wanted}`);
+    }
   }
 
   /** What keys do here, outside of the editor. */

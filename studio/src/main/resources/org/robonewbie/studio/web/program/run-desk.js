@@ -55,6 +55,12 @@ export class RunDesk {
         id: 'program-restart',
       },
     );
+    this.stepButton = button(
+      '⏭ Step',
+      'One cycle of 20 ms, in which the program thinks once; then the world stands still until Play (Space) or Run',
+      () => room.surroundings.send({ do: 'step', cycles: 1 }),
+      { id: 'program-step' },
+    );
     this.world = choice(
       { id: 'program-world', 'aria-label': 'What happens to the world when a running program is saved' },
       [
@@ -65,7 +71,7 @@ export class RunDesk {
     );
     this.world.value = recall(KEY, 'keep');
     this.state = element('p', { id: 'program-state', role: 'status' });
-    room.bar.append(this.start, this.stopButton, this.again, this.world, this.state);
+    room.bar.append(this.start, this.stopButton, this.again, this.stepButton, this.world, this.state);
   }
 
   /** Saves the program and runs it. */
@@ -153,7 +159,7 @@ export class RunDesk {
     const { file } = this.room.files;
     const goesOn = isUnderWay(this.now);
     this.start.hidden = goesOn && this.now.program === file?.path;
-    this.stopButton.hidden = this.again.hidden = !goesOn;
+    this.stopButton.hidden = this.again.hidden = this.stepButton.hidden = !goesOn;
     const isTrouble = this.now.state === 'ENDED' && this.now.exitCode !== 0;
     this.#tell(runText(this.now), isTrouble ? 'trouble' : '');
   }

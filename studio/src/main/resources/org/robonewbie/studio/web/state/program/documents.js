@@ -46,6 +46,12 @@ export function lessonOf(path, lessons) {
   return lessons.find(({ file }) => file === fileName(path));
 }
 
+/** @param {string} hash end of the page's address @returns {string} the program that it names, or nothing */
+export function programAt(hash) {
+  const [, name = ''] = /^#program\/(.+)$/.exec(hash) ?? [];
+  return decodeURIComponent(name);
+}
+
 /** @param {string} name what a person has typed @returns {string} the name of a Java file */
 export function javaName(name) {
   return name.trim().endsWith('.java') ? name.trim() : `${name.trim()}.java`;

@@ -1,0 +1,48 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Measures how much the scripts of a page keep while 22 robots play for an hour and somebody goes from room to room, for
+ * {@code docs/performance.md}. It is not part of the usual tests, since it takes this hour: {@code -Dtest=HeapMeasurement}, with
+ * {@code -Dstudio.minutes=N} for another time.
+ */
+class HeapMeasurement {
+
+    private static final int SECONDS_IN_A_ROOM = 20;
+    private static final int MOST_BYTES = 80_000_000;
+    private static final List<String> ROOMS =
+            List.of("#field", "#robot", "#program", "#motion", "#replay", "#field/exercises");
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void bytesOfThePageAfterAnHour() throws IOException {
+        Tool.BROWSER.orSkip();
+        int seconds = 60 * Integer.getInteger("studio.minutes", 60);
+        StudioFolders folders = new StudioFolders(folder, Optional.empty());
+        try (SmallSimulation simulation = StudioSpeedMeasurement.match(22);
+                StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
+                Chromium browser = Chromium.open(1366, 768)) {
+            browser.visit(studio.address() + "&theme=light&quality=lowest");
+            browser.await("studio.state.scene?.robots.length === 22 && studio.view.drawCalls > 0");
+            System.out.printf(Locale.ROOT, "at the beginning: %.1f MB%n", browser.heapBytes() / 1e6);
+            for (int visit = 0; visit * SECONDS_IN_A_ROOM < seconds; visit++) {
+                browser.evaluate("location.hash = '" + ROOMS.get(visit % ROOMS.size()) + "'");
+                browser.rest(SECONDS_IN_A_ROOM);
+            }
+            long bytes = browser.heapBytes();
+            System.out.printf(Locale.ROOT, "after %d minutes: %.1f MB%n", seconds / 60, bytes / 1e6);
+            assertThat(bytes).isLessThan(MOST_BYTES);
+        }
+    }
+}
