@@ -12,6 +12,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /**
  * Drives an agent from outside, for tests, grading, learning and replay: perception in, commands out, without thread, clock or
@@ -27,7 +28,7 @@ public final class AgentDriver {
 
     private final Agent agent;
     private final SingleMessagePort port = new SingleMessagePort();
-    private final Session session;
+    private Session session;
 
     /**
      * Creates a driver.
@@ -71,10 +72,45 @@ public final class AgentDriver {
      * @throws StartUpException if the simulator refuses the robot
      */
     public void play(AgentLink link, Options options) throws IOException {
+        join(link, options);
+        goOn();
+    }
+
+    /**
+     * Enters a game over a connection, which is used up to the robot's first place. {@link #goOn} plays.
+     *
+     * @param link the robot's end of the connection
+     * @param options who the robot is and where it starts
+     * @throws IOException if the simulator closes the connection before the game
+     * @throws StartUpException if the simulator refuses the robot
+     */
+    public void join(AgentLink link, Options options) throws IOException {
         agent.begin(options);
         LinkPort wire = new LinkPort(link, agent.clockwork().senses().buffer());
         new StartDialogue(wire, agent.clockwork(), options).run(() -> {});
-        agent.run(new Session(agent.clockwork(), wire, options.seconds(), CycleWatch.NONE));
+        session = new Session(agent.clockwork(), wire, options.seconds(), CycleWatch.NONE);
+    }
+
+    /**
+     * Goes on with the game that was {@link #join joined}: answers message after message, until the connection has no more. One
+     * that does not wait for messages gives control back after each of them.
+     */
+    public void goOn() {
+        agent.run(session);
+    }
+
+    /**
+     * Lets others see what the robot thinks.
+     *
+     * @param viewer receives it from now on
+     */
+    public void publishTo(TelemetrySink viewer) {
+        agent.clockwork().telemetry().publishTo(viewer);
+    }
+
+    /** {@return who the agent is and where it starts unless the user says otherwise} */
+    public Options usualOptions() {
+        return agent.defaults();
     }
 
     /** {@return the numbers that the agent has declared so far, in their order} */

@@ -3,11 +3,9 @@ package org.robonewbie.studio;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Queue;
-import java.util.Set;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -16,7 +14,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.AgentMessages;
@@ -41,8 +38,6 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
 
     private static final int MOST_THOUGHTS = 20_000;
     private static final int MOST_MESSAGES = 500;
-    private static final int MOST_MISTAKES = 500;
-    private static final Set<String> SERIOUS = Set.of("WARNING", "ERROR");
     private static final long LATEST_LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
 
     private final SimulationControl simulation;
@@ -54,7 +49,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private final List<Spectator> spectators = new CopyOnWriteArrayList<>();
     private final BlockingQueue<TelemetryMessage> thoughts = new ArrayBlockingQueue<>(MOST_THOUGHTS);
     private final BlockingQueue<AgentMessages> messages = new ArrayBlockingQueue<>(MOST_MESSAGES);
-    private final Set<String> toldMistakes = new HashSet<>();
+    private final MistakeNews mistakes = new MistakeNews();
     private final TelemetryHistory memory = new TelemetryHistory();
     private final Consumer<TelemetryMessage> notes;
     private final Thread sender = new Thread(this::send, "studio-live-feed");
@@ -208,24 +203,14 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private void handOnThoughts() {
         List<TelemetryMessage> news = new ArrayList<>();
         thoughts.drainTo(news);
-        spectators.forEach(spectator -> spectator.remember(memory));
+        spectators.forEach(spectator -> spectator.thoughts().remember(memory));
         for (TelemetryMessage message : news) {
             memory.keep(message);
             notes.accept(message);
-            handOnMistake(message);
-            spectators.forEach(spectator -> spectator.hear(message));
+            mistakes.of(message).ifPresent(json -> spectators.forEach(spectator -> spectator.tell(json)));
+            spectators.forEach(spectator -> spectator.thoughts().hear(message));
         }
         handOnMessages();
-    }
-
-    /** What goes wrong in a program is told to all pages, whichever robot they watch; the same only once. */
-    private void handOnMistake(TelemetryMessage message) {
-        if (message.item() instanceof TelemetryItem.LogEntry line && SERIOUS.contains(line.level())) {
-            String json = LineUpWriter.mistake(message.team(), message.number(), line);
-            if (toldMistakes.size() < MOST_MISTAKES && toldMistakes.add(json)) {
-                spectators.forEach(spectator -> spectator.tell(json));
-            }
-        }
     }
 
     private void handOnMessages() {
@@ -233,7 +218,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         messages.drainTo(news);
         for (AgentMessages exchanged : news) {
             String robot = watchedRobots.getOrDefault(exchanged.robot(), "");
-            spectators.forEach(spectator -> spectator.hear(robot, exchanged));
+            spectators.forEach(spectator -> spectator.thoughts().hear(robot, exchanged));
         }
     }
 
@@ -241,7 +226,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         Map<Integer, String> watched = new HashMap<>();
         for (RobotSnapshot robot : snapshot.robots()) {
             String key = TelemetryHistory.key(robot.team(), robot.number());
-            if (spectators.stream().anyMatch(spectator -> spectator.watches(key))) {
+            if (spectators.stream().anyMatch(spectator -> spectator.thoughts().watches(key))) {
                 watched.put(robot.id(), key);
             }
         }

@@ -1,24 +1,17 @@
 package org.robonewbie.studio;
 
-import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.eclipse.jetty.websocket.api.Callback;
 import org.eclipse.jetty.websocket.api.Session;
 import org.eclipse.jetty.websocket.api.StatusCode;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.protocol.telemetry.TelemetryItem;
-import org.robonewbie.protocol.telemetry.TelemetryLine;
-import org.robonewbie.protocol.telemetry.TelemetryMessage;
-import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.studio.roboviz.RoboVizBoard;
 
 /**
@@ -30,19 +23,12 @@ import org.robonewbie.studio.roboviz.RoboVizBoard;
  */
 public final class Spectator extends Session.Listener.AbstractAutoDemanding {
 
-    private static final int MOST_LINES = 2000;
-    private static final int MOST_MESSAGES = 200;
     private static final int MOST_NEWS = 100;
     private static final long REPEAT_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final LiveFeed feed;
-    private final Deque<String> heard = new ArrayDeque<>();
-    private final Map<String, TelemetryMessage> pictures = new LinkedHashMap<>();
-    private final Deque<AgentMessages> talk = new ArrayDeque<>();
+    private final Thoughts thoughts = new Thoughts();
     private final Deque<String> news = new ArrayDeque<>();
-    private volatile String watched = "";
-    private volatile boolean begins;
-    private long toldCycle = -1;
     private Optional<Deeds.Names> toldDeeds = Optional.empty();
     private int toldBoard;
     private volatile boolean ready;
@@ -68,8 +54,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
             if (command instanceof StudioRequest.Seen) {
                 ready = true;
             } else if (command instanceof StudioRequest.Watch watch) {
-                watched = TelemetryHistory.key(watch.team(), watch.number());
-                begins = true;
+                thoughts.watch(TelemetryHistory.key(watch.team(), watch.number()));
             } else {
                 command.applyTo(feed);
             }
@@ -85,46 +70,9 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         getSession().sendText(json.toString(), Callback.NOOP);
     }
 
-    boolean watches(String robot) {
-        return watched.equals(robot);
-    }
-
-    /** Takes the telemetry from before the page began to watch. Called by the feed's thread only. */
-    void remember(TelemetryHistory memory) {
-        if (begins) {
-            begins = false;
-            heard.clear();
-            talk.clear();
-            toldCycle = -1;
-            memory.of(watched).forEach(this::hear);
-        }
-    }
-
-    /**
-     * Keeps all that the watched robot tells, and the newest picture that each other robot draws, until the page is ready for
-     * it. Called by the feed's thread only.
-     */
-    void hear(TelemetryMessage message) {
-        String robot = TelemetryHistory.key(message.team(), message.number());
-        if (watches(robot)) {
-            heard.add(TelemetryLine.write(message));
-            if (heard.size() > MOST_LINES) {
-                heard.remove();
-            }
-        } else if (message.item() instanceof TelemetryItem.Picture) {
-            pictures.put(robot, message);
-        }
-    }
-
-    /** Keeps what the watched robot's agent says and hears. Called by the feed's thread only. */
-    void hear(String robot, AgentMessages messages) {
-        if (watches(robot) && messages.cycle() != toldCycle) {
-            toldCycle = messages.cycle();
-            talk.add(messages);
-            if (talk.size() > MOST_MESSAGES) {
-                talk.remove();
-            }
-        }
+    /** What the page hears of robots. Called by the feed's thread only, but for {@link Thoughts#watch}. */
+    Thoughts thoughts() {
+        return thoughts;
     }
 
     /** Keeps what has happened in the game until the page is ready for it. Called by the feed's thread only. */
@@ -152,31 +100,6 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         }
     }
 
-    private String thoughts() {
-        JsonArray lines = new JsonArray();
-        heard.forEach(lines::add);
-        heard.clear();
-        JsonArray drawings = new JsonArray();
-        pictures.values().forEach(picture -> drawings.add(TelemetryLine.write(picture)));
-        pictures.clear();
-        JsonArray exchanged = new JsonArray();
-        for (AgentMessages messages : talk) {
-            JsonArray one = new JsonArray();
-            one.add(messages.cycle());
-            one.add(messages.perceptors());
-            one.add(messages.effectors());
-            exchanged.add(one);
-        }
-        talk.clear();
-        JsonObject json = new JsonObject();
-        json.addProperty("kind", "telemetry");
-        json.addProperty("robot", watched);
-        json.add("lines", lines);
-        json.add("drawings", drawings);
-        json.add("messages", exchanged);
-        return json.toString();
-    }
-
     /**
      * Sends a frame, and before it the scene if the page does not have it yet; does nothing while the page is busy. Called
      * by the feed's thread only.
@@ -197,9 +120,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         }
         texts.addAll(news);
         news.clear();
-        if (!heard.isEmpty() || !talk.isEmpty() || !pictures.isEmpty()) {
-            texts.add(thoughts());
-        }
+        thoughts.take().ifPresent(texts::add);
         send(session, texts, frame);
     }
 

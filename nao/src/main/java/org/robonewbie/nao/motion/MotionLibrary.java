@@ -1,7 +1,6 @@
 package org.robonewbie.nao.motion;
 
 import java.io.IOException;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -63,11 +62,11 @@ public final class MotionLibrary {
         return shippedFiles.containsValue(file);
     }
 
-    /** {@return the names of all motions in alphabetical order} */
+    /** {@return the names of all motions in alphabetical order; a set of the caller's own} */
     public SortedSet<String> names() {
         SortedSet<String> names = new TreeSet<>(own.names());
         names.addAll(shipped.names());
-        return Collections.unmodifiableSortedSet(names);
+        return names;
     }
 
     private Optional<MotionFile> findAsItIs(String name) throws IOException {

@@ -11,6 +11,7 @@ import org.robonewbie.protocol.effector.EffectorCommand.Beam;
 import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
 import org.robonewbie.protocol.perceptor.Vision;
+import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.recording.Participant;
 import org.robonewbie.simulator.sensing.Camera;
 import org.robonewbie.simulator.sensing.CameraSettings;
@@ -206,6 +207,15 @@ public final class ConnectedAgent {
     public String toString() {
         return player.map(Player::toString).orElse("an agent without team") + " ("
                 + connection.link().address() + ")";
+    }
+
+    /** {@return what the robot and the agent have said to each other in a cycle, the last one} */
+    AgentMessages messages(long cycle) {
+        return new AgentMessages(
+                id(),
+                cycle,
+                connection.newestMessage().toString(),
+                connection.executedMessage().toString());
     }
 
     /** {@return the agent as one of those that are recorded; empty without robot} */

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Consumer;
+import java.util.function.IntPredicate;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
@@ -15,6 +16,7 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
+import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.recording.Participant;
@@ -130,6 +132,19 @@ public final class SimulationCycle implements Restorable {
                 "limit",
                 "had to close the connection " + link.address() + ", since " + limit
                         + " agents are connected already.");
+    }
+
+    /**
+     * Lists what robots and their agents have said to each other in the last cycle.
+     *
+     * @param robots whose messages are wanted, by the numbers of their connections
+     * @return the messages of those that have a robot
+     */
+    public List<AgentMessages> messages(IntPredicate robots) {
+        return agents.stream()
+                .filter(agent -> agent.robot().isPresent() && robots.test(agent.id()))
+                .map(agent -> agent.messages(cycle))
+                .toList();
     }
 
     /** Resets ball, things, robots and score to the start of the game. */

@@ -54,6 +54,11 @@ final class SteppedLink implements AgentLink {
     }
 
     @Override
+    public boolean isMessageWaiting() {
+        return !toAgent.isEmpty();
+    }
+
+    @Override
     public void offerState(Restorable agent) {
         agentState = Optional.of(agent);
     }

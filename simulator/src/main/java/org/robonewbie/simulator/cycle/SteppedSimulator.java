@@ -1,14 +1,20 @@
 package org.robonewbie.simulator.cycle;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.IntPredicate;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.recording.RunReport;
 import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -30,11 +36,13 @@ public final class SteppedSimulator implements AutoCloseable {
 
     private final WorldSettings settings;
     private final SimulationCycle cycle;
+    private final TrainerOrders trainer;
     private double lastCycle = Double.POSITIVE_INFINITY;
 
     private SteppedSimulator(WorldSettings settings, SimulationCycle cycle) {
         this.settings = settings;
         this.cycle = cycle;
+        this.trainer = new TrainerOrders(cycle, () -> {}, cycle::closeConnections);
     }
 
     /**
@@ -140,6 +148,34 @@ public final class SteppedSimulator implements AutoCloseable {
      */
     public WorldSnapshot snapshot(boolean paused, double speed) {
         return cycle.snapshot(paused, speed, speed);
+    }
+
+    /**
+     * Lists what robots and their agents have said to each other in the last cycle.
+     *
+     * @param robots whose messages are wanted, by the numbers of their connections
+     * @return the messages of those that have a robot
+     */
+    public List<AgentMessages> messages(IntPredicate robots) {
+        return cycle.messages(robots);
+    }
+
+    /**
+     * Carries out an order before the next cycle.
+     *
+     * @param order the order; orders to the clock are those of its owner
+     */
+    public void order(Order order) {
+        trainer.carryOut(order);
+    }
+
+    /**
+     * Reports what happens in the game.
+     *
+     * @param reporter called within {@link #cycle}
+     */
+    public void reportEventsTo(Consumer<MatchEvent> reporter) {
+        cycle.reportEventsTo(reporter);
     }
 
     /** {@return the true results so far, without the time that they took} */

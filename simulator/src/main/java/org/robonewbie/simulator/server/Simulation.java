@@ -17,12 +17,10 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.order.Order;
-import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.simulator.cycle.ConnectedAgent;
 import org.robonewbie.simulator.cycle.SimulationCycle;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.file.ReportFile;
@@ -282,18 +280,8 @@ final class Simulation implements SimulationControl, Runnable {
         if (!interested.isEmpty()) {
             WorldSnapshot snapshot = cycle.snapshot(paused, pacemaker.speed(), pacemaker.realTimeFactor());
             for (SimulationObserver observer : interested) {
-                tellMessages(observer);
+                cycle.messages(observer::wantsMessagesOf).forEach(observer::messagesExchanged);
                 observer.cycleEnded(snapshot);
-            }
-        }
-    }
-
-    private void tellMessages(SimulationObserver observer) {
-        for (ConnectedAgent agent : cycle.agents()) {
-            if (agent.robot().isPresent() && observer.wantsMessagesOf(agent.id())) {
-                String perceptors = agent.connection().newestMessage().toString();
-                String effectors = agent.connection().executedMessage().toString();
-                observer.messagesExchanged(new AgentMessages(agent.id(), cycle.cycle(), perceptors, effectors));
             }
         }
     }

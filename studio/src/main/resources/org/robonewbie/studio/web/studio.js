@@ -1,6 +1,6 @@
 /** The studio: brings connection, picture, rooms and panels together. */
 import { FieldRoom } from './field/field-room.js';
-import { Connection } from './live/connection.js';
+import { overSocket } from './live/connection.js';
 import { Session } from './live/session.js';
 import { Commentary } from './panels/commentary.js';
 import { CoursePanel } from './panels/course-panel.js';
@@ -37,8 +37,11 @@ export class Studio {
   #draws = [];
   #panels = paced((now) => this.#drawPanels(now), PANEL_MILLISECONDS);
 
-  /** @param {URLSearchParams} options of the page's address */
-  constructor(options) {
+  /**
+   * @param {URLSearchParams} options of the page's address
+   * @param {(listener: import('./live/connection.js').Listener, token: string) => import('./live/connection.js').Line} [connect]
+   */
+  constructor(options, connect = overSocket) {
     this.options = options;
     this.token = options.get('token') ?? '';
     this.note = notes();
@@ -57,8 +60,7 @@ export class Studio {
       isSteered: () => ['field', 'robot', 'program'].includes(this.room()) && this.session.shown.tense === 'live',
       send: this.send,
     });
-    const address = `ws://${location.host}/live?token=${encodeURIComponent(this.token)}`;
-    this.connection = new Connection(address, this.session);
+    this.connection = connect(this.session, this.token);
     this.time = timeActions(() => this.state, this.send);
     this.rooms = this.#makeRooms();
     this.drawTimeLine = timeLinePanel(this.cursor, this.touch);

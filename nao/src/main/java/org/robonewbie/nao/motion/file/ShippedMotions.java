@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -54,7 +55,7 @@ public final class ShippedMotions implements MotionSource {
     @Override
     public SortedSet<String> names() {
         String index = new String(resource("index").orElseThrow(), StandardCharsets.UTF_8);
-        return new TreeSet<>(index.lines().toList());
+        return new TreeSet<>(List.of(index.split("\\s+")));
     }
 
     private static Optional<byte[]> resource(String file) {

@@ -12,6 +12,24 @@ const MOST_SILENT_LOOKS = 10;
  * @property {(bytes: ArrayBuffer) => void} frameArrived a state frame has come
  */
 
+/**
+ * @typedef {object} Line to a world, wherever it runs
+ * @property {() => void} open
+ * @property {(command: object) => void} send
+ * @property {() => void} checkSilence
+ */
+
+/**
+ * The line to the simulator that has served this page.
+ *
+ * @param {Listener} listener
+ * @param {string} token
+ * @returns {Line}
+ */
+export function overSocket(listener, token) {
+  return new Connection(`ws://${location.host}/live?token=${encodeURIComponent(token)}`, listener);
+}
+
 export class Connection {
   /**
    * @param {string} address of the live feed, with the token

@@ -1,0 +1,56 @@
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * Turns a folder with the studio's files and those of the web edition into a page: adds its style sheet and writes the list of files
+ * that the service worker keeps.
+ *
+ * <p>Usage: {@code java FinishPage.java FOLDER}
+ */
+final class FinishPage {
+
+    private static final String LIST = "files.json";
+    private static final String SERVICE_WORKER = "service-worker.js";
+    private static final String STYLE = "    <link rel=\"stylesheet\" href=\"page/page.css\" />\n  </head>";
+    private static final int VERSION_DIGITS = 16;
+
+    private FinishPage() {}
+
+    public static void main(String[] args) throws IOException, NoSuchAlgorithmException {
+        Path folder = Path.of(args[0]);
+        Path index = folder.resolve("index.html");
+        Files.writeString(index, Files.readString(index).replace("  </head>", STYLE));
+        List<Path> files = files(folder);
+        MessageDigest digest = MessageDigest.getInstance("SHA-256");
+        for (Path file : files) {
+            digest.update(name(folder, file).getBytes(StandardCharsets.UTF_8));
+            digest.update(Files.readAllBytes(file));
+        }
+        String version = HexFormat.of().formatHex(digest.digest()).substring(0, VERSION_DIGITS);
+        String names = files.stream().map(file -> "\"" + name(folder, file) + "\"").collect(Collectors.joining(",\n    "));
+        Files.writeString(
+                folder.resolve(LIST),
+                "{\n  \"version\": \"robonewbie-" + version + "\",\n  \"files\": [\n    " + names + "\n  ]\n}\n");
+    }
+
+    private static List<Path> files(Path folder) throws IOException {
+        try (Stream<Path> all = Files.walk(folder)) {
+            return all.filter(Files::isRegularFile)
+                    .filter(file -> !List.of(LIST, SERVICE_WORKER).contains(name(folder, file)))
+                    .sorted()
+                    .toList();
+        }
+    }
+
+    private static String name(Path folder, Path file) {
+        return folder.relativize(file).toString().replace('\\', '/');
+    }
+}

@@ -1,0 +1,81 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.examples.Agent_BetterSoccer;
+import org.robonewbie.examples.Agent_SimpleSoccer;
+import org.robonewbie.examples.Agent_SimpleWalkToBall;
+
+/** The page and the JVM compute the same run to the last bit. */
+@InBrowser
+@Timeout(300)
+class SameRunInThePageTest {
+
+    private static final Path PAGE = Path.of("target", "web");
+    private static final int SECONDS = 60;
+
+    @TempDir
+    private Path folder;
+
+    private final Chromium browser;
+    private StaticServer server;
+
+    SameRunInThePageTest(Chromium browser) {
+        this.browser = browser;
+    }
+
+    @BeforeEach
+    void serve() throws IOException {
+        server = new StaticServer(PAGE.toAbsolutePath());
+    }
+
+    @AfterEach
+    void end() {
+        server.close();
+    }
+
+    static Stream<Agent> agents() {
+        return Stream.of(new Agent_BetterSoccer(), new Agent_SimpleSoccer(), new Agent_SimpleWalkToBall());
+    }
+
+    @ParameterizedTest
+    @MethodSource("agents")
+    void aMinuteHasTheSameRecordingInThePageAndOnTheJvm(Agent agent) throws IOException {
+        String here = recordingOnTheJvm(agent);
+
+        browser.visit(server.address() + "webassembly-loader.js");
+        String there = browser.evaluate("new Promise((answer) => {"
+                        + " const worker = new Worker('world-worker.js', { type: 'module' });"
+                        + " worker.onmessage = ({ data }) => answer(data.result ?? data.failure);"
+                        + " worker.onerror = (event) => answer(event.message);"
+                        + " worker.postMessage({ call: 'recordingSha256', with: ['"
+                        + agent.getClass().getSimpleName() + "', 1, " + SECONDS
+                        + "] });"
+                        + "})")
+                .getAsString();
+
+        assertThat(there).isEqualTo(here);
+    }
+
+    /** Runs the agent as the command line does. */
+    private String recordingOnTheJvm(Agent agent) throws IOException {
+        Path report = folder.resolve("report.json");
+        agent.run("--headless", "--fast", "--seed", "1", "--seconds", "" + SECONDS, "--report", report.toString());
+        return JsonParser.parseString(Files.readString(report))
+                .getAsJsonObject()
+                .get("recordingSha256")
+                .getAsString();
+    }
+}
