@@ -83,6 +83,38 @@ test('what is written again shows the same, without commands', { skip }, () => {
   assert.deepEqual(after.header, before.header);
 });
 
+test('things that stand on the pitch are read where they are, and written again', () => {
+  const game = { playMode: 'PlayOn', half: 1, scoreLeft: 0, scoreRight: 0, left: '', right: '' };
+  const at = (/** @type {number} */ x) => Int32Array.of(x, -20, 2000, 20_000, 0, 0, 0);
+  const thing = { name: 'box', size: /** @type {[number, number, number]} */ ([0.4, 1.6, 0.4]), movable: true };
+  const moments = [-32_000, -32_000, -31_000].map((x, cycle) => ({
+    cycle,
+    gameTime: 0,
+    game,
+    robots: [],
+    speeds: new CommandedSpeeds(),
+    things: [{ thing, grams: 4000, pose: at(x) }],
+    numbers: new Int32Array(7),
+  }));
+  moments[1].things = moments[0].things;
+  const writer = new RecordingWriter({}, () => 22);
+  moments.forEach((moment) => writer.write(moment, []));
+  const moved = Uint8Array.of(9, 9, 0, 0x80, 0x7d, 0, 0, 0, 0, 0, 0);
+
+  const reader = readAll(writer.bytes);
+
+  assert.deepEqual(
+    reader.moments.map(({ things }) => things?.[0].pose[0]),
+    [-32_000, -32_000, -31_000],
+  );
+  assert.equal(reader.moments[0].things, reader.moments[1].things);
+  const scene = sceneOf(reader.moments[2], {}, {}, 1);
+  assert.deepEqual(scene.things, [thing]);
+  isNear(frameOf(reader.moments[2], scene).things?.[0] ?? [], [-3.1, -0.002, 0.2, 1, 0, 0, 0], 1e-6);
+  reader.push(moved);
+  assert.equal(reader.things[0].pose[0], 8000);
+});
+
 test('a recording that was thinned out plays as long as before', { skip }, () => {
   const before = readAll(gunzipSync(read('run.rec')));
   const writer = new RecordingWriter(before.header, () => 22);

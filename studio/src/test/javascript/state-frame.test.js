@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
 import { readFrame } from '../../main/resources/org/robonewbie/studio/web/live/state-frame.js';
+import { isNear } from './sample-world.js';
 import { computeLinkPoses } from '../../main/resources/org/robonewbie/studio/web/state/kinematics.js';
 
 const folder = process.env.STUDIO_FRAME_FOLDER;
@@ -46,6 +47,20 @@ test('time, score and play mode arrive', { skip: !folder && 'run by Maven' }, ()
   assert.equal(scene.playModes[frame?.playMode ?? -1], truth.playMode);
   assert.equal(frame?.scoreRight, truth.scoreRight);
   assert.equal(frame?.speed, Infinity);
+});
+
+test('what else stands on the pitch arrives with its size and pose', { skip: !folder && 'run by Maven' }, () => {
+  const { scene, bytes, truth } = written();
+
+  const frame = readFrame(bytes, scene);
+
+  assert.deepEqual(
+    scene.things.map((/** @type {{name: string}} */ { name }) => name),
+    ['slope', 'top', 'step', 'step'],
+  );
+  assert.ok(Math.abs(scene.things[1].size[0] - 0.7) < 1e-9);
+  frame?.things?.forEach((pose, i) => assert.ok(isNear(pose, truth.thingPoses[i], 1e-4)));
+  assert.equal(frame?.things?.length, 4);
 });
 
 test('a frame of another scene is left out', { skip: !folder && 'run by Maven' }, () => {

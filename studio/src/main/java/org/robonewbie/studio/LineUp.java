@@ -5,11 +5,13 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.landscape.Thing;
 
 /**
  * What of the world seldom changes: the pitch, the teams and who plays. Pages get it once and again after each change.
@@ -22,6 +24,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  * @param teamLeft name of the left team, empty before it joined
  * @param teamRight name of the right team, empty before it joined
  * @param robots the robots in the order of the state frames
+ * @param things what else stands on the pitch, in the order of the state frames
  */
 record LineUp(
         SoccerField field,
@@ -31,7 +34,8 @@ record LineUp(
         Optional<TrialLabel> trial,
         String teamLeft,
         String teamRight,
-        List<Player> robots) {
+        List<Player> robots,
+        List<Standing> things) {
 
     /**
      * One robot without its state.
@@ -50,6 +54,20 @@ record LineUp(
         }
     }
 
+    /**
+     * Something that stands on the pitch, without its place.
+     *
+     * @param name what it is
+     * @param size its edges, metres
+     * @param movable whether it can be pushed
+     */
+    record Standing(String name, Vector3 size, boolean movable) {
+
+        static Standing of(Thing thing) {
+            return new Standing(thing.name(), thing.size(), thing.isMovable());
+        }
+    }
+
     static LineUp of(SimulationControl simulation, PuppetDesk desk, WorldSnapshot snapshot) {
         return new LineUp(
                 simulation.field(),
@@ -61,6 +79,7 @@ record LineUp(
                 snapshot.teamRight(),
                 snapshot.robots().stream()
                         .map(robot -> Player.of(robot, desk.isPuppet(robot)))
-                        .toList());
+                        .toList(),
+                snapshot.things().stream().map(Standing::of).toList());
     }
 }

@@ -50,6 +50,9 @@ final class LineUpWriter {
             }
         }
         json.add("robots", robots);
+        JsonArray things = new JsonArray();
+        scene.things().forEach(thing -> things.add(thing(thing)));
+        json.add("things", things);
         json.add("models", models);
         JsonArray playModes = new JsonArray();
         Arrays.stream(PlayMode.values()).map(PlayMode::simSparkName).forEach(playModes::add);
@@ -88,6 +91,14 @@ final class LineUpWriter {
         json.addProperty("number", player.number());
         json.addProperty("type", player.type().name());
         json.addProperty("puppet", player.puppet());
+        return json;
+    }
+
+    private static JsonObject thing(LineUp.Standing thing) {
+        JsonObject json = new JsonObject();
+        json.addProperty("name", thing.name());
+        json.add("size", vector(thing.size()));
+        json.addProperty("movable", thing.movable());
         return json;
     }
 

@@ -21,6 +21,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  *          u8 play mode, u8 score left, u8 score right, u8 half
  * ball     3 × f32 position, 4 × i16 rotation w, x, y, z (1 = 32767)
  * robots   each 3 × f32 torso position, 4 × i16 torso rotation, then i16 per hinge in 1/100 degree
+ * things   each 3 × f32 position, 4 × i16 rotation
  * </pre>
  */
 final class StateFrame {
@@ -56,11 +57,12 @@ final class StateFrame {
         putPosition(buffer, snapshot.ballPosition());
         putRotation(buffer, snapshot.ballRotation());
         snapshot.robots().forEach(robot -> putRobot(buffer, robot));
+        snapshot.things().forEach(thing -> putPose(buffer, thing.pose()));
         return buffer.flip().asReadOnlyBuffer();
     }
 
     private static int size(WorldSnapshot snapshot) {
-        int size = HEADER_BYTES + POSE_BYTES;
+        int size = HEADER_BYTES + POSE_BYTES * (1 + snapshot.things().size());
         for (RobotSnapshot robot : snapshot.robots()) {
             size += POSE_BYTES + Short.BYTES * robot.body().hingeDegrees().length;
         }
@@ -68,12 +70,15 @@ final class StateFrame {
     }
 
     private static void putRobot(ByteBuffer buffer, RobotSnapshot robot) {
-        Pose torso = SimSparkFrame.linkFromBody(robot.body().torso());
-        putPosition(buffer, torso.position());
-        putRotation(buffer, torso.rotation());
+        putPose(buffer, SimSparkFrame.linkFromBody(robot.body().torso()));
         for (double degrees : robot.body().hingeDegrees()) {
             buffer.putShort(clamped((float) degrees * STEPS_PER_DEGREE));
         }
+    }
+
+    private static void putPose(ByteBuffer buffer, Pose pose) {
+        putPosition(buffer, pose.position());
+        putRotation(buffer, pose.rotation());
     }
 
     private static void putPosition(ByteBuffer buffer, Vector3 position) {

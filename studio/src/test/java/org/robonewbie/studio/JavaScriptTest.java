@@ -32,6 +32,7 @@ import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.file.RecordingFile;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.recording.RecordedCycle;
 import org.robonewbie.simulator.recording.RecordingReader;
 
@@ -119,7 +120,7 @@ class JavaScriptTest {
                     world.ballPosition(),
                     world.ballRotation(),
                     world.robots(),
-                    world.things(),
+                    Landscape.SLOPE.things(),
                     true,
                     SimulationControl.AS_FAST_AS_POSSIBLE,
                     3.5);
@@ -135,6 +136,12 @@ class JavaScriptTest {
                     "gameTime", snapshot.gameTime(),
                     "playMode", snapshot.playMode().simSparkName(),
                     "scoreRight", snapshot.scoreRight(),
+                    "thingPoses",
+                            snapshot.things().stream()
+                                    .map(thing -> numbers(
+                                                    thing.centre(), thing.pose().rotation())
+                                            .toList())
+                                    .toList(),
                     "linkPoses",
                             snapshot.robots().stream()
                                     .map(robot -> robot.body().limbs().links().stream()
@@ -147,8 +154,10 @@ class JavaScriptTest {
 
     /** A link's position and quaternion with SimSpark's axes, as the page has them. */
     private static Stream<Double> numbers(Pose link) {
-        Vector3 place = link.position();
-        Rotation turn = SimSparkFrame.linkFromBody(link).rotation();
+        return numbers(link.position(), SimSparkFrame.linkFromBody(link).rotation());
+    }
+
+    private static Stream<Double> numbers(Vector3 place, Rotation turn) {
         return Stream.of(place.x(), place.y(), place.z(), turn.w(), turn.x(), turn.y(), turn.z());
     }
 

@@ -10,6 +10,7 @@ import { pitch } from './pitch.js';
 import { Ring } from './ring.js';
 import { RobotCrowd } from './robot-crowd.js';
 import { SoftShadows } from './soft-shadows.js';
+import { Things } from './things.js';
 
 /**
  * @typedef {import('../live/state-frame.js').Scene} Scene
@@ -41,12 +42,13 @@ export class FieldView {
     this.crowd = new RobotCrowd();
     this.softShadows = new SoftShadows();
     this.drawings = new FieldDrawings();
+    this.things = new Things();
     this.ball = ball();
     this.ball.visible = false;
     this.trail = new BallTrail();
     this.ring = new Ring();
     this.names = new NameTags(stage);
-    this.scene.add(this.crowd.group, this.softShadows.group, this.drawings.group, this.ball);
+    this.scene.add(this.crowd.group, this.softShadows.group, this.drawings.group, this.things.group, this.ball);
     this.board = new Board();
     this.scene.add(this.trail.dots, this.ring.group, this.board.group);
     this.palette = PALETTES.light;
@@ -112,6 +114,7 @@ export class FieldView {
       sheet.visible = real;
     }
     this.crowd.setShadows(real);
+    this.things.setShadows(real);
     this.scene.traverse((thing) => {
       const material = /** @type {THREE.Mesh} */ (thing).material;
       if (material instanceof THREE.Material) {
@@ -138,6 +141,8 @@ export class FieldView {
     this.crowd.setScene(content);
     this.softShadows.setScene(content);
     this.names.setScene(content);
+    this.things.setThings(content.things ?? []);
+    this.things.setShadows(this.realShadows);
     this.ball.visible = false;
   }
 
@@ -212,6 +217,7 @@ export class FieldView {
   update(picture) {
     this.crowd.update(picture.robots, this.camera.position);
     this.softShadows.update(this.crowd.poses, picture.ball);
+    this.things.update(picture.things ?? []);
     const [x, y, z, rw, rx, ry, rz] = picture.ball;
     this.ball.position.set(x, y, z);
     this.ball.quaternion.set(rx, ry, rz, rw);

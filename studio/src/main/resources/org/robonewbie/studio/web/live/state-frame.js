@@ -18,6 +18,7 @@
  * @property {number} half
  * @property {Float32Array} ball pose, seven numbers
  * @property {RobotState[]} robots
+ * @property {Float32Array[]} [things] poses of what else stands on the pitch
  *
  * @typedef {import('../state/kinematics.js').RobotModel} RobotModel
  *
@@ -39,11 +40,17 @@
  * @property {number} penaltyWidth
  * @property {number} centreCircleRadius
  *
+ * @typedef {object} Thing
+ * @property {string} name
+ * @property {[number, number, number]} size metres
+ * @property {boolean} movable
+ *
  * @typedef {object} Scene
  * @property {number} revision
  * @property {Field} field
  * @property {{left: string, right: string}} teams
  * @property {Player[]} robots
+ * @property {Thing[]} [things] what else stands on the pitch
  * @property {Object<string, RobotModel>} models by robot type
  * @property {string[]} playModes
  * @property {number} [agentPort] where agents join, if they can
@@ -83,6 +90,7 @@ export function readFrame(bytes, scene) {
     at += POSE_BYTES + 2 * hinges;
     return robot;
   });
+  const things = (scene.things ?? []).map((_, i) => readPose(view, at + i * POSE_BYTES));
   return {
     paused: (view.getUint8(1) & 1) !== 0,
     sceneRevision: scene.revision,
@@ -96,6 +104,7 @@ export function readFrame(bytes, scene) {
     half: view.getUint8(23),
     ball: readPose(view, HEADER_BYTES),
     robots,
+    things,
   };
 }
 

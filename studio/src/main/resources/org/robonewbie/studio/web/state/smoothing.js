@@ -10,6 +10,7 @@
  * @typedef {object} Picture what is drawn now
  * @property {Float32Array} ball
  * @property {RobotState[]} robots
+ * @property {Float32Array[]} [things]
  */
 
 /** Something that moves further than this between two frames was put there and is not blended, in metres. */
@@ -75,6 +76,7 @@ export class Smoothing {
     return {
       ball: blendPose(from.ball, to.ball, part),
       robots: to.robots.map((robot, i) => blendRobot(from.robots[i], robot, part)),
+      things: to.things?.map((pose, i) => blendPose(from.things?.[i] ?? pose, pose, part)),
     };
   }
 }

@@ -17,6 +17,7 @@
  * @property {Game} game
  * @property {Player[]} robots
  * @property {CommandedSpeeds} speeds degrees per second by hinge, of each robot that was commanded
+ * @property {import('./recorded-things.js').RecordedThing[]} [things] what else stands on the pitch
  * @property {Int32Array} numbers ball's pose, then for each robot the torso's pose and the hinges' angles, in the file's steps
  *
  * @typedef {object} RecordedEvent
@@ -26,6 +27,7 @@
  */
 import { CYCLE_SECONDS } from '../cycle.js';
 import { CommandedSpeeds } from './commanded-speeds.js';
+import { readThings, withMoved } from './recorded-things.js';
 import { EndOfBytes, MAGIC, Source } from './recording-source.js';
 
 const VERSION = 1;
@@ -36,6 +38,8 @@ const COMMANDS = 4;
 const EVENT = 5;
 const CYCLE = 6;
 const STATE = 7;
+const THINGS = 8;
+const MOVED_THING = 9;
 const POSE_NUMBERS = 7;
 const MOST_HINGES = 24;
 const DEGREES_PER_STEP = 180 / Math.PI / 10_000;
@@ -62,6 +66,8 @@ export class RecordingReader {
     this.game = { playMode: 'BeforeKickOff', half: 1, scoreLeft: 0, scoreRight: 0, left: '', right: '' };
     /** @type {Player[]} */
     this.robots = [];
+    /** @type {import('./recorded-things.js').RecordedThing[]} */
+    this.things = [];
     this.ticks = 0;
     this.ball = new Int32Array(POSE_NUMBERS);
     /** @type {Map<number, Int32Array>} */
@@ -138,6 +144,10 @@ export class RecordingReader {
       this.#cycle(content);
     } else if (kind === STATE) {
       this.#resume(content);
+    } else if (kind === THINGS) {
+      this.things = readThings(content);
+    } else if (kind === MOVED_THING) {
+      this.things = withMoved(this.things, content);
     }
   }
 
@@ -204,6 +214,7 @@ export class RecordingReader {
       game: this.game,
       robots: this.robots,
       speeds: this.speeds,
+      things: this.things,
       numbers,
     };
     this.#noteFalls(moment);

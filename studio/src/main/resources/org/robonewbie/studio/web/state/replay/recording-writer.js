@@ -5,6 +5,7 @@
  * @typedef {import('./recording-reader.js').Moment} Moment
  * @typedef {import('./recording-reader.js').RecordedEvent} RecordedEvent
  */
+import { measuresOf } from './recorded-things.js';
 import { MAGIC } from './recording-source.js';
 
 const VERSION = 1;
@@ -13,6 +14,7 @@ const GAME = 2;
 const ROBOTS = 3;
 const EVENT = 5;
 const CYCLE = 6;
+const THINGS = 8;
 const POSE_NUMBERS = 7;
 const CYCLES_PER_SECOND = 50;
 const SIDES = ['', 'left', 'right'];
@@ -50,6 +52,7 @@ export class RecordingWriter {
     if (robots !== this.#last?.robots) {
       this.#record(ROBOTS, () => this.#roster(robots));
     }
+    this.#standing(moment);
     this.#record(CYCLE, () => this.#cycle(moment));
     this.#last = moment;
   }
@@ -66,6 +69,21 @@ export class RecordingWriter {
       [id, Number(type.slice(-1)), SIDES.indexOf(side), number].forEach((each) => this.#unsigned(each));
       this.#text(team);
     }
+  }
+
+  /** Writes all things again when one has moved, since few do. @param {Moment} moment */
+  #standing({ things = [] }) {
+    if (things === this.#last?.things || (things.length === 0 && !this.#last?.things?.length)) {
+      return;
+    }
+    this.#record(THINGS, () => {
+      this.#unsigned(things.length);
+      for (const each of things) {
+        this.#text(each.thing.name);
+        measuresOf(each).forEach((number) => this.#unsigned(number));
+        each.pose.forEach((number) => this.#signed(number));
+      }
+    });
   }
 
   /** @param {Moment} moment */

@@ -105,6 +105,7 @@ export function sceneOf(moment, header, models, revision) {
     },
     teams: { left: moment.game.left, right: moment.game.right },
     robots: moment.robots,
+    things: (moment.things ?? []).map(({ thing }) => thing),
     models,
     playModes: [moment.game.playMode],
   };
@@ -143,6 +144,7 @@ export function frameOf(moment, scene) {
     half: game.half,
     ball: poseAt(numbers, 0),
     robots,
+    things: (moment.things ?? []).map(({ pose }) => poseAt(pose, 0)),
   };
 }
 
