@@ -24,6 +24,9 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.world.BallProperties;
+import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -34,7 +37,7 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
     private static final double STANDING_HEIGHT = 0.366;
     private static final double SPEED_PER_DEGREE = 0.12;
 
-    private final SoccerWorld world = new SoccerWorld(SoccerField.BEGINNER);
+    private final SoccerWorld world;
     private final List<Member> members = new CopyOnWriteArrayList<>();
     private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
     private final LinkedBlockingQueue<Runnable> orders = new LinkedBlockingQueue<>();
@@ -61,6 +64,12 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
             Map<Joint, Double> posture) {}
 
     SmallSimulation() {
+        this(Landscape.SOCCER);
+    }
+
+    SmallSimulation(Landscape landscape) {
+        world = new SoccerWorld(
+                SoccerField.BEGINNER, BallProperties.STANDARD, PhysicsEngine.STANDARD.newWorld(), landscape);
         latest = snapshot();
         clock.setDaemon(true);
     }
@@ -196,7 +205,7 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
                 world.ball().position(),
                 world.ball().rotation().toTurn(),
                 robots(),
-                List.of(),
+                world.things().now(),
                 paused,
                 speed,
                 paused ? 0 : speed);

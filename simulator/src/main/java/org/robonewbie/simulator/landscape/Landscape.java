@@ -34,7 +34,7 @@ public record Landscape(String name, String description, List<Thing> things) {
     private static final double HILL_WIDTH = 2;
     private static final double SLOPE_DEGREES = 5;
     private static final double SLOPE_LENGTH = 1.2;
-    private static final double SLOPE_THICKNESS = 0.05;
+    private static final double SLOPE_THICKNESS = 0.2;
     private static final double TOP_LENGTH = 0.7;
     private static final double STEP_LENGTH = 0.35;
     private static final int STEPS = 2;
