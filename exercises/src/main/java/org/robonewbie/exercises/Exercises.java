@@ -12,8 +12,11 @@ import org.robonewbie.exercises.task.FindTheBallTask;
 import org.robonewbie.exercises.task.GetUpTask;
 import org.robonewbie.exercises.task.GoToTheBallTask;
 import org.robonewbie.exercises.task.GoalkeeperTask;
+import org.robonewbie.exercises.task.HillTask;
 import org.robonewbie.exercises.task.KickTask;
+import org.robonewbie.exercises.task.ObstacleCourseTask;
 import org.robonewbie.exercises.task.PassingTask;
+import org.robonewbie.exercises.task.PushTogetherTask;
 import org.robonewbie.exercises.task.RaiseArmsTask;
 import org.robonewbie.exercises.task.RollingBallTask;
 import org.robonewbie.exercises.task.ScoreAGoalTask;
@@ -207,7 +210,34 @@ public final class Exercises {
                     45,
                     "Raise the arm on the side of a ball that only your team mate sees.",
                     24,
-                    TeamEyesTask::new));
+                    TeamEyesTask::new),
+            new Exercise(
+                    21,
+                    "obstacle-course",
+                    "ObstacleCourse",
+                    "Round the obstacles",
+                    60,
+                    "Walk through two gates to the ball and touch nothing.",
+                    75,
+                    ObstacleCourseTask::new),
+            new Exercise(
+                    22,
+                    "hill",
+                    "Hill",
+                    "Up the hill",
+                    60,
+                    "Walk up a slope and stand still on the top, before the steps.",
+                    45,
+                    HillTask::new),
+            new Exercise(
+                    23,
+                    "push-together",
+                    "PushTogether",
+                    "Push together",
+                    60,
+                    "Push a wide box over a line, two robots together, without turning it.",
+                    45,
+                    PushTogetherTask::new));
 
     private Exercises() {}
 
