@@ -177,7 +177,8 @@ public final class PageFeed implements TelemetrySink {
                 snapshot.teamRight(),
                 snapshot.robots().stream()
                         .map(robot -> LineUp.Player.of(robot, false))
-                        .toList());
+                        .toList(),
+                snapshot.things().stream().map(LineUp.Standing::of).toList());
         if (!current.equals(scene)) {
             scene = current;
             sceneRevision++;
