@@ -104,6 +104,8 @@ class LanguageTest {
                         + "|Kopf in 90 % der Zeit beim Ball, Arm von -31° bis 32°, einmal in 2.00 s",
                 "The program ended with java.lang.ArithmeticException: / by zero in Kick.java:12."
                         + "|Das Programm endete mit java.lang.ArithmeticException: / by zero in Kick.java:12.",
+                "The program ended the whole process (exit code 0). Does it call System.exit?"
+                        + "|Das Programm hat den ganzen Prozess beendet (Exit-Code 0). Ruft es System.exit auf?",
                 "nobody has written this|nobody has written this"
             })
     void findingIsTranslatedWithItsFigures(String english, String german) {

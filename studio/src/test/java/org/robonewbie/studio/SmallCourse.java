@@ -2,6 +2,7 @@ package org.robonewbie.studio;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicLong;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.studio.course.Attempt;
@@ -21,7 +22,7 @@ final class SmallCourse implements Course {
     private final List<String> hints = List.of("Look first.", "Then kick.");
     private volatile int open;
     private volatile String language = "en";
-    private volatile long begun;
+    private final AtomicLong begun = new AtomicLong();
     private volatile Attempt attempt = Attempt.NONE;
 
     SmallCourse(SimulationControl freePitch, SmallSimulation pitchOfTrial, ShownSimulation shown) {
@@ -83,16 +84,16 @@ final class SmallCourse implements Course {
 
     @Override
     public void begin(String exercise, String program, int trials) {
-        begun++;
-        pitchOfTrial.judging(new TrialLabel(exercise, begun, 1));
-        attempt = new Attempt(begun, State.RUNNING, exercise, program, 3110, trials, List.of(), 0, false, "");
+        long id = begun.incrementAndGet();
+        pitchOfTrial.judging(new TrialLabel(exercise, id, 1));
+        attempt = new Attempt(id, State.RUNNING, exercise, program, 3110, trials, List.of(), 0, false, "");
         shown.show(pitchOfTrial);
     }
 
     /** Ends the only trial. */
     void judge(Attempt.Judged trial, String output) {
         attempt = new Attempt(
-                begun,
+                attempt.id(),
                 State.OVER,
                 attempt.exercise(),
                 attempt.program(),

@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.TimeUnit;
@@ -188,6 +189,11 @@ public final class TeamProcess implements AutoCloseable {
         }
         log.await();
         return Optional.of(log.tellsLackOfMemory() ? Ending.TOO_MUCH_MEMORY : Ending.STOPPED);
+    }
+
+    /** {@return the exit code with which the program has ended by itself; empty while it runs, or if a limit ended it} */
+    public OptionalInt exitCode() {
+        return process.isAlive() || brokenLimit.isPresent() ? OptionalInt.empty() : OptionalInt.of(process.exitValue());
     }
 
     /** Ends the program with all that it has started, and deletes what it has written. */

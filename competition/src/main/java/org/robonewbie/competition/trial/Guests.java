@@ -11,6 +11,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Timer;
 import java.util.TimerTask;
+import java.util.stream.Collectors;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Entrant;
@@ -147,10 +148,14 @@ final class Guests implements AutoCloseable {
                 .orElse(Ending.STOPPED);
         boolean came = !processes().isEmpty() && processes().stream().allMatch(TeamProcess::hasJoined);
         Ending ending = !came && reason == Ending.STOPPED ? Ending.NOT_STARTED : reason;
+        String codes = processes().stream()
+                .flatMapToInt(process -> process.exitCode().stream())
+                .mapToObj(code -> " Its exit code is " + code + ".")
+                .collect(Collectors.joining());
         close();
         Files.writeString(
                 log(0),
-                "The trial is lost: " + ending.sentence() + ". " + absent.getMessage() + "\n",
+                "The trial is lost: " + ending.sentence() + ". " + absent.getMessage() + codes + "\n",
                 StandardOpenOption.CREATE,
                 StandardOpenOption.APPEND);
         return ending;

@@ -67,6 +67,7 @@ class ChallengePlayerTest {
             FallsAsleep | 60  | 0.5 | SILENT      | its program kept the world waiting and was taken out.
             HasNoRobot  | 0.5 | 60  | NOT_STARTED | onto the pitch. The program asked for no robot.
             Leaves      | 60  | 60  | STOPPED     | trial was over. The program has ended in the middle of the trial.
+            Crashes     | 60  | 60  | STOPPED     | trial was over. The program has ended in the middle of the trial. Its exit code is 1.
             """)
     void lostTrialTellsWhy(String program, double startSeconds, double silentSeconds, Ending ending, String reason)
             throws Exception {
