@@ -21,6 +21,7 @@ import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Role;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.programs.BringsTwo;
+import org.robonewbie.competition.programs.Crashes;
 import org.robonewbie.competition.team.Fence;
 import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamProgram;
@@ -35,9 +36,7 @@ class ChallengePlayerTest {
     private static final double SECONDS = 0.6;
     private static final Limits LIMITS = new Limits(256, 60, 60, 60, 600);
 
-    private final ChallengeContest contest = (ChallengeContest) Contests.scoring(Conditions.of(1), SECONDS);
-    private final ContestTrial trial =
-            contest.trials(List.of("Red"), id -> Optional.empty()).get(0);
+    private ChallengeContest contest = (ChallengeContest) Contests.scoring(Conditions.of(1), SECONDS);
 
     @TempDir
     Path folder = Path.of("");
@@ -67,7 +66,6 @@ class ChallengePlayerTest {
             FallsAsleep | 60  | 0.5 | SILENT      | its program kept the world waiting and was taken out.
             HasNoRobot  | 0.5 | 60  | NOT_STARTED | onto the pitch. The program asked for no robot.
             Leaves      | 60  | 60  | STOPPED     | trial was over. The program has ended in the middle of the trial.
-            Crashes     | 60  | 60  | STOPPED     | trial was over. The program has ended in the middle of the trial. Its exit code is 1.
             """)
     void lostTrialTellsWhy(String program, double startSeconds, double silentSeconds, Ending ending, String reason)
             throws Exception {
@@ -78,6 +76,16 @@ class ChallengePlayerTest {
 
         assertThat(result.of("Red").ending()).isEqualTo(ending);
         assertThat(log()).contains("The trial is lost: its program ").contains(reason);
+    }
+
+    @Test
+    void logNamesTheExitCodeOfAProgramThatHasEnded() throws IOException {
+        contest = (ChallengeContest) Contests.scoring(Conditions.of(1), 4);
+
+        TrialResult result = play(Crashes.class, LIMITS, folder.resolve("work"));
+
+        assertThat(result.of("Red").ending()).isEqualTo(Ending.STOPPED);
+        assertThat(log()).contains("in the middle of the trial. Its exit code is 1.");
     }
 
     @Test
@@ -93,6 +101,8 @@ class ChallengePlayerTest {
     private TrialResult play(Class<?> program, Limits limits, Path work) throws IOException {
         TeamProgram red = new TeamProgram.OfJava(
                 List.of(), Map.of(Role.MAIN, program.getName()), Optional.empty(), false, "none");
+        ContestTrial trial =
+                contest.trials(List.of("Red"), id -> Optional.empty()).get(0);
         TrialFiles files = new TrialFiles(Optional.of(recording), folder.resolve("logs"), work);
         return new ChallengePlayer(
                         contest.challenge(), Map.of("Red", red), limits, Fence.none("not wanted"), Spectators.NOBODY)

@@ -44,11 +44,11 @@ export class Ghosts {
     }
   }
 
-  /** @param {Scene} scene */
+  /** Ghosts have no numbers, through which one could not look. @param {Scene} scene */
   #setScene(scene) {
     if (scene !== this.#scene) {
       this.#scene = scene;
-      this.crowd.setScene(scene);
+      this.crowd.setScene({ ...scene, robots: scene.robots.map((player) => ({ ...player, number: 0 })) });
       this.crowd.meshes.forEach((mesh) => {
         mesh.renderOrder = AFTER_ROBOTS;
       });
