@@ -17,19 +17,20 @@ import java.util.Optional;
  */
 public enum Language {
     /** The language in which everything is written first. */
-    ENGLISH("en", Phrasebook.empty()),
+    ENGLISH("en"),
     /** A translation of worksheets and hints. */
-    GERMAN("de", Phrasebook.read("hints-de.txt", "findings-de.txt"));
+    GERMAN("de");
 
     /** The environment variable with the language of all programs, such as {@code de}. */
     public static final String VARIABLE = "ROBONEWBIE_LANGUAGE";
 
-    private final String code;
-    private final Phrasebook phrases;
+    private static final Phrasebook NONE = Phrasebook.empty();
+    private static final Phrasebook IN_GERMAN = Phrasebook.read("hints-de.txt", "findings-de.txt");
 
-    Language(String code, Phrasebook phrases) {
+    private final String code;
+
+    Language(String code) {
         this.code = code;
-        this.phrases = phrases;
     }
 
     /** {@return two letters, such as {@code de}} */
@@ -57,7 +58,7 @@ public enum Language {
      * @return the text in this language; what has no translation stays English
      */
     public String translated(String english) {
-        return phrases.translated(english);
+        return phrases().translated(english);
     }
 
     /**
@@ -72,6 +73,6 @@ public enum Language {
 
     /** {@return what is translated} */
     Phrasebook phrases() {
-        return phrases;
+        return this == GERMAN ? IN_GERMAN : NONE;
     }
 }

@@ -39,13 +39,16 @@ record ClassTable(
         h1 { font-size: 1.6rem; margin-bottom: 0.2rem; }
         .wide { overflow-x: auto; }
         table { border-collapse: collapse; margin: 1rem 0 2rem; }
-        th, td { padding: 0.3rem 0.6rem; border: 1px solid #8886; text-align: right; font-variant-numeric: tabular-nums; }
+        th, td { padding: 0.3rem 0.5rem; border: 1px solid #8886; text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
         th:first-child, td:first-child, table.words td { text-align: left; }
+        table.words td { white-space: normal; }
         thead th { vertical-align: bottom; }
-        .passed { background: #2a82; }
-        .begun { background: #c903; }
-        .broken { background: #d334; }
-        .note { color: #777; max-width: 50rem; }
+        .wide :is(th, td):first-child { position: sticky; left: 0; background: Canvas; }
+        .exercise { font-weight: normal; writing-mode: vertical-rl; transform: rotate(180deg); text-align: left; margin-left: auto; }
+        .passed { background: #2a83; }
+        .begun { background: #c904; }
+        .broken { background: #d335; }
+        .note { opacity: 0.75; max-width: 50rem; }
         @media print { body { margin: 0; } }
         """;
 
@@ -116,8 +119,8 @@ record ClassTable(
 
     private String html() {
         String heads = exercises.stream()
-                .map(exercise -> "<th title=\"" + Html.text(exercise.title()) + "\">" + exercise.number() + "<br>"
-                        + Html.text(exercise.name()) + "</th>")
+                .map(exercise -> "<th title=\"" + Html.text(exercise.title()) + "\"><div class=\"exercise\">"
+                        + exercise.number() + " " + Html.text(exercise.name()) + "</div></th>")
                 .collect(Collectors.joining());
         String rows = students.stream().map(this::row).collect(Collectors.joining());
         return Html.page("Grades", STYLE, """
@@ -125,7 +128,7 @@ record ClassTable(
             <p class="note">Mean points of %d trials each; green: all trials passed, yellow: not all, red: the program could not be
             tried. Rest the mouse on a cell to see what was measured.</p>
             <div class="wide"><table>
-            <thead><tr><th>Student</th>%s<th>Points</th><th>Passed</th></tr></thead>
+            <thead><tr><th>Student</th><th>Points</th><th>Passed</th>%s</tr></thead>
             <tbody>
             %s</tbody></table></div>
             %s%s""".formatted(seeds, heads, rows, notes(), alike()));
@@ -135,8 +138,8 @@ record ClassTable(
         String cells = exercises.stream()
                 .map(exercise -> mark(student, exercise).map(ClassTable::cell).orElse("<td></td>"))
                 .collect(Collectors.joining());
-        return "<tr><td>" + Html.text(student) + "</td>" + cells + "<td>" + sum(student) + "</td><td>" + passed(student)
-                + "</td></tr>\n";
+        return "<tr><td>" + Html.text(student) + "</td><td>" + sum(student) + "</td><td>" + passed(student) + "</td>" + cells
+                + "</tr>\n";
     }
 
     private static String cell(Mark mark) {
