@@ -15,7 +15,8 @@ import org.robonewbie.app.program.TemporaryFolder;
 final class ProjectCheck {
 
     private static final String SUBJECT = "A project";
-    private static final String AGENT = "room/src/main/java/room/MyAgent.java";
+    private static final String AGENT = "src/main/java/room/MyAgent.java";
+    private static final String GREETING = "Own simulator";
     private static final int LONGEST_SECONDS = 120;
 
     private ProjectCheck() {}
@@ -28,7 +29,7 @@ final class ProjectCheck {
         try (TemporaryFolder folder = TemporaryFolder.create("room")) {
             Optional<String> trouble = trouble(folder.path(), List.of("new", "room"))
                     .or(() -> trouble(
-                            folder.path(),
+                            folder.path().resolve("room"),
                             List.of("run", AGENT, "--headless", "--fast", "--seed", "1", "--seconds", "1")));
             return trouble.map(ProjectCheck::broken)
                     .orElseGet(() -> Finding.well(SUBJECT, "was made by \"new\", compiled and run without a network"));
@@ -59,6 +60,7 @@ final class ProjectCheck {
                     ? Optional.empty()
                     : Optional.of(Files.readString(output, Charset.defaultCharset())
                             .lines()
+                            .filter(line -> !line.startsWith(GREETING))
                             .findFirst()
                             .orElse("\"" + words.get(0) + "\" failed without a word"));
         } catch (IOException failed) {

@@ -37,7 +37,9 @@ public final class TeamList {
 
     private static final Set<String> SETTINGS =
             Set.of(TITLE, MEMBERS, SEED, TOGETHER, FOLDER, "main", "attacker", "goalkeeper");
-    private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_]{1,20}");
+    private static final int MOST_LETTERS = 20;
+    private static final int LETTERS_OF_NUMBER = 3;
+    private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_]{1," + MOST_LETTERS + "}");
     private static final Pattern LINE = Pattern.compile("([A-Za-z0-9_.-]+)\\s*=\\s*(.*)");
 
     private final Map<String, String> programs = new LinkedHashMap<>();
@@ -134,12 +136,15 @@ public final class TeamList {
                 .replaceFirst("\\.(jar|java)$", "")
                 .replaceAll("^.*\\.", "")
                 .replaceAll("[^A-Za-z0-9_]", "_");
-        String name = base.length() > 17 ? base.substring(0, 17) : base;
-        String free = name;
+        String free = shortened(base, MOST_LETTERS);
         for (int i = 2; programs.containsKey(free); i++) {
-            free = name + "_" + i;
+            free = shortened(base, MOST_LETTERS - LETTERS_OF_NUMBER) + "_" + i;
         }
         return free;
+    }
+
+    private static String shortened(String name, int letters) {
+        return name.substring(0, Math.min(letters, name.length()));
     }
 
     private List<TeamEntry> teams() {

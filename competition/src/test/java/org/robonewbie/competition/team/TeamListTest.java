@@ -25,11 +25,13 @@ class TeamListTest {
 
     @Test
     void programAloneNamesTheTeam() {
-        List<TeamEntry> teams = TeamList.parse(List.of("teams/red-ants", "blue.jar", "Agent_Dance", "Agent_Dance"));
+        List<TeamEntry> teams = TeamList.parse(
+                List.of("teams/red-ants", "blue.jar", "Agent_SimpleSoccer", "Agent_SimpleSoccer", "Agent_SimpleSoccer_of_Anna"));
 
         assertThat(teams)
                 .extracting(TeamEntry::name)
-                .containsExactly("red_ants", "blue", "Agent_Dance", "Agent_Dance_2");
+                .containsExactly(
+                        "red_ants", "blue", "Agent_SimpleSoccer", "Agent_SimpleSocce_2", "Agent_SimpleSoccer_o");
     }
 
     @Test
