@@ -138,8 +138,8 @@ record ClassTable(
         String cells = exercises.stream()
                 .map(exercise -> mark(student, exercise).map(ClassTable::cell).orElse("<td></td>"))
                 .collect(Collectors.joining());
-        return "<tr><td>" + Html.text(student) + "</td><td>" + sum(student) + "</td><td>" + passed(student) + "</td>" + cells
-                + "</tr>\n";
+        return "<tr><td>" + Html.text(student) + "</td><td>" + sum(student) + "</td><td>" + passed(student) + "</td>"
+                + cells + "</tr>\n";
     }
 
     private static String cell(Mark mark) {

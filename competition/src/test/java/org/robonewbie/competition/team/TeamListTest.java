@@ -25,8 +25,12 @@ class TeamListTest {
 
     @Test
     void programAloneNamesTheTeam() {
-        List<TeamEntry> teams = TeamList.parse(
-                List.of("teams/red-ants", "blue.jar", "Agent_SimpleSoccer", "Agent_SimpleSoccer", "Agent_SimpleSoccer_of_Anna"));
+        List<TeamEntry> teams = TeamList.parse(List.of(
+                "teams/red-ants",
+                "blue.jar",
+                "Agent_SimpleSoccer",
+                "Agent_SimpleSoccer",
+                "Agent_SimpleSoccer_of_Anna"));
 
         assertThat(teams)
                 .extracting(TeamEntry::name)
