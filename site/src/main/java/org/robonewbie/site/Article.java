@@ -88,7 +88,7 @@ final class Article {
         return sections.values().stream().anyMatch(section -> section.anchor().equals(anchor));
     }
 
-    /** The page as HTML, with its links as they are now. */
+    /** The page as HTML, with its links as they are now; the empty corner of a table is no head that a screen reader would read. */
     String html() {
         return HtmlRenderer.builder()
                 .extensions(TABLES)
@@ -98,7 +98,8 @@ final class Article {
                     }
                 })
                 .build()
-                .render(document);
+                .render(document)
+                .replace("<th></th>", "<td></td>");
     }
 
     private static Map<Heading, Section> sections(Node document) {

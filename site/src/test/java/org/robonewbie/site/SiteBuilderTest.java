@@ -54,6 +54,18 @@ class SiteBuilderTest {
     }
 
     @Test
+    void emptyCornerOfATableIsNoHead() throws IOException {
+        page("docs/rules.md", "# Rules\n\n| | red |\n|---|---|\n| goals | 1 |\n");
+
+        build(project);
+
+        assertThat(read("rules.html"))
+                .contains("<td></td>")
+                .contains("<th>red</th>")
+                .doesNotContain("<th></th>");
+    }
+
+    @Test
     void linkToSourceFileShowsIt() throws IOException {
         build(project);
 

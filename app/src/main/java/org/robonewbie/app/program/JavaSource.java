@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -26,6 +27,10 @@ import javax.tools.ToolProvider;
  * written, so a folder of exercises stays a folder of exercises.
  */
 final class JavaSource {
+
+    /** The files that the compiler has used last: whoever compiles next need not read all archives of the class path again. */
+    private static final AtomicReference<Optional<StandardJavaFileManager>> KEPT =
+            new AtomicReference<>(Optional.empty());
 
     private static final Pattern PACKAGE = Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
 
@@ -120,14 +125,27 @@ final class JavaSource {
                 .orElseThrow(() -> new CalledWronglyException(
                         "A Java file can be run by a JDK only, and this Java has no compiler: "
                                 + System.getProperty("java.home")));
-        try (StandardJavaFileManager disk = compiler.getStandardFileManager(null, null, null);
-                CompiledClasses classes = new CompiledClasses(disk)) {
+        StandardJavaFileManager disk =
+                KEPT.getAndSet(Optional.empty()).orElseGet(() -> compiler.getStandardFileManager(null, null, null));
+        try {
+            CompiledClasses classes = new CompiledClasses(disk);
             PrintWriter out = new PrintWriter(System.err, true, Charset.defaultCharset());
             JavacTask task = (JavacTask)
                     compiler.getTask(out, classes, messages, options(classPath), null, List.of(new Text(file, text)));
             return work.of(task, classes);
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
+        } finally {
+            KEPT.getAndSet(Optional.of(disk)).ifPresent(JavaSource::close);
+        }
+    }
+
+    /** Two have compiled at the same time, and one of them has kept its files already. */
+    private static void close(StandardJavaFileManager other) {
+        try {
+            other.close();
+        } catch (IOException failed) {
+            throw new UncheckedIOException(failed);
         }
     }
 
