@@ -1,4 +1,5 @@
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -6,14 +7,16 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.robonewbie.studio.ModuleGraph;
 
 /**
- * Turns a folder with the studio's files and those of the web edition into a page: adds its style sheet and writes the list of files
- * that the service worker keeps.
+ * Turns a folder with the studio's files and those of the web edition into a page: adds its style sheet, names the scripts that it
+ * will need, and writes the list of files that the service worker keeps.
  *
- * <p>Usage: {@code java FinishPage.java FOLDER}
+ * <p>Usage: {@code java -cp CLASS_PATH FinishPage.java FOLDER}
  */
 final class FinishPage {
 
@@ -27,7 +30,9 @@ final class FinishPage {
     public static void main(String[] args) throws IOException, NoSuchAlgorithmException {
         Path folder = Path.of(args[0]);
         Path index = folder.resolve("index.html");
-        Files.writeString(index, Files.readString(index).replace("  </head>", STYLE));
+        ModuleGraph scripts = new ModuleGraph(name -> text(folder.resolve(name)));
+        Files.writeString(
+                index, scripts.withPreloads(Files.readString(index)).replace("  </head>", STYLE));
         List<Path> files = files(folder);
         MessageDigest digest = MessageDigest.getInstance("SHA-256");
         for (Path file : files) {
@@ -39,6 +44,14 @@ final class FinishPage {
         Files.writeString(
                 folder.resolve(LIST),
                 "{\n  \"version\": \"robonewbie-" + version + "\",\n  \"files\": [\n    " + names + "\n  ]\n}\n");
+    }
+
+    private static Optional<String> text(Path file) {
+        try {
+            return Files.isRegularFile(file) ? Optional.of(Files.readString(file)) : Optional.empty();
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
     }
 
     private static List<Path> files(Path folder) throws IOException {

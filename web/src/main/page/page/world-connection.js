@@ -4,13 +4,14 @@ const SEED = 1;
 
 export class WorldConnection {
   /**
+   * @param {Worker} worker
    * @param {import('../live/connection.js').Listener} listener
    * @param {import('./agent-choice.js').AgentChoice} choice
    */
-  constructor(listener, choice) {
+  constructor(worker, listener, choice) {
     this.listener = listener;
     this.choice = choice;
-    this.worker = new Worker('world-worker.js', { type: 'module' });
+    this.worker = worker;
     this.worker.onmessage = ({ data }) => this.#receive(data);
     this.worker.onerror = (event) => this.#fail(event.message);
     choice.whenTaken((agent) => this.#begin(agent));

@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
  * Lists in the page itself which scripts it will need. Otherwise a browser discovers a script's imports only after reading the
  * script, and requests one layer after another.
  */
-final class ModuleGraph {
+public final class ModuleGraph {
 
     private static final Pattern START = Pattern.compile("<script type=\"module\" src=\"([^\"]+)\"></script>");
     private static final Pattern IMPORT = Pattern.compile(
@@ -26,12 +26,17 @@ final class ModuleGraph {
      *
      * @param files gives the text of a script by its path
      */
-    ModuleGraph(Function<String, Optional<String>> files) {
+    public ModuleGraph(Function<String, Optional<String>> files) {
         this.files = files;
     }
 
-    /** Adds the links to a page, before the script that needs them. */
-    String withPreloads(String page) {
+    /**
+     * Adds the links to a page, before the script that needs them.
+     *
+     * @param page its HTML
+     * @return the page with a link for each script
+     */
+    public String withPreloads(String page) {
         Matcher start = START.matcher(page);
         if (!start.find()) {
             return page;
