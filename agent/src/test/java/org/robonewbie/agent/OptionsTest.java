@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.agent.running.WantedSimulator;
 import org.robonewbie.agent.running.WantedSimulator.Kind;
 
 class OptionsTest {
@@ -119,6 +120,16 @@ class OptionsTest {
         Options options = read("--seed", "1");
 
         assertThat(SimulatorChoice.of(options, 1, "Ada").kind()).isEqualTo(Kind.OWN);
+    }
+
+    @Test
+    void sceneNeedsASimulatorOfItsOwnAndIsHandedToIt() {
+        WantedSimulator wanted = SimulatorChoice.of(read("--scene", "slope"), 1, "Ada");
+
+        assertThat(wanted.kind()).isEqualTo(Kind.OWN);
+        assertThat(wanted.own().scene()).contains("slope");
+        assertThat(SimulatorChoice.of(read("--seed", "1"), 1, "Ada").own().scene())
+                .isEmpty();
     }
 
     @Test
