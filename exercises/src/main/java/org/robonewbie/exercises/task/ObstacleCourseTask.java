@@ -73,7 +73,7 @@ public final class ObstacleCourseTask implements Task {
 
     @Override
     public boolean isDecided() {
-        return moved > MOVED_METRES || passed == GATES.size() && nearest <= NEAR_METRES;
+        return moved > MOVED_METRES || (passed == GATES.size() && nearest <= NEAR_METRES);
     }
 
     @Override
