@@ -33,7 +33,7 @@ class LandscapePictureTest {
 
     @Test
     void obstaclesAreOnThePitch() throws IOException {
-        BufferedImage picture = take(Landscape.OBSTACLES, 1.1, -3.0, 0);
+        BufferedImage picture = take(Landscape.OBSTACLES, 1.1, -3.0, 1.1);
 
         assertThat(share(picture, LandscapePictureTest::isCardboard)).isGreaterThan(0.02);
     }
@@ -57,7 +57,7 @@ class LandscapePictureTest {
         browser.drawSharply();
         try (SmallSimulation simulation = new SmallSimulation(landscape)
                 .withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, x, y, 0, Posture.STANDING)) {
-            if (landscape == Landscape.BOX) {
+            if (y != otherY) {
                 simulation.withRobot(RobotType.TYPE_0, TeamSide.LEFT, 2, x, otherY, 0, Posture.STANDING);
             }
             simulation.order(new Order.MoveBall(new Vector3(-0.8, 0, 0.042), Vector3.ZERO));

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.robonewbie.simulator.SimulationControl;
@@ -29,6 +30,7 @@ public final class TrialWall extends NewsBoard implements AutoCloseable {
     private final Map<String, TrialPicture> running = new LinkedHashMap<>();
     private final ScheduledExecutorService painter =
             Executors.newSingleThreadScheduledExecutor(TrialWall::paintingThread);
+    private final Future<?> painting;
 
     /**
      * Creates the wall of a contest that has not begun.
@@ -42,7 +44,7 @@ public final class TrialWall extends NewsBoard implements AutoCloseable {
         known.addProperty("title", title);
         known.addProperty("rule", rule);
         known.add("results", results);
-        painter.scheduleAtFixedRate(this::paint, PICTURE_MILLIS, PICTURE_MILLIS, TimeUnit.MILLISECONDS);
+        painting = painter.scheduleAtFixedRate(this::paint, PICTURE_MILLIS, PICTURE_MILLIS, TimeUnit.MILLISECONDS);
     }
 
     private static Thread paintingThread(Runnable work) {
@@ -133,6 +135,7 @@ public final class TrialWall extends NewsBoard implements AutoCloseable {
 
     @Override
     public synchronized void close() {
+        painting.cancel(false);
         painter.shutdownNow();
         running.values().forEach(TrialPicture::leave);
     }
