@@ -36,6 +36,28 @@ public record Moment(
         things = List.copyOf(things);
     }
 
+    /**
+     * Creates a moment on a pitch where nothing else stands.
+     *
+     * @param seconds simulated time since the trial began
+     * @param robots the robots in the order of the scene
+     * @param ball centre of the ball, metres
+     * @param ballVelocity metres per second
+     * @param playMode what the referee has decided
+     * @param leftGoals goals of the team that plays towards the right
+     * @param rightGoals goals of the other team
+     */
+    public Moment(
+            double seconds,
+            List<BodyState> robots,
+            Vector3 ball,
+            Vector3 ballVelocity,
+            PlayMode playMode,
+            int leftGoals,
+            int rightGoals) {
+        this(seconds, robots, ball, ballVelocity, List.of(), playMode, leftGoals, rightGoals);
+    }
+
     /** {@return the first robot} */
     public BodyState robot() {
         return robots.get(0);

@@ -36,13 +36,25 @@ public record Scene(
     }
 
     /**
+     * Creates a scene with nothing but goals and ball on the pitch.
+     *
+     * @param parameters the pitch and the referee's rules
+     * @param noise whether cameras are as imprecise as those of the league
+     * @param robots the robots in the order in which they enter
+     * @param ball where the ball lies at first; empty for the centre spot
+     */
+    public Scene(SoccerParameters parameters, boolean noise, List<RobotStart> robots, Optional<Vector3> ball) {
+        this(parameters, noise, Landscape.SOCCER, robots, ball);
+    }
+
+    /**
      * Sets a scene on the beginners' pitch, with noise and the ball on the centre spot.
      *
      * @param robots the robots in the order in which they enter
      * @return the scene
      */
     public static Scene of(RobotStart... robots) {
-        return new Scene(SoccerParameters.beginner(), true, Landscape.SOCCER, List.of(robots), Optional.empty());
+        return new Scene(SoccerParameters.beginner(), true, List.of(robots), Optional.empty());
     }
 
     /**

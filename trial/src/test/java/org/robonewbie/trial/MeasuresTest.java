@@ -163,6 +163,6 @@ class MeasuresTest {
 
     private static Moment moment(double seconds, Pose torso, Vector3 ball, Vector3 velocity, int goals) {
         BodyState body = BodyState.of(RobotType.TYPE_0, torso, Posture.ZERO);
-        return new Moment(seconds, List.of(body), ball, velocity, List.of(), PlayMode.PLAY_ON, goals, 0);
+        return new Moment(seconds, List.of(body), ball, velocity, PlayMode.PLAY_ON, goals, 0);
     }
 }
