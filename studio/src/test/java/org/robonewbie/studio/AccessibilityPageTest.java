@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -115,18 +114,6 @@ class AccessibilityPageTest {
         browser.fill("#program-file", "exercise kick");
         browser.await("document.querySelector('#program-check')");
         assertClean("an exercise in the room for programs");
-    }
-
-    @Tag("slow")
-    @ParameterizedTest
-    @ValueSource(strings = {"light", "dark"})
-    void helpHasNoViolation(String theme) {
-        browser.visit(studio.address() + "&theme=" + theme);
-        for (String page : List.of("", "program-room.html", "competition.html", "tutorial/", "reference.html")) {
-            browser.visit(studio.address().replaceFirst("/\\?.*", "/docs/" + page));
-            browser.await("document.querySelector('main, article, h1')");
-            assertThat(axe.violations(browser)).as("Help " + page + " " + theme).isEmpty();
-        }
     }
 
     @Tag("slow")

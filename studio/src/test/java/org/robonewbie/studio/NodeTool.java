@@ -9,9 +9,9 @@ final class NodeTool {
 
     private NodeTool() {}
 
-    /** Returns the path of a script of a tool, or skips the test where it is not installed. */
+    /** Returns the path of a script of a tool from the folder of any module, or skips the test where it is not installed. */
     static Path require(String script) {
-        Path path = Path.of("node_modules").resolve(script);
+        Path path = Path.of("..", "studio", "node_modules").resolve(script);
         boolean isRequired = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;
         if (!Files.exists(path) && !isRequired) {
             System.out.println("SKIPPED: " + script + " is not installed; run npm install in studio first.");

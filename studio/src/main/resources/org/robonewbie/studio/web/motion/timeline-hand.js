@@ -1,6 +1,7 @@
 /** The mouse on the timeline: chooses, moves in time, turns joints, draws a box, scrubs, zooms and scrolls. */
 import { moved, turnedBy } from '../state/motion/edits.js';
 import { atTime, documentOf, framesOf, selected, shownLength } from '../state/motion/editor-state.js';
+import { keyframesOf } from '../state/motion/motion-document.js';
 import { jointName, jointRows } from '../state/motion/names.js';
 import { boxed, chosenJoints, toggled, withoutRows } from '../state/motion/selection.js';
 import { shownPart, zoomed } from '../state/motion/time-view.js';
@@ -117,7 +118,9 @@ export class TimelineHand {
       return;
     }
     const [dx, dy] = [spot.x - grip.from.x, spot.y - grip.from.y];
-    if (grip.action === 'scrub') {
+    if (framesOf(this.#state).length !== keyframesOf(grip.base).length) {
+      this.#drop(); // A key has changed the motion below the hand.
+    } else if (grip.action === 'scrub') {
       this.#scrub(spot);
     } else if (Math.hypot(dx, dy) > START_PIXELS || this.#isMoving) {
       if (grip.action === 'point') {

@@ -22,7 +22,7 @@ const PRESETS = [
 ];
 
 const KEY = 'robonewbie-workspace';
-const FOCUSABLE = 'button, input, select, a[href], summary, [tabindex]';
+const FOCUSABLE = 'button:enabled, input:enabled, select:enabled, a[href], summary, [tabindex]:not([tabindex="-1"])';
 const LEAST_HIDDEN_PIXELS = 12;
 
 /** In a narrower window the tools would cover the picture. */
@@ -83,7 +83,8 @@ export class Workspace {
       panel.toggleAttribute('data-more', hidden > LEAST_HIDDEN_PIXELS);
     }
     for (const panel of document.querySelectorAll('.panel-inside')) {
-      if (panel.scrollHeight > panel.clientHeight && !panel.querySelector(FOCUSABLE)) {
+      const inside = [...panel.querySelectorAll(FOCUSABLE)];
+      if (panel.scrollHeight > panel.clientHeight && !inside.some((one) => one.checkVisibility())) {
         panel.setAttribute('tabindex', '0');
       } else {
         panel.removeAttribute('tabindex');
