@@ -112,7 +112,7 @@ class AccessibilityPageTest {
         browser.await("document.querySelector('#program-state').innerText.includes('1 mistake')");
         assertClean("a mistake");
         browser.fill("#program-file", "exercise kick");
-        browser.await("document.querySelector('#program-check')");
+        browser.await("document.querySelector('#program-check') && !document.querySelector('#program-remarks li')");
         assertClean("an exercise in the room for programs");
     }
 
