@@ -115,16 +115,13 @@ export class TimelineHand {
     const spot = this.#spot(event, part);
     if (!grip) {
       this.#explain(spot, part);
-      return;
-    }
-    const [dx, dy] = [spot.x - grip.from.x, spot.y - grip.from.y];
-    if (framesOf(this.#state).length !== keyframesOf(grip.base).length) {
+    } else if (framesOf(this.#state).length !== keyframesOf(grip.base).length) {
       this.#drop(); // A key has changed the motion below the hand.
     } else if (grip.action === 'scrub') {
       this.#scrub(spot);
-    } else if (Math.hypot(dx, dy) > START_PIXELS || this.#isMoving) {
+    } else if (Math.hypot(spot.x - grip.from.x, spot.y - grip.from.y) > START_PIXELS || this.#isMoving) {
       if (grip.action === 'point') {
-        grip.action = Math.abs(dy) > Math.abs(dx) ? 'angle' : 'time';
+        grip.action = Math.abs(spot.y - grip.from.y) > Math.abs(spot.x - grip.from.x) ? 'angle' : 'time';
       }
       this.#isMoving = true;
       this.#pull(grip, spot, event.altKey);
