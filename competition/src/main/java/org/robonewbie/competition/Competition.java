@@ -183,8 +183,10 @@ public final class Competition {
     }
 
     private void showProgress(ResultFolder folder, Optional<TrialResult> last) {
-        Table table = contest.table(names(), folder);
-        settings.spectators().stands(new ContestProgress(finished, planned, table, last));
+        if (!settings.spectators().isNobody()) {
+            Table table = contest.table(names(), folder);
+            settings.spectators().stands(new ContestProgress(finished, planned, table, last));
+        }
     }
 
     /** All that a result depends on: the trial itself, the programs, the limits. */

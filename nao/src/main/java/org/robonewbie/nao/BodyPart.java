@@ -19,7 +19,7 @@ public enum BodyPart {
         this.simSparkName = simSparkName;
     }
 
-    /** {@return the part's name in SimSpark's vision messages, such as {@code rlowerarm}} ## Jbb0 */
+    /** {@return the part's name in SimSpark's vision messages, such as {@code rlowerarm}} */
     public String simSparkName() {
         return simSparkName;
     }

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.robonewbie.nao.Cycle;
-import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
@@ -30,7 +29,6 @@ final class DirectWorld implements World {
     private final CameraSettings cameraSettings;
     private SplittableRandom random;
     private final Map<Robot, Camera> cameras = new HashMap<>();
-    private final Map<Robot, Map<String, Integer>> hinges = new HashMap<>();
     private Optional<WorldState> beginning = Optional.empty();
     private long cycles;
 
@@ -67,20 +65,11 @@ final class DirectWorld implements World {
 
     private void execute(Robot robot, EffectorCommand command) {
         if (command instanceof SetHingeSpeed speed) {
-            Integer hinge = hinges.computeIfAbsent(robot, DirectWorld::hinges).get(speed.effectorName());
-            if (hinge != null) {
-                robot.setMotorSpeed(hinge, EffectorMessageWriter.rounded(speed.radiansPerSecond()));
-            }
+            double radiansPerSecond = EffectorMessageWriter.rounded(speed.radiansPerSecond());
+            robot.model()
+                    .hingeIndex(speed.effectorName())
+                    .ifPresent(hinge -> robot.setMotorSpeed(hinge, radiansPerSecond));
         }
-    }
-
-    private static Map<String, Integer> hinges(Robot robot) {
-        Map<String, Integer> byEffector = new HashMap<>();
-        List<Hinge> all = robot.model().hinges();
-        for (int i = 0; i < all.size(); i++) {
-            byEffector.put(all.get(i).effectorName(), i);
-        }
-        return byEffector;
     }
 
     double seconds() {

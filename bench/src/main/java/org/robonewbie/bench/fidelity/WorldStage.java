@@ -3,7 +3,6 @@ package org.robonewbie.bench.fidelity;
 import java.util.List;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.simulator.world.Ball;
@@ -63,12 +62,9 @@ final class WorldStage implements ReplayStage {
 
     private void apply(EffectorCommand command) {
         if (command instanceof EffectorCommand.SetHingeSpeed speed) {
-            List<Hinge> hinges = robot.model().hinges();
-            for (int i = 0; i < hinges.size(); i++) {
-                if (hinges.get(i).effectorName().equals(speed.effectorName())) {
-                    robot.setMotorSpeed(i, speed.radiansPerSecond());
-                }
-            }
+            robot.model()
+                    .hingeIndex(speed.effectorName())
+                    .ifPresent(hinge -> robot.setMotorSpeed(hinge, speed.radiansPerSecond()));
         } else if (command instanceof EffectorCommand.Beam beam) {
             robot.beam(
                     new Vector3(beam.xMetres(), beam.yMetres(), RecordedCommands.BEAM_HEIGHT),

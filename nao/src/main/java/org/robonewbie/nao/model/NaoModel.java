@@ -3,7 +3,10 @@ package org.robonewbie.nao.model;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 
@@ -31,6 +34,10 @@ public final class NaoModel {
     private final RobotType type;
     private final List<Link> links = new ArrayList<>();
     private final List<Hinge> hinges = new ArrayList<>();
+    private final List<Link> allLinks = Collections.unmodifiableList(links);
+    private final List<Hinge> allHinges = Collections.unmodifiableList(hinges);
+    private final Map<String, Integer> linkOfName = new HashMap<>();
+    private final Map<String, Integer> hingeOfEffector = new HashMap<>();
     private final int[] hingeOfJoint;
 
     private NaoModel(RobotType type) {
@@ -41,7 +48,11 @@ public final class NaoModel {
         addArm(-1);
         addLeg(1);
         addLeg(-1);
-        hingeOfJoint = Arrays.stream(Joint.values()).mapToInt(this::findHinge).toArray();
+        links.forEach(link -> linkOfName.put(link.name(), linkOfName.size()));
+        hinges.forEach(hinge -> hingeOfEffector.put(hinge.effectorName(), hingeOfEffector.size()));
+        hingeOfJoint = Arrays.stream(Joint.values())
+                .mapToInt(joint -> hingeIndex(joint.effectorName()).orElseThrow())
+                .toArray();
     }
 
     /**
@@ -61,7 +72,7 @@ public final class NaoModel {
 
     /** {@return the rigid bodies in SimSpark's order; the torso comes first and each parent before its children} */
     public List<Link> links() {
-        return Collections.unmodifiableList(links);
+        return allLinks;
     }
 
     /**
@@ -69,7 +80,7 @@ public final class NaoModel {
      * left leg}
      */
     public List<Hinge> hinges() {
-        return Collections.unmodifiableList(hinges);
+        return allHinges;
     }
 
     /**
@@ -80,12 +91,11 @@ public final class NaoModel {
      * @throws IllegalArgumentException if the robot has no such link
      */
     public int linkIndex(String name) {
-        for (int i = 0; i < links.size(); i++) {
-            if (links.get(i).name().equals(name)) {
-                return i;
-            }
+        Integer index = linkOfName.get(name);
+        if (index == null) {
+            throw new IllegalArgumentException("Link \"" + name + "\" does not exist in robot " + type);
         }
-        throw new IllegalArgumentException("Link \"" + name + "\" does not exist in robot " + type);
+        return index;
     }
 
     /**
@@ -98,13 +108,15 @@ public final class NaoModel {
         return hingeOfJoint[joint.ordinal()];
     }
 
-    private int findHinge(Joint joint) {
-        for (int i = 0; i < hinges.size(); i++) {
-            if (hinges.get(i).effectorName().equals(joint.effectorName())) {
-                return i;
-            }
-        }
-        throw new IllegalStateException("Joint " + joint + " is missing in robot " + type);
+    /**
+     * Finds the hinge that an effector moves.
+     *
+     * @param effectorName SimSpark's name, such as {@code lle4}
+     * @return its index in {@link #hinges()}; empty if this robot has no such hinge
+     */
+    public OptionalInt hingeIndex(String effectorName) {
+        Integer index = hingeOfEffector.get(effectorName);
+        return index == null ? OptionalInt.empty() : OptionalInt.of(index);
     }
 
     private void addHead() {

@@ -1,12 +1,12 @@
 package org.robonewbie.simulator.cycle;
 
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.function.ObjDoubleConsumer;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
@@ -134,25 +134,20 @@ final class Effectors implements Restorable {
     }
 
     private void setSpeed(ConnectedAgent agent, Robot robot, SetHingeSpeed command) {
-        List<Hinge> hinges = robot.model().hinges();
-        for (int i = 0; i < hinges.size(); i++) {
-            if (hinges.get(i).effectorName().equals(command.effectorName())) {
-                if (Double.isNaN(command.radiansPerSecond())) {
-                    agent.connection()
-                            .warn(
-                                    "NaN " + command.effectorName(),
-                                    "sent speed NaN for hinge " + command.effectorName()
-                                            + ", which is ignored. Was something divided by zero?");
-                }
-                robot.setMotorSpeed(i, isFrozen(agent, i) ? 0 : command.radiansPerSecond());
-                return;
-            }
+        String name = command.effectorName();
+        double speed = command.radiansPerSecond();
+        OptionalInt hinge = robot.model().hingeIndex(name);
+        if (hinge.isEmpty()) {
+            int type = robot.model().type().ordinal();
+            agent.connection()
+                    .warn(name, "moves hinge " + name + ", which a robot of type " + type + " does not have.");
+            return;
         }
-        agent.connection()
-                .warn(
-                        command.effectorName(),
-                        "moves hinge " + command.effectorName() + ", which a robot of type "
-                                + robot.model().type().ordinal() + " does not have.");
+        if (Double.isNaN(speed)) {
+            String told = "sent speed NaN for hinge " + name + ", which is ignored. Was something divided by zero?";
+            agent.connection().warn("NaN " + name, told);
+        }
+        robot.setMotorSpeed(hinge.getAsInt(), isFrozen(agent, hinge.getAsInt()) ? 0 : speed);
     }
 
     private boolean isFrozen(ConnectedAgent agent, int hinge) {

@@ -23,6 +23,8 @@ import org.robonewbie.simulator.world.SoccerWorld;
 /** Asks all perceptors of a robot at the end of a cycle. */
 final class Percepts {
 
+    private static final List<Joint> JOINTS = List.of(Joint.values());
+
     private final SoccerWorld world;
     private final Match match;
 
@@ -88,7 +90,7 @@ final class Percepts {
 
     private static JointAngles jointAngles(Robot robot) {
         double[] degrees = new double[Joint.COUNT];
-        for (Joint joint : Joint.values()) {
+        for (Joint joint : JOINTS) {
             degrees[joint.ordinal()] = robot.jointDegrees(joint);
         }
         return JointAngles.of(degrees, toes(robot));

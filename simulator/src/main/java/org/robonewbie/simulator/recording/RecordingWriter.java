@@ -5,11 +5,11 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
@@ -27,6 +27,7 @@ public final class RecordingWriter implements AutoCloseable {
 
     private final RecordingStream stream;
     private final RecordSink sink;
+    private final ByteSink changed = new ByteSink();
     private final DeltaTrack ballTrack = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE);
     private final Map<Integer, RobotTrack> robotTracks = new HashMap<>();
     private final ThingTrack things = new ThingTrack();
@@ -143,13 +144,13 @@ public final class RecordingWriter implements AutoCloseable {
     /** Writes the hinge speeds that have changed and the other commands; returns whether there was anything to write. */
     private boolean putCommands(RobotSnapshot robot, List<EffectorCommand> commands, ByteSink payload) {
         long[] speeds = track(robot).speeds;
-        List<Hinge> hinges = NaoModel.of(robot.type()).hinges();
+        NaoModel model = NaoModel.of(robot.type());
         List<String> others = new ArrayList<>(0);
-        ByteSink changed = new ByteSink();
+        changed.clear();
         int changes = 0;
         for (EffectorCommand command : commands) {
             if (command instanceof SetHingeSpeed speed) {
-                changes += putSpeed(speeds, hinges, speed, changed);
+                changes += putSpeed(speeds, model, speed);
             } else {
                 others.add(command.toString());
             }
@@ -161,20 +162,17 @@ public final class RecordingWriter implements AutoCloseable {
         return changes > 0 || !others.isEmpty();
     }
 
-    private static int putSpeed(long[] speeds, List<Hinge> hinges, SetHingeSpeed command, ByteSink changed) {
-        for (int i = 0; i < hinges.size(); i++) {
-            if (hinges.get(i).effectorName().equals(command.effectorName())) {
-                long steps = PortableMath.round(command.radiansPerSecond() * RecordingFormat.STEPS_PER_RADIAN);
-                if (steps == speeds[i]) {
-                    return 0;
-                }
-                changed.putUnsigned(i);
-                changed.putSigned(steps);
-                speeds[i] = steps;
-                return 1;
-            }
+    /** Collects a speed that has changed; returns how many have, 0 or 1. */
+    private int putSpeed(long[] speeds, NaoModel model, SetHingeSpeed command) {
+        OptionalInt hinge = model.hingeIndex(command.effectorName());
+        long steps = PortableMath.round(command.radiansPerSecond() * RecordingFormat.STEPS_PER_RADIAN);
+        if (hinge.isEmpty() || steps == speeds[hinge.getAsInt()]) {
+            return 0;
         }
-        return 0;
+        changed.putUnsigned(hinge.getAsInt());
+        changed.putSigned(steps);
+        speeds[hinge.getAsInt()] = steps;
+        return 1;
     }
 
     private void writeCycle(WorldSnapshot snapshot) {

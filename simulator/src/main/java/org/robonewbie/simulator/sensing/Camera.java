@@ -38,6 +38,9 @@ import org.robonewbie.simulator.world.SoccerWorld;
  */
 public final class Camera implements Restorable {
 
+    private static final List<BodyPart> PARTS = List.of(BodyPart.values());
+    private static final List<Landmark> LANDMARKS = List.of(Landmark.values());
+
     private final SoccerField field;
     private final CameraSettings settings;
     private final ViewCone cone;
@@ -83,7 +86,7 @@ public final class Camera implements Restorable {
 
     private List<SeenLandmark> landmarks(BodyPose head) {
         List<SeenLandmark> seen = new ArrayList<>();
-        for (Landmark landmark : Landmark.values()) {
+        for (Landmark landmark : LANDMARKS) {
             see(head, field.position(landmark)).ifPresent(position -> seen.add(new SeenLandmark(landmark, position)));
         }
         return seen;
@@ -102,9 +105,8 @@ public final class Camera implements Restorable {
 
     private List<SeenBodyPart> parts(BodyPose head, Robot robot) {
         List<SeenBodyPart> seen = new ArrayList<>();
-        for (BodyPart part : BodyPart.values()) {
-            int link = robot.model().linkIndex(part.simSparkName());
-            see(head, robot.linkPose(link).position())
+        for (BodyPart part : PARTS) {
+            see(head, robot.linkPosition(robot.model().linkIndex(part.simSparkName())))
                     .ifPresent(position -> seen.add(new SeenBodyPart(part, position)));
         }
         return seen;

@@ -73,6 +73,11 @@ final class ViewCone {
     }
 
     private boolean isInPicture(Vector3 point) {
-        return point.y() >= LEAST_DISTANCE && sides.stream().allMatch(side -> side.dot(point) >= -ROUNDING);
+        for (Vector3 side : sides) {
+            if (side.dot(point) < -ROUNDING) {
+                return false;
+            }
+        }
+        return point.y() >= LEAST_DISTANCE;
     }
 }

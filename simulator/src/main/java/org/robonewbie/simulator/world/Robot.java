@@ -174,6 +174,16 @@ public final class Robot {
         return bodies.get(linkIndex).pose();
     }
 
+    /**
+     * Returns where a link is.
+     *
+     * @param linkIndex index of the link
+     * @return its centre in the world frame
+     */
+    public Vector3 linkPosition(int linkIndex) {
+        return bodies.get(linkIndex).position();
+    }
+
     /** {@return the gyro: the torso's angular velocity about its own axes in degrees per second} */
     public Vector3 gyroDegreesPerSecond() {
         RigidBody torso = bodies.get(0);
