@@ -1,5 +1,5 @@
 /** Starts the page on which a search for better numbers is watched. */
-import { Connection } from '../live/connection.js';
+import { ReportPage } from '../live/report-page.js';
 import { byId, element, setText } from '../panels/elements.js';
 import { themeSwitch } from '../panels/theme.js';
 import { loadPlotter } from '../robot/plotter.js';
@@ -12,16 +12,12 @@ import {
   valueCurves,
   withNews,
   withoutLine,
-  withRefusal,
 } from '../state/search.js';
 import { searchPlot } from './search-plot.js';
 
 const MOST_NUMBERS = 60;
 
-const options = new URLSearchParams(location.search);
-const token = options.get('token') ?? '';
-let search = initialSearch();
-let asked = false;
+const page = new ReportPage('live-search', initialSearch(), { told: withNews, lost: withoutLine }, draw);
 
 await loadPlotter();
 const valuePlot = searchPlot(byId('value-plot'), [
@@ -31,17 +27,8 @@ const valuePlot = searchPlot(byId('value-plot'), [
 ]);
 const stepPlot = searchPlot(byId('step-plot'), [{ label: 'sigma', colour: '--curve-2' }]);
 
-/** @param {import('../state/search.js').Search} next */
-function become(next) {
-  search = next;
-  if (!asked) {
-    asked = true;
-    requestAnimationFrame(draw);
-  }
-}
-
 function draw() {
-  asked = false;
+  const search = page.known;
   const { task, numbers, place, phase } = search;
   if (task) {
     setText(
@@ -59,7 +46,7 @@ function draw() {
   setText(byId('outcome'), text);
   const look = byId('look');
   look.hidden = place === '';
-  look.setAttribute('href', `./?token=${encodeURIComponent(token)}${place}`);
+  look.setAttribute('href', `./?token=${encodeURIComponent(page.token)}${place}`);
   setText(look, phase === 'ended' ? 'Look at the motion that came out' : 'Look at the motion as it is now');
   valuePlot.setData(valueCurves(search));
   stepPlot.setData(stepCurve(search));
@@ -97,27 +84,17 @@ function numberRow({ name, unit, start, value, at, half }) {
   );
 }
 
-const line = new Connection(`ws://${location.host}/live-search?token=${encodeURIComponent(token)}`, {
-  opened() {},
-  lost: () => become(withoutLine(search)),
-  refused: (reason) => become(withRefusal(search, reason)),
-  told: (news) => become(withNews(search, news)),
-  frameArrived() {},
-});
-themeSwitch(options.get('theme'), () => {
+themeSwitch(page.options.get('theme'), () => {
   valuePlot.redraw(false);
   stepPlot.redraw(false);
 });
-line.open();
-draw();
-// A browser may keep a page that was left, with its line; but the program waits for those who look.
-window.addEventListener('pagehide', () => line.socket?.close());
+page.open();
 
 /** What tests and the curious ask for in the browser's console. */
 Object.assign(window, {
   search: {
     get state() {
-      return search;
+      return page.known;
     },
     valuePlot,
     stepPlot,

@@ -1,4 +1,5 @@
 /** What is known of a search for better numbers. */
+import { phaseSentence, phaseWithoutLine } from './reports.js';
 
 /**
  * @typedef {object} Task
@@ -11,11 +12,10 @@
  */
 /** @typedef {{number: number, best: number, mean: number, success: number, step: number, trialsPerSecond: number, secondsLeft: number}} Round */
 /** @typedef {{name: string, unit: string, start: number, value: number, spread: number, size: number}} SearchedNumber */
-/** @typedef {'waiting' | 'running' | 'ended' | 'lost' | 'refused'} Phase */
 
 /**
  * @typedef {object} Search
- * @property {Phase} phase
+ * @property {import('./reports.js').Phase} phase
  * @property {string} refusal why the page was refused
  * @property {Task | undefined} task
  * @property {readonly Round[]} rounds
@@ -56,12 +56,7 @@ export function withNews(search, news) {
 
 /** What a search has told stays, but nothing more can be looked at. @param {Search} search @returns {Search} */
 export function withoutLine(search) {
-  return { ...search, place: '', phase: search.phase === 'running' ? 'lost' : search.phase };
-}
-
-/** @param {Search} search @param {string} refusal @returns {Search} */
-export function withRefusal(search, refusal) {
-  return { ...search, phase: 'refused', refusal };
+  return { ...search, place: '', phase: phaseWithoutLine(search.phase) };
 }
 
 /** Columns for the plot of the objective: round, best, mean, start. @param {Search} search */
@@ -103,22 +98,13 @@ export function facts({ task, rounds, before, after, phase }) {
 }
 
 /** @param {Search} search @returns {{tone: string, text: string}} */
-export function sentence({ phase, refusal, outcome, rounds }) {
-  switch (phase) {
-    case 'waiting':
-      return { tone: '', text: 'Waiting for the optimisation …' };
-    case 'lost':
-      return {
-        tone: 'trouble',
-        text: 'The program has ended or does not answer. An interrupted run goes on with the same command and --resume.',
-      };
-    case 'refused':
-      return { tone: 'trouble', text: refusal };
-    case 'ended':
-      return { tone: 'done', text: outcome };
-    default:
-      return { tone: '', text: rounds.length === 0 ? 'The first candidates are being tried …' : '' };
-  }
+export function sentence(search) {
+  return phaseSentence(search, {
+    waiting: 'Waiting for the optimisation …',
+    running: search.rounds.length === 0 ? 'The first candidates are being tried …' : '',
+    lost: 'An interrupted run goes on with the same command and --resume.',
+    ended: search.outcome,
+  });
 }
 
 /** @param {number} seconds @returns {string} such as 1:05:09 */

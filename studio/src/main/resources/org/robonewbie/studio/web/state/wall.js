@@ -1,5 +1,6 @@
 /** What is known of a contest that is held: its tiles, its table, and what came out of its trials. */
 import { playModeText } from './play-mode.js';
+import { phaseSentence, phaseWithoutLine } from './reports.js';
 import { clock } from './studio-state.js';
 
 /**
@@ -20,10 +21,9 @@ import { clock } from './studio-state.js';
  * @typedef {{over: number, planned: number, columns: string[], rows: Place[]}} WallTable
  * @typedef {{id: string, words: string}} Result
  * @typedef {{trial: WallTrial, running: boolean, moment: Moment | undefined}} Tile
- * @typedef {'waiting' | 'running' | 'ended' | 'lost' | 'refused'} Phase
  *
  * @typedef {object} Wall
- * @property {Phase} phase
+ * @property {import('./reports.js').Phase} phase
  * @property {string} refusal why the page was refused
  * @property {string} title
  * @property {string} rule
@@ -88,33 +88,19 @@ function withTrials(tiles, trials) {
 export function withoutWallLine(wall) {
   return {
     ...wall,
-    phase: wall.phase === 'running' ? 'lost' : wall.phase,
+    phase: phaseWithoutLine(wall.phase),
     tiles: wall.tiles.map((tile) => ({ ...tile, running: false })),
   };
 }
 
-/** @param {Wall} wall @param {string} refusal @returns {Wall} */
-export function withWallRefusal(wall, refusal) {
-  return { ...wall, phase: 'refused', refusal };
-}
-
 /** @param {Wall} wall @returns {{tone: string, text: string}} */
-export function wallSentence({ phase, refusal, outcome, tiles }) {
-  switch (phase) {
-    case 'waiting':
-      return { tone: '', text: 'Waiting for the competition …' };
-    case 'lost':
-      return {
-        tone: 'trouble',
-        text: 'The program has ended or does not answer. The same command goes on where the competition was.',
-      };
-    case 'refused':
-      return { tone: 'trouble', text: refusal };
-    case 'ended':
-      return { tone: 'done', text: `The competition is over. ${outcome}` };
-    default:
-      return { tone: '', text: tiles.some(({ running }) => running) ? '' : 'The next trials begin …' };
-  }
+export function wallSentence(wall) {
+  return phaseSentence(wall, {
+    waiting: 'Waiting for the competition …',
+    running: wall.tiles.some(({ running }) => running) ? '' : 'The next trials begin …',
+    lost: 'The same command goes on where the competition was.',
+    ended: `The competition is over. ${wall.outcome}`,
+  });
 }
 
 /**

@@ -1,28 +1,16 @@
 /** Starts the page on which a contest is watched: all trials that run, side by side, and the table. */
-import { Connection } from '../live/connection.js';
+import { ReportPage } from '../live/report-page.js';
 import { byId, element, setText } from '../panels/elements.js';
 import { themeSwitch } from '../panels/theme.js';
-import { initialWall, wallSentence, withoutWallLine, withWallNews, withWallRefusal } from '../state/wall.js';
+import { initialWall, wallSentence, withoutWallLine, withWallNews } from '../state/wall.js';
 import { TrialTile } from './trial-tile.js';
 
-const options = new URLSearchParams(location.search);
-const token = options.get('token') ?? '';
-let wall = initialWall();
-let asked = false;
+const page = new ReportPage('live-wall', initialWall(), { told: withWallNews, lost: withoutWallLine }, draw);
 /** @type {Map<string, TrialTile>} */
 const tiles = new Map();
 
-/** @param {import('../state/wall.js').Wall} next */
-function become(next) {
-  wall = next;
-  if (!asked) {
-    asked = true;
-    requestAnimationFrame(draw);
-  }
-}
-
 function draw() {
-  asked = false;
+  const wall = page.known;
   setText(byId('contest'), wall.title);
   setText(byId('rule'), wall.rule);
   const { tone, text } = wallSentence(wall);
@@ -34,10 +22,10 @@ function draw() {
 }
 
 /** @param {string} id */
-const recording = (id) => `./?token=${encodeURIComponent(token)}#replay/${encodeURIComponent(id)}`;
+const recording = (id) => `./?token=${encodeURIComponent(page.token)}#replay/${encodeURIComponent(id)}`;
 
 function drawTiles() {
-  const shown = wall.tiles.map((tile) => {
+  const shown = page.known.tiles.map((tile) => {
     const known = tiles.get(tile.trial.id);
     known?.update(tile);
     return known ?? new TrialTile(tile, recording);
@@ -52,7 +40,7 @@ function drawTiles() {
 }
 
 function drawTable() {
-  const { over, planned, columns, rows } = wall.table;
+  const { over, planned, columns, rows } = page.known.table;
   setText(byId('progress-count'), planned > 0 ? `after ${over} of ${planned} trials` : '');
   byId('share').setAttribute('value', String(planned > 0 ? over / planned : 0));
   const text = JSON.stringify([columns, rows]);
@@ -71,10 +59,11 @@ function drawTable() {
 
 function drawResults() {
   const list = byId('results');
-  byId('results-title').hidden = wall.results.length === 0;
-  if (list.children.length !== wall.results.length) {
+  const { results } = page.known;
+  byId('results-title').hidden = results.length === 0;
+  if (list.children.length !== results.length) {
     list.replaceChildren(
-      ...[...wall.results].reverse().map(({ id, words }) => {
+      ...[...results].reverse().map(({ id, words }) => {
         const link = element('a', { href: recording(id), target: 'robonewbie-replay' }, id);
         return element('li', {}, link, ` ${words}`);
       }),
@@ -82,24 +71,14 @@ function drawResults() {
   }
 }
 
-const line = new Connection(`ws://${location.host}/live-wall?token=${encodeURIComponent(token)}`, {
-  opened() {},
-  lost: () => become(withoutWallLine(wall)),
-  refused: (reason) => become(withWallRefusal(wall, reason)),
-  told: (news) => become(withWallNews(wall, news)),
-  frameArrived() {},
-});
-themeSwitch(options.get('theme'), () => {});
-line.open();
-draw();
-// A browser may keep a page that was left, with its line; but the program waits for those who look.
-window.addEventListener('pagehide', () => line.socket?.close());
+themeSwitch(page.options.get('theme'), () => {});
+page.open();
 
 /** What tests and the curious ask for in the browser's console. */
 Object.assign(window, {
   wall: {
     get state() {
-      return wall;
+      return page.known;
     },
   },
 });
