@@ -7,12 +7,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
 
 /** The studio that looks at something that is not its own: a server with a monitor port, or a recording of somebody. */
+@Tag("slow")
 @InBrowser
 class AttachedStudioTest {
 

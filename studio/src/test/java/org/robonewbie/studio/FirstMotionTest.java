@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.DoubleAccumulator;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
@@ -25,6 +26,7 @@ import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
 /** Somebody who has read nothing but {@code docs/first-motion.md} and presses what is printed bold there. */
+@Tag("slow")
 @InBrowser
 class FirstMotionTest {
 

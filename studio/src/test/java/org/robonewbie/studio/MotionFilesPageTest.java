@@ -9,11 +9,13 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.file.RecordingShelf;
 
 /** How motions come into the editor and out of it: files of Webots, a recorded run, and a browser that was killed. */
+@Tag("slow")
 @InBrowser
 class MotionFilesPageTest {
 

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
@@ -15,6 +16,7 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
 /** The timeline of the motion editor under mouse and keys: rows and curves of joints, several keyframes at once, marks. */
+@Tag("slow")
 @InBrowser(width = 1024)
 class MotionTimelinePageTest {
 

@@ -18,6 +18,7 @@ import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /** Somebody without any code: steers a robot by keys and sliders, keeps a scene and goes back to it. */
+@Tag("slow")
 @InBrowser
 class PuppetPageTest {
 
@@ -185,7 +186,6 @@ class PuppetPageTest {
         browser.await(ANGLE + " > 78");
     }
 
-    @Tag("slow")
     @Test
     void puppetIsWorthAPicture() throws IOException {
         browser.drawSharply();

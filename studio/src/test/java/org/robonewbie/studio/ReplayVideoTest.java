@@ -10,11 +10,13 @@ import java.util.Base64;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.file.RecordingShelf;
 
 /** Videos of recordings, made and played by a real browser. */
+@Tag("slow")
 @InBrowser
 class ReplayVideoTest {
 

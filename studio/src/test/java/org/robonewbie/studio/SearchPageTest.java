@@ -19,6 +19,7 @@ import org.robonewbie.studio.search.SearchRound;
 import org.robonewbie.studio.search.SearchTask;
 
 /** The page of a search as people have it: in a real browser. */
+@Tag("slow")
 @InBrowser
 class SearchPageTest {
 
@@ -138,7 +139,6 @@ class SearchPageTest {
         browser.forgetComplaints();
     }
 
-    @Tag("slow")
     @Test
     void pageIsWorthAPicture() throws IOException {
         browser.drawSharply();

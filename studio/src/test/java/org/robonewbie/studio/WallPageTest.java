@@ -22,6 +22,7 @@ import org.robonewbie.studio.wall.TrialWall;
 import org.robonewbie.studio.wall.WallTable;
 
 /** The wall of a contest as people have it: in a real browser. */
+@Tag("slow")
 @InBrowser
 class WallPageTest {
 
@@ -133,7 +134,6 @@ class WallPageTest {
         assertThat(new Axe().violations(browser)).isEmpty();
     }
 
-    @Tag("slow")
     @Test
     void pageIsWorthAPicture() throws IOException {
         browser.drawSharply();

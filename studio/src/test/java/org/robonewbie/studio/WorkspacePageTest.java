@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 
 /** Picture and panels beside each other: edges are moved by mouse and keys, panels are folded, and the browser remembers it. */
+@Tag("slow")
 @InBrowser(width = 1440, height = 900)
 class WorkspacePageTest {
 

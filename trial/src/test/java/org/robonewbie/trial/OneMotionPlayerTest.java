@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -22,7 +23,6 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
 /** A motion moves a robot that plays nothing else, as in the motion editor, and an agent's robot alike, to the last bit. */
 class OneMotionPlayerTest {
 
-    private static final int RANDOM_MOTIONS = 1000;
     private static final int CYCLES_AFTERWARDS = 5;
 
     @AutoClose
@@ -48,9 +48,17 @@ class OneMotionPlayerTest {
 
     @Test
     void performerPlaysRandomMotionsAsAnAgentDoes() {
-        SplittableRandom random = new SplittableRandom(11);
+        assertPlayedAlike(100, new SplittableRandom(11));
+    }
 
-        for (int i = 0; i < RANDOM_MOTIONS; i++) {
+    @Test
+    @Tag("slow")
+    void performerPlaysAThousandRandomMotionsAsAnAgentDoes() {
+        assertPlayedAlike(1000, new SplittableRandom(12));
+    }
+
+    private void assertPlayedAlike(int motions, SplittableRandom random) {
+        for (int i = 0; i < motions; i++) {
             assertPlayedAlike(randomMotion("random " + i, random));
         }
     }

@@ -25,6 +25,7 @@ import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.MotionFormatException;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.studio.file.FileVersion;
+import org.robonewbie.studio.file.PageFolder;
 import org.robonewbie.studio.file.RefusedException;
 
 /**
@@ -183,11 +184,11 @@ public final class MotionApi extends Handler.Abstract {
         return json.toString();
     }
 
-    private static JsonArray entries(List<MotionFolder.Entry> entries) {
+    private static JsonArray entries(List<PageFolder.Entry> entries) {
         JsonArray json = new JsonArray();
-        for (MotionFolder.Entry entry : entries) {
+        for (PageFolder.Entry entry : entries) {
             JsonObject object = new JsonObject();
-            object.addProperty("name", entry.name());
+            object.addProperty("name", entry.path());
             object.addProperty("version", entry.version());
             json.add(object);
         }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.studio.file.PageFolder;
 import org.robonewbie.studio.file.RefusedException;
 
 /** Programs are read and written in their folder only, and never over what another program has written. */
@@ -69,7 +70,7 @@ class ProgramFolderTest {
         folder.overwrite("other/Hidden.java", bytes("class Hidden {}"));
 
         assertThat(folder.list())
-                .extracting(ProgramFolder.Entry::path)
+                .extracting(PageFolder.Entry::path)
                 .containsExactly("Kick.java", "src/main/java/my/team/Attacker.java");
     }
 
@@ -79,7 +80,8 @@ class ProgramFolderTest {
         folder.overwrite("A.java", bytes("class A { int other; }"));
 
         assertThatThrownBy(() -> folder.write("A.java", bytes("class A { int mine; }"), seen))
-                .hasMessage("\"A.java\" was changed by another program since it was opened here.");
+                .hasMessage(
+                        "\"A.java\" was changed by another program since it was opened here. Load it again, or save under another name.");
         assertThatThrownBy(() -> folder.write("A.java", bytes("class A { int mine; }"), ""))
                 .hasMessage("There is a file \"A.java\" already. Choose another name.");
         assertThat(folder.folder().resolve("A.java")).hasContent("class A { int other; }");
