@@ -1,5 +1,8 @@
 """One robot with the interface of gymnasium.Env."""
 
+import sys
+import webbrowser
+
 import gymnasium
 import numpy as np
 
@@ -7,7 +10,7 @@ from robonewbie.picture import draw
 from robonewbie.simulator import RESET, STEP, Connection, RoboNewbieError
 
 _SEEDS = 2**62
-RENDER_MODES = ["rgb_array"]
+RENDER_MODES = ["human", "rgb_array"]
 
 
 class EpisodeSeeds:
@@ -43,6 +46,14 @@ def checked_render_mode(mode):
     return mode
 
 
+def show(connection):
+    """Opens the studio in the browser with the first environment of a connection; returns the address of its page."""
+    address = connection.show(0)
+    print(f"Studio: {address}", file=sys.stderr)
+    webbrowser.open(address)
+    return address
+
+
 class RoboNewbieEnv(gymnasium.Env):
     """A task for one robot; one step is a cycle of 20 ms.
 
@@ -51,8 +62,11 @@ class RoboNewbieEnv(gymnasium.Env):
 
     ``reward`` is the name of a measure such as ``"energy"``; without it the task decides what it pays. ``options`` change the
     episodes: ``x``, ``y`` (metres), ``heading`` (degrees), ``ball_x``, ``ball_y``, ``push`` (newtons by which pushes once per
-    second get harder) and ``delay`` (cycles until an action acts). Each is a number, or a pair (low, high) from which each
+    second get harder), ``delay`` (cycles until an action acts), ``noise`` (standard deviation of errors on top of joint angles,
+    gyro and accelerometer), ``friction`` and ``mass`` (1 is the usual). Each is a number, or a pair (low, high) from which each
     episode draws its own. ``reset(options={...})`` changes the episode that begins.
+
+    ``render_mode="human"`` opens the studio, where the robot moves in real time; its page can stop the clock.
 
     ``info`` is the true state. For a task of your own, override ``observe``, ``pay`` and ``is_over``:
 
@@ -75,6 +89,7 @@ class RoboNewbieEnv(gymnasium.Env):
         self.observation_units = [entry["unit"] for entry in description["observation"]]
         self.action_names = description["action"]
         self.range_degrees = description["rangeDegrees"]
+        self.studio_address = show(self._connection) if render_mode == "human" else None
 
     def observe(self, observation, truth):
         """Returns what a learner sees: what the robot senses, unless a subclass chooses from it or from the true state."""

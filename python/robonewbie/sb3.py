@@ -8,7 +8,7 @@
 import numpy as np
 from stable_baselines3.common.vec_env import VecEnv as _VecEnv
 
-from robonewbie.environment import EpisodeSeeds, checked_render_mode, spaces_of
+from robonewbie.environment import EpisodeSeeds, checked_render_mode, show, spaces_of
 from robonewbie.picture import draw
 from robonewbie.simulator import RESET, SKIP, STEP, Connection
 
@@ -22,6 +22,7 @@ class VecEnv(_VecEnv):
         self._longest = self._connection.description["longestCycles"]
         self._steps = np.zeros(num_envs, dtype=int)
         self._episodes = EpisodeSeeds(num_envs)
+        self.studio_address = show(self._connection) if render_mode == "human" else None
         super().__init__(num_envs, *spaces_of(self._connection.description))
 
     def reset(self):

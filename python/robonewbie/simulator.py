@@ -212,6 +212,12 @@ class Connection:
         """Gives the places of limbs and ball in one environment."""
         return json.loads(self._ask(b"P" + struct.pack("<i", index)))
 
+    def show(self, index):
+        """Opens the studio with one environment, which runs in real time from now on; gives the address of its page."""
+        address = self._ask(b"V" + struct.pack("<i", index)).decode("utf-8")
+        self._socket.settimeout(None)  # people may stop the clock
+        return address
+
     def _ask(self, message):
         if self._socket.fileno() < 0:
             raise RoboNewbieError("The environment was closed. Make it again.")

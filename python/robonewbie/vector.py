@@ -4,7 +4,7 @@ import gymnasium
 import numpy as np
 from gymnasium.vector.utils import batch_space
 
-from robonewbie.environment import RENDER_MODES, EpisodeSeeds, checked_render_mode, spaces_of
+from robonewbie.environment import RENDER_MODES, EpisodeSeeds, checked_render_mode, show, spaces_of
 from robonewbie.picture import draw
 from robonewbie.simulator import RESET, STEP, Connection
 
@@ -29,6 +29,7 @@ class RoboNewbieVectorEnv(gymnasium.vector.VectorEnv):
         self._episodes = EpisodeSeeds(num_envs)
         self._steps = np.zeros(num_envs, dtype=int)
         self._done = np.ones(num_envs, dtype=bool)
+        self.studio_address = show(self._connection) if render_mode == "human" else None
 
     def reset(self, *, seed=None, options=None):
         if seed is not None:

@@ -2,11 +2,14 @@
 
 import os
 import pickle
+import re
 import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
+import urllib.request
 import warnings
 from pathlib import Path
 from unittest import mock
@@ -18,6 +21,18 @@ from gymnasium.utils.env_checker import check_env
 import robonewbie
 from robonewbie import simulator
 
+no_browser = mock.patch("webbrowser.open")
+
+
+def setUpModule():
+    no_browser.start()
+
+
+def tearDownModule():
+    no_browser.stop()
+
+
+README = Path(__file__).parents[1] / "README.md"
 TASKS = ["Stand", "Walk", "Kick", "Reach"]
 
 
@@ -141,14 +156,11 @@ class EnvironmentTest(unittest.TestCase):
         self.assertLess(angle_after(3, 4), angle_after(0, 4) - 5)
 
     def test_subclass_pays_what_it_wants(self):
-        class Crouch(robonewbie.RoboNewbieEnv):
-            def pay(self, reward, truth):
-                return -truth["height"]
-
-            def is_over(self, over, truth):
-                return over or truth["height"] < 0.3
-
-        env = Crouch("Stand", push=0)
+        sample = next(code for code in re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.S) if "Crouch" in code)
+        self.assertLess(len(sample.splitlines()), 40)
+        names = {}
+        exec(sample, names)
+        env = names["Crouch"]()
         env.reset(seed=1)
         bend = np.array([1.0 if name.endswith("KNEE_PITCH") else 0.0 for name in env.action_names])
         rows = [env.step(-bend) for _ in range(40)]
@@ -166,8 +178,45 @@ class EnvironmentTest(unittest.TestCase):
         self.assertGreater(shirt.mean(), 0.02)
         self.assertGreater((picture[..., 1] > picture[..., 0]).mean(), 0.5)
         env.close()
-        with self.assertRaisesRegex(ValueError, "There are: rgb_array"):
+        with self.assertRaisesRegex(ValueError, "There are: human, rgb_array"):
             robonewbie.RoboNewbieEnv("Walk", render_mode="ansi")
+
+    def test_studio_shows_the_robot_in_real_time(self):
+        with mock.patch("webbrowser.open") as browser:
+            env = gymnasium.make("RoboNewbie/Reach-v1", render_mode="human")
+        address = env.unwrapped.studio_address
+        browser.assert_called_once_with(address)
+        with urllib.request.urlopen(address) as page:
+            self.assertIn(b"<title>", page.read())
+        env.reset(seed=1)
+        begin = time.monotonic()
+        for _ in range(25):
+            env.step(np.zeros(4))
+        self.assertGreater(time.monotonic() - begin, 0.25)
+        env.close()
+
+    def test_friction_mass_and_noise_are_drawn_for_each_episode(self):
+        def force_and_knee(**options):
+            env = gymnasium.make("RoboNewbie/Stand-v1", push=0, **options)
+            names = env.unwrapped.observation_names
+            rows = []
+            for seed in (1, 2, 1):
+                env.reset(seed=seed)
+                for _ in range(100):
+                    observation, *_ = env.step(np.zeros(12))
+                force = sum(observation[names.index(f"{side}Foot.force.up")] for side in ("left", "right"))
+                rows.append((force, observation[names.index("joint.LEFT_KNEE_PITCH")]))
+            env.close()
+            return rows
+
+        usual, heavy = force_and_knee(), force_and_knee(mass=(1.2, 1.4), friction=(0.5, 2), noise=1)
+        self.assertAlmostEqual(usual[0][0], usual[1][0], delta=3)
+        self.assertTrue(all(1.15 < row[0] / usual[0][0] < 1.45 for row in heavy))
+        self.assertGreater(abs(heavy[0][0] - heavy[1][0]), 1)
+        self.assertEqual(heavy[0], heavy[2])
+        self.assertNotEqual(heavy[0][1], heavy[1][1])
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, "mass=-1.0 is not between 0.1 and 10"):
+            gymnasium.make("RoboNewbie/Walk-v1", mass=-1)
 
     def test_pickled_environment_is_made_again(self):
         env = robonewbie.RoboNewbieEnv("Walk", heading=(0, 40))

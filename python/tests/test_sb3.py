@@ -1,6 +1,7 @@
 """Stable-Baselines3 by its own documentation; skipped where it is not installed."""
 
 import unittest
+from unittest import mock
 
 import gymnasium
 import numpy as np
@@ -21,7 +22,7 @@ except ImportError:
 class StableBaselinesTest(unittest.TestCase):
     def test_each_task_passes_its_checker(self):
         for task in ["Stand", "Walk", "Kick", "Reach"]:
-            with self.subTest(task):
+            with self.subTest(task), mock.patch("webbrowser.open"):
                 env = gymnasium.make(f"RoboNewbie/{task}-v1").unwrapped
                 check_env(env)
                 env.close()

@@ -231,6 +231,8 @@ public final class Trial implements AutoCloseable {
     public void reset(long seed, Performer... performers) {
         Iterator<Performer> all = each(scene, performers);
         world.reset(seed);
+        setGrip(1);
+        bodies.forEach(body -> body.robot().setMassFactor(1));
         script = trial -> {};
         cycles = 0;
         for (int i = 0; i < bodies.size(); i++) {
@@ -284,6 +286,15 @@ public final class Trial implements AutoCloseable {
     /** {@return simulated seconds since the trial began} */
     public double seconds() {
         return cycles * Cycle.SECONDS;
+    }
+
+    /**
+     * Changes how well all surfaces hold on to each other until the trial is over or reset.
+     *
+     * @param factor above 0; 1 as in SimSpark, with 0.5 feet slip twice as fast under the same force
+     */
+    public void setGrip(double factor) {
+        simulator.world().setGrip(factor);
     }
 
     /** {@return the ball, to be moved or looked at} */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
 class ResetTest {
@@ -47,5 +48,34 @@ class ResetTest {
             states.add(moment.ball() + " " + moment.robot().torso());
         }
         return states;
+    }
+
+    @Test
+    void gripAndMassChangeUntilTheTrialIsReset() {
+        try (Trial trial = Trial.direct(Scene.of(RobotStart.at(0, 0)), 1, Performer.ofSpeeds())) {
+            double usual = slide(trial);
+
+            trial.reset(1, Performer.ofSpeeds());
+            trial.setGrip(0.1);
+            double slippery = slide(trial);
+            trial.reset(1, Performer.ofSpeeds());
+            trial.robot(0).setMassFactor(2);
+            double heavy = slide(trial);
+            trial.reset(1, Performer.ofSpeeds());
+
+            assertThat(slippery).isGreaterThan(2 * usual);
+            assertThat(heavy).isNotEqualTo(usual);
+            assertThat(slide(trial)).isEqualTo(usual);
+        }
+    }
+
+    /** How far a gentle push moves a robot to the side in a second. */
+    private static double slide(Trial trial) {
+        double before = trial.now().robot().position().y();
+        for (int i = 0; i < 50; i++) {
+            trial.robot(0).push(new Vector3(0, 4, 0));
+            trial.step();
+        }
+        return trial.now().robot().position().y() - before;
     }
 }

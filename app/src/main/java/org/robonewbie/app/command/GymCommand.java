@@ -7,6 +7,8 @@ import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.learning.gym.GymOrder;
 import org.robonewbie.learning.gym.GymServer;
+import org.robonewbie.studio.AccessToken;
+import org.robonewbie.studio.StudioServer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -80,7 +82,11 @@ final class GymCommand implements Callable<Integer> {
     private GymServer server() throws IOException {
         try {
             return GymServer.open(
-                    port, new GymOrder(task, reward), AgentFinder.loaderOf(classPath.folders()), System.err::println);
+                    port,
+                    new GymOrder(task, reward),
+                    AgentFinder.loaderOf(classPath.folders()),
+                    simulation -> StudioServer.start(simulation, 0, AccessToken.ofUser()),
+                    System.err::println);
         } catch (IllegalArgumentException wrong) {
             throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         }

@@ -9,7 +9,9 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.robonewbie.nao.Joint;
@@ -23,6 +25,7 @@ final class GymConnection {
     private static final byte ACT = 'A';
     private static final byte CHANGE = 'C';
     private static final byte PICTURE = 'P';
+    private static final byte VIEW = 'V';
     private static final byte STEP = 1;
     private static final byte RESET = 2;
     private static final byte WELL = 0;
@@ -32,13 +35,16 @@ final class GymConnection {
     private final DataOutputStream output;
     private final GymOrder usual;
     private final ClassLoader classes;
+    private final GymStage stage;
     private List<GymEnvironment> environments = List.of();
+    private final List<GymShow> shows = new ArrayList<>();
 
-    GymConnection(DataInputStream input, DataOutputStream output, GymOrder usual, ClassLoader classes) {
+    GymConnection(DataInputStream input, DataOutputStream output, GymOrder usual, ClassLoader classes, GymStage stage) {
         this.input = input;
         this.output = output;
         this.usual = usual;
         this.classes = classes;
+        this.stage = stage;
     }
 
     /** Answers requests until the other side leaves. */
@@ -50,8 +56,14 @@ final class GymConnection {
         } catch (EOFException left) {
             // The program has ended.
         } finally {
-            environments.forEach(GymEnvironment::close);
+            end();
         }
+    }
+
+    private void end() {
+        shows.forEach(GymShow::close);
+        shows.clear();
+        environments.forEach(GymEnvironment::close);
     }
 
     private ByteBuffer readMessage() throws IOException {
@@ -73,6 +85,7 @@ final class GymConnection {
                 case ACT -> reply(WELL, act(request));
                 case CHANGE -> reply(WELL, change(request));
                 case PICTURE -> reply(WELL, picture(request));
+                case VIEW -> reply(WELL, view(request));
                 default -> throw new IllegalArgumentException("There is no request of kind " + kind + ".");
             }
         } catch (IllegalArgumentException | java.nio.BufferUnderflowException wrong) {
@@ -97,7 +110,7 @@ final class GymConnection {
         GymOrder order = usual.completing(message);
         GymOptions options = GymOrder.options(message.lines().skip(1));
         Supplier<GymEpisode> episodes = order.episodes(classes);
-        environments.forEach(GymEnvironment::close);
+        end();
         environments = IntStream.range(0, count)
                 .parallel()
                 .mapToObj(i -> new GymEnvironment(episodes, options))
@@ -116,12 +129,27 @@ final class GymConnection {
     }
 
     private byte[] picture(ByteBuffer request) {
+        return GymPicture.of(environment(request).now()).toString().getBytes(StandardCharsets.UTF_8);
+    }
+
+    private byte[] view(ByteBuffer request) throws IOException {
+        GymEnvironment environment = environment(request);
+        Optional<GymShow> open =
+                shows.stream().filter(show -> show.shows(environment)).findFirst();
+        GymShow show = open.isPresent() ? open.get() : GymShow.open(environment, stage);
+        if (open.isEmpty()) {
+            shows.add(show);
+        }
+        return show.address().toString().getBytes(StandardCharsets.UTF_8);
+    }
+
+    private GymEnvironment environment(ByteBuffer request) {
         int index = request.getInt();
         if (index < 0 || index >= environments.size()) {
             throw new IllegalArgumentException(
                     "There is no environment " + index + "; there are " + environments.size() + ", counted from 0.");
         }
-        return GymPicture.of(environments.get(index).now()).toString().getBytes(StandardCharsets.UTF_8);
+        return environments.get(index);
     }
 
     private static JsonObject description(GymOrder order, GymEnvironment environment) {

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.robonewbie.trial.Audience;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Performer;
@@ -21,6 +22,8 @@ final class GymEnvironment implements AutoCloseable {
     private GymOptions options;
     private GymEpisode episode;
     private Perception perception;
+    private ReadingErrors errors = ReadingErrors.NONE;
+    private Audience audience = Audience.NOBODY;
     private Scene scene;
     private Trial trial;
 
@@ -40,7 +43,7 @@ final class GymEnvironment implements AutoCloseable {
                 .toList();
         scene = task().scene(new Chance(0));
         trial = Trial.direct(scene, 0, cast());
-        episode.begin(trial, options.draw(0), 0);
+        begin(0);
     }
 
     /** What is observed; values beyond the ranges are clamped. */
@@ -65,12 +68,25 @@ final class GymEnvironment implements AutoCloseable {
             scene = next;
             trial = Trial.direct(scene, seed, cast());
         }
-        episode.begin(trial, options.draw(seed), seed);
+        begin(seed);
+    }
+
+    private void begin(long seed) {
+        GymOptions.Drawn drawn = options.draw(seed);
+        errors = new ReadingErrors(drawn.noise(), seed);
+        episode.begin(trial, drawn, seed);
+        audience.cycleEnded(trial);
     }
 
     /** Changes the episodes that begin from now on. */
     void setOptions(GymOptions changed) {
         options = changed;
+    }
+
+    /** Lets somebody watch all that happens from now on. */
+    void setAudience(Audience watching) {
+        audience = watching;
+        audience.cycleEnded(trial);
     }
 
     /** The robot that learns, and others that hold still. */
@@ -83,11 +99,12 @@ final class GymEnvironment implements AutoCloseable {
     /** Runs one cycle. */
     void step(double... action) {
         episode.step(trial, action);
+        audience.cycleEnded(trial);
     }
 
     /** What the robot perceives; to be asked once after each reset and each step. */
     double[] observation() {
-        double[] felt = perception.observe(trial.readings(0));
+        double[] felt = errors.added(perception.observe(trial.readings(0)));
         double[] extras = task().extras();
         double[] all = Arrays.copyOf(felt, felt.length + extras.length);
         System.arraycopy(extras, 0, all, felt.length, extras.length);

@@ -50,7 +50,7 @@ final class GymEpisode implements Performer {
     /** Completes the scene of a trial that is at its beginning. */
     void begin(Trial trial, GymOptions.Drawn options, long seed) {
         firstPosture = trial.now().robot().joints();
-        options.place(trial);
+        options.apply(trial);
         task.begin(trial);
         Script pushes = pushes(options.pushNewtons().orElse(task.pushNewtons()), seed);
         trial.with(world -> {

@@ -26,6 +26,7 @@ final class GymOptions {
     static final GymOptions NONE = new GymOptions(Map.of());
 
     private static final String RANGE = "..";
+    private static final double MOST = 1e6;
 
     /** What can be changed. */
     private enum Name {
@@ -35,7 +36,22 @@ final class GymOptions {
         BALL_X,
         BALL_Y,
         PUSH,
-        DELAY;
+        DELAY(0, 1000),
+        NOISE(0, 1000),
+        FRICTION(0.01, 100),
+        MASS(0.1, 10);
+
+        private final double least;
+        private final double most;
+
+        Name() {
+            this(-MOST, MOST);
+        }
+
+        Name(double least, double most) {
+            this.least = least;
+            this.most = most;
+        }
 
         static Name of(String word) {
             List<String> words = Arrays.stream(values()).map(Name::word).toList();
@@ -57,20 +73,28 @@ final class GymOptions {
     /** From where to where a number is drawn. */
     private record Range(double low, double high) {
 
-        static Range of(String word, String text) {
+        static Range of(Name name, String text) {
             try {
                 int dots = text.indexOf(RANGE);
                 String low = dots < 0 ? text : text.substring(0, dots);
                 String high = dots < 0 ? text : text.substring(dots + RANGE.length());
                 Range range = new Range(Double.parseDouble(low), Double.parseDouble(high));
-                if (range.low <= range.high && Double.isFinite(range.high - range.low)) {
-                    return range;
+                if (range.low <= range.high) {
+                    return range.within(name, text);
                 }
             } catch (NumberFormatException none) {
                 // told below
             }
-            throw new IllegalArgumentException("The option " + word + "=" + text
+            throw new IllegalArgumentException("The option " + name.word() + "=" + text
                     + " is neither a number nor a range with the smaller number first, such as -0.5..0.5.");
+        }
+
+        private Range within(Name name, String text) {
+            if (low < name.least || high > name.most) {
+                throw new IllegalArgumentException("The option " + name.word() + "=" + text + " is not between "
+                        + name.least + " and " + name.most + ".");
+            }
+            return this;
         }
 
         double draw(Chance chance) {
@@ -88,7 +112,8 @@ final class GymOptions {
     GymOptions with(String word, String text) {
         Map<Name, Range> changed = new EnumMap<>(Name.class);
         changed.putAll(ranges);
-        changed.put(Name.of(word), Range.of(word, text));
+        Name name = Name.of(word);
+        changed.put(name, Range.of(name, text));
         return new GymOptions(changed);
     }
 
@@ -117,8 +142,14 @@ final class GymOptions {
             return Arrays.stream(names).anyMatch(numbers::containsKey);
         }
 
-        /** Moves robot and ball before the task completes the scene. */
-        void place(Trial trial) {
+        /** Changes ground, robot and places before the task completes the scene. */
+        void apply(Trial trial) {
+            trial.setGrip(of(Name.FRICTION, 1));
+            trial.robot(0).setMassFactor(of(Name.MASS, 1));
+            place(trial);
+        }
+
+        private void place(Trial trial) {
             Moment now = trial.now();
             if (isAny(Name.X, Name.Y, Name.HEADING)) {
                 Place usual = now.place();
@@ -141,7 +172,12 @@ final class GymOptions {
 
         /** How many cycles an action takes to reach the motors, in addition to none. */
         int delayCycles() {
-            return (int) Math.max(0, Math.round(of(Name.DELAY, 0)));
+            return (int) Math.round(of(Name.DELAY, 0));
+        }
+
+        /** Standard deviation of errors that come on top of what the robot feels, in the units of the readings. */
+        double noise() {
+            return of(Name.NOISE, 0);
         }
     }
 }

@@ -22,17 +22,20 @@ public final class GymServer implements AutoCloseable {
     private final ServerSocket socket;
     private final GymOrder usual;
     private final ClassLoader classes;
+    private final GymStage stage;
     private final Consumer<String> console;
 
-    private GymServer(ServerSocket socket, GymOrder usual, ClassLoader classes, Consumer<String> console) {
+    private GymServer(
+            ServerSocket socket, GymOrder usual, ClassLoader classes, GymStage stage, Consumer<String> console) {
         this.socket = socket;
         this.usual = usual;
         this.classes = classes;
+        this.stage = stage;
         this.console = console;
     }
 
     /**
-     * Opens the port on 127.0.0.1 and begins to serve.
+     * Opens the port on 127.0.0.1 and begins to serve, with nothing to watch.
      *
      * @param port the port, 0 for any free one
      * @param usual what programs get that leave something out
@@ -44,9 +47,27 @@ public final class GymServer implements AutoCloseable {
      */
     public static GymServer open(int port, GymOrder usual, ClassLoader classes, Consumer<String> console)
             throws IOException {
+        return open(port, usual, classes, GymStage.NONE, console);
+    }
+
+    /**
+     * Opens the port on 127.0.0.1 and begins to serve.
+     *
+     * @param port the port, 0 for any free one
+     * @param usual what programs get that leave something out
+     * @param classes where to look for tasks and measures of your own
+     * @param stage where people can watch
+     * @param console where it tells people what went wrong
+     * @return the server
+     * @throws IOException if the port is in use
+     * @throws IllegalArgumentException if there is no such task or measure; the message says what there is
+     */
+    public static GymServer open(
+            int port, GymOrder usual, ClassLoader classes, GymStage stage, Consumer<String> console)
+            throws IOException {
         usual.episodes(classes);
         ServerSocket socket = new ServerSocket(port, 50, InetAddress.getByAddress(LOOPBACK));
-        GymServer server = new GymServer(socket, usual, classes, console);
+        GymServer server = new GymServer(socket, usual, classes, stage, console);
         daemon("gym server", server::accept);
         return server;
     }
@@ -76,7 +97,8 @@ public final class GymServer implements AutoCloseable {
                             new DataInputStream(new BufferedInputStream(client.getInputStream())),
                             new DataOutputStream(new BufferedOutputStream(client.getOutputStream())),
                             usual,
-                            classes)
+                            classes,
+                            stage)
                     .serve();
         } catch (IOException broken) {
             console.accept("A learning program is no longer served: " + broken.getMessage());

@@ -7,15 +7,21 @@ import java.io.DataInputStream;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.Socket;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
 
 class GymServerTest {
@@ -84,7 +90,7 @@ class GymServerTest {
         assertThat(text(make("Reach\nreward=joy", 1))).startsWith("\1There is no measure \"joy\". There are: ");
         assertThat(text(make("Reach\nspeed=9", 1)))
                 .isEqualTo(
-                        "\1There is no option \"speed\". There are: reward, x, y, heading, ball_x, ball_y, push, delay.");
+                        "\1There is no option \"speed\". There are: reward, x, y, heading, ball_x, ball_y, push, delay, noise, friction, mass.");
     }
 
     @Test
@@ -113,6 +119,30 @@ class GymServerTest {
     @Test
     void programThatNamesNoTaskGetsTheUsualOne() throws IOException {
         assertThat(text(make("", 1))).contains("\"task\":\"Walk\",\"reward\":\"\"");
+    }
+
+    @Test
+    void shippedSampleOfATaskIsShortAndRuns(@TempDir Path classes) throws Exception {
+        Path sample = Path.of("../python/examples/Squat.java");
+        int code =
+                ToolProvider.getSystemJavaCompiler().run(null, null, null, "-d", classes.toString(), sample.toString());
+        try (URLClassLoader loader =
+                        new URLClassLoader(new URL[] {classes.toUri().toURL()});
+                GymEnvironment squat = new GymEnvironment(new GymOrder("Squat", "").episodes(loader))) {
+            double[] bent = new double[squat.task().joints().size()];
+            for (Joint joint : List.of(Joint.LEFT_KNEE_PITCH, Joint.RIGHT_KNEE_PITCH)) {
+                bent[squat.task().joints().indexOf(joint)] = -0.3;
+            }
+            double earned = 0;
+            for (int i = 0; i < 20; i++) {
+                squat.step(bent);
+                earned += squat.reward();
+            }
+
+            assertThat(code).isZero();
+            assertThat(Files.readAllLines(sample)).hasSizeLessThanOrEqualTo(40);
+            assertThat(earned).isPositive();
+        }
     }
 
     @Test

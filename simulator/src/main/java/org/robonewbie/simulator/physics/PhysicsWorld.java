@@ -42,6 +42,13 @@ public interface PhysicsWorld extends Restorable {
      */
     Collider addGround(Material material, Object owner);
 
+    /**
+     * Changes how well all surfaces hold on to each other.
+     *
+     * @param factor above 0; 1 is the usual, with 0.5 they slip twice as fast under the same force
+     */
+    void setGrip(double factor);
+
     /** Looks where colliders touch and replaces the list of contacts. */
     void findContacts();
 

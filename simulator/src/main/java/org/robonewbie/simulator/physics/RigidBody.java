@@ -69,6 +69,13 @@ public interface RigidBody {
      */
     void addTorque(Vector3 newtonMetres);
 
+    /**
+     * Makes the body heavier or lighter than it was made, and harder or easier to turn in proportion.
+     *
+     * @param factor the mass as a multiple of the first one, above 0
+     */
+    void setMassFactor(double factor);
+
     /** {@return whether the body rests and is left out of the step} */
     boolean isAsleep();
 

@@ -285,6 +285,15 @@ public final class Robot {
         beam = Optional.of(new Beam(position, yawDegrees));
     }
 
+    /**
+     * Makes all links heavier or lighter than those of the type, to try what a robot can carry; no part of a saved state.
+     *
+     * @param factor mass as a multiple of the type's, above 0
+     */
+    public void setMassFactor(double factor) {
+        bodies.forEach(body -> body.setMassFactor(factor));
+    }
+
     /** Wakes a sleeping robot. */
     public void wake() {
         bodies.forEach(RigidBody::wake);

@@ -127,6 +127,15 @@ public final class SoccerWorld implements Restorable {
         return Collections.unmodifiableList(robots);
     }
 
+    /**
+     * Changes how well all surfaces hold on to each other, to try robots on other grounds; no part of a saved state.
+     *
+     * @param factor above 0; 1 as in SimSpark, with 0.5 they slip twice as fast under the same force
+     */
+    public void setGrip(double factor) {
+        engine.setGrip(factor);
+    }
+
     /** Advances the world by one cycle of 20 ms: accelerometers, beams, drag, contacts, movement, foot sensors. */
     public void step() {
         ball.applyDrag();

@@ -13,13 +13,12 @@ import org.robonewbie.simulator.physics.RotationMatrix;
 final class OdeBody implements RigidBody {
 
     private final DBody body;
+    private final MassDistribution usual;
 
     OdeBody(DWorld world, MassDistribution mass, Vector3 position) {
         body = OdeHelper.createBody(world);
-        DMass details = OdeHelper.createMass();
-        Vector3 inertia = mass.inertia();
-        details.setParameters(mass.massKg(), 0, 0, 0, inertia.x(), inertia.y(), inertia.z(), 0, 0, 0);
-        body.setMass(details);
+        usual = mass;
+        setMassFactor(1);
         setPosition(position);
     }
 
@@ -75,6 +74,14 @@ final class OdeBody implements RigidBody {
     @Override
     public void addTorque(Vector3 newtonMetres) {
         body.addTorque(newtonMetres.x(), newtonMetres.y(), newtonMetres.z());
+    }
+
+    @Override
+    public void setMassFactor(double factor) {
+        DMass details = OdeHelper.createMass();
+        Vector3 inertia = usual.inertia().times(factor);
+        details.setParameters(factor * usual.massKg(), 0, 0, 0, inertia.x(), inertia.y(), inertia.z(), 0, 0, 0);
+        body.setMass(details);
     }
 
     @Override

@@ -44,6 +44,7 @@ public final class OdePhysicsWorld implements PhysicsWorld {
     private final DJointGroup contactJoints = OdeHelper.createJointGroup();
     private final DContactBuffer buffer = new DContactBuffer(MAX_CONTACTS_PER_PAIR);
     private final List<Contact> contacts = new ArrayList<>();
+    private double grip = 1;
 
     /** Creates an empty world. */
     public OdePhysicsWorld() {
@@ -80,6 +81,11 @@ public final class OdePhysicsWorld implements PhysicsWorld {
         return Collections.unmodifiableList(contacts);
     }
 
+    @Override
+    public void setGrip(double factor) {
+        grip = factor;
+    }
+
     /** Uses ODE's exact solver; ode4j advises against it for its cost, but only it holds this robot at 20 ms. */
     @Override
     @SuppressWarnings("deprecation")
@@ -112,7 +118,7 @@ public final class OdePhysicsWorld implements PhysicsWorld {
     }
 
     private void join(OdeContact contact, DContact details, Material surface) {
-        OdeSurface.describe(surface, details.surface);
+        OdeSurface.describe(surface, grip, details.surface);
         DContactJoint joint = OdeHelper.createContactJoint(world, contactJoints, details);
         joint.attach(details.geom.g1.getBody(), details.geom.g2.getBody());
         joint.setFeedback(contact.feedback());

@@ -9,7 +9,7 @@ final class OdeSurface {
 
     private OdeSurface() {}
 
-    static void describe(Material material, DSurfaceParameters parameters) {
+    static void describe(Material material, double grip, DSurfaceParameters parameters) {
         parameters.mode = 0;
         parameters.mu = OdeConstants.dInfinity;
         material.bounce().ifPresent(bounce -> {
@@ -27,8 +27,8 @@ final class OdeSurface {
         });
         material.slip().ifPresent(value -> {
             parameters.mode |= OdeConstants.dContactSlip1 | OdeConstants.dContactSlip2;
-            parameters.slip1 = value;
-            parameters.slip2 = value;
+            parameters.slip1 = value / grip;
+            parameters.slip2 = value / grip;
         });
     }
 }

@@ -25,7 +25,7 @@ final class Body implements RigidBody, Restorable {
     private static final double RESTING_SPEED_SQUARED = 0.01 * 0.01;
     private static final int STEPS_TO_FALL_ASLEEP = 10;
 
-    final double inverseMass;
+    double inverseMass;
     /** Rotation from the body's axes to the world's, row by row. */
     final double[] rotation = Rotations.identity();
     /** The inverse of the inertia about the world's axes, row by row; as of the last {@link #prepare}. */
@@ -45,8 +45,9 @@ final class Body implements RigidBody, Restorable {
     /** Whether this step has put the body in an island already. */
     boolean visited;
 
-    private final double mass;
-    private final double[] inertia;
+    private final MassDistribution usual;
+    private double mass;
+    private final double[] inertia = new double[3];
     private final boolean evenlyHeavy;
     private final double[] position = new double[3];
     private final double[] quaternion = {1, 0, 0, 0};
@@ -58,12 +59,18 @@ final class Body implements RigidBody, Restorable {
 
     Body(MassDistribution distribution, Vector3 position, MoveOrder order) {
         this.order = order;
-        mass = distribution.massKg();
-        inverseMass = 1 / mass;
+        usual = distribution;
+        setMassFactor(1);
         Vector3 moments = distribution.inertia();
-        inertia = new double[] {moments.x(), moments.y(), moments.z()};
         evenlyHeavy = moments.x() == moments.y() && moments.y() == moments.z();
         set(this.position, position);
+    }
+
+    @Override
+    public void setMassFactor(double factor) {
+        mass = factor * usual.massKg();
+        inverseMass = 1 / mass;
+        set(inertia, usual.inertia().times(factor));
     }
 
     double[] place() {

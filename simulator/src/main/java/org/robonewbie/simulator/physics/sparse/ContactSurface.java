@@ -16,14 +16,14 @@ import org.robonewbie.simulator.physics.Material;
 record ContactSurface(double errorReduction, double softness, double slip, double restitution, double minimumVelocity) {
 
     /** How surfaces behave that leave every matter open. */
-    static final ContactSurface HARD =
-            of(new Material(Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.empty()));
+    static final ContactSurface HARD = of(
+            new Material(Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.empty()), 1);
 
-    static ContactSurface of(Material material) {
+    static ContactSurface of(Material material, double grip) {
         return new ContactSurface(
                 material.errorReduction().orElse(PhysicsConstants.ERROR_REDUCTION),
                 material.softness().orElse(PhysicsConstants.SOFTNESS),
-                material.slip().orElse(PhysicsConstants.SOFTNESS),
+                material.slip().orElse(PhysicsConstants.SOFTNESS) / grip,
                 material.bounce().map(Material.Bounce::restitution).orElse(-1.0),
                 material.bounce().map(Material.Bounce::minimumVelocity).orElse(0.0));
     }

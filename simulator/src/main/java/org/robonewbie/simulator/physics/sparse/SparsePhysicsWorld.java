@@ -75,6 +75,11 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
     }
 
     @Override
+    public void setGrip(double factor) {
+        surfaces.setGrip(factor);
+    }
+
+    @Override
     public void findContacts() {
         contacts.begin();
         finder.find(contacts);

@@ -9,6 +9,18 @@ final class Surfaces {
 
     private final List<Material> materials = new ArrayList<>();
     private final List<List<ContactSurface>> mixed = new ArrayList<>();
+    private double grip = 1;
+
+    /** Changes how well all materials hold; the number of a material stays. */
+    void setGrip(double factor) {
+        if (factor != grip) {
+            grip = factor;
+            List<Material> known = List.copyOf(materials);
+            materials.clear();
+            mixed.clear();
+            known.forEach(this::numberOf);
+        }
+    }
 
     /** Returns the number of a material. */
     int numberOf(Material material) {
@@ -19,7 +31,7 @@ final class Surfaces {
         materials.add(material);
         List<ContactSurface> row = new ArrayList<>();
         for (int i = 0; i < materials.size(); i++) {
-            ContactSurface surface = ContactSurface.of(material.mixedWith(materials.get(i)));
+            ContactSurface surface = ContactSurface.of(material.mixedWith(materials.get(i)), grip);
             row.add(surface);
             if (i < mixed.size()) {
                 mixed.get(i).add(surface);

@@ -1,0 +1,41 @@
+package org.robonewbie.learning.gym;
+
+import java.io.IOException;
+import java.net.URI;
+import org.robonewbie.simulator.embedded.Viewer;
+import org.robonewbie.trial.watch.WatchedTrial;
+
+/** One environment under the eyes of people: it runs in real time, and they can stop its clock. */
+final class GymShow implements AutoCloseable {
+
+    private final GymEnvironment environment;
+    private final WatchedTrial watched;
+    private final Viewer.View view;
+
+    private GymShow(GymEnvironment environment, WatchedTrial watched, Viewer.View view) {
+        this.environment = environment;
+        this.watched = watched;
+        this.view = view;
+    }
+
+    static GymShow open(GymEnvironment environment, GymStage stage) throws IOException {
+        WatchedTrial watched = new WatchedTrial();
+        Viewer.View view = stage.show(watched);
+        environment.setAudience(watched);
+        return new GymShow(environment, watched, view);
+    }
+
+    boolean shows(GymEnvironment other) {
+        return environment == other;
+    }
+
+    URI address() {
+        return view.address();
+    }
+
+    @Override
+    public void close() {
+        watched.leave();
+        view.close();
+    }
+}

@@ -1,0 +1,37 @@
+import org.robonewbie.learning.gym.GymTask;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+
+/** Get low without falling: pays the metres that the torso has sunk by at most, and takes them back after a fall. */
+public final class Squat extends GymTask {
+
+    private double deepest;
+
+    @Override
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(0, 0).after("stand")).withBall(3, 0);
+    }
+
+    @Override
+    public double rangeDegrees() {
+        return 60;
+    }
+
+    @Override
+    protected void see(Moment first, Moment now) {
+        double sunk = first.robot().position().z() - now.robot().position().z();
+        deepest = Math.max(deepest, sunk);
+    }
+
+    @Override
+    public boolean isDone() {
+        return !hasFallen() && deepest > 0.1;
+    }
+
+    @Override
+    public double value() {
+        return hasFallen() ? 0 : deepest;
+    }
+}
