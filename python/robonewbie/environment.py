@@ -7,7 +7,7 @@ import gymnasium
 import numpy as np
 
 from robonewbie.picture import draw
-from robonewbie.simulator import RESET, STEP, Connection, RoboNewbieError
+from robonewbie.simulator import LATE, RESET, STEP, Connection, RoboNewbieError
 
 _SEEDS = 2**62
 RENDER_MODES = ["human", "rgb_array"]
@@ -62,7 +62,7 @@ class RoboNewbieEnv(gymnasium.Env):
 
     ``reward`` is the name of a measure such as ``"energy"``; without it the task decides what it pays. ``options`` change the
     episodes: ``x``, ``y`` (metres), ``heading`` (degrees), ``ball_x``, ``ball_y``, ``push`` (newtons by which pushes once per
-    second get harder), ``delay`` (cycles until an action acts), ``noise`` (standard deviation of errors on top of joint angles,
+    second get harder), ``delay`` (cycles until an action acts), ``cycles`` (how many an action lasts, 1), ``noise`` (standard deviation of errors on top of joint angles,
     gyro and accelerometer), ``friction`` and ``mass`` (1 is the usual). Each is a number, or a pair (low, high) from which each
     episode draws its own. ``reset(options={...})`` changes the episode that begins.
 
@@ -84,6 +84,8 @@ class RoboNewbieEnv(gymnasium.Env):
         self._changed = False
         self._connection = Connection(task, 1, reward, options)
         description = self._connection.description
+        if len(description["robots"]) > 1:
+            raise RoboNewbieError(f"In {task} several robots learn. Use robonewbie.parallel.parallel_env(\"{task}\").")
         self.observation_space, self.action_space = spaces_of(description)
         self.observation_names = [entry["name"] for entry in description["observation"]]
         self.observation_units = [entry["unit"] for entry in description["observation"]]
@@ -126,7 +128,7 @@ class RoboNewbieEnv(gymnasium.Env):
             self.observe(observation[0], truth),
             float(self.pay(float(reward[0]), truth)),
             bool(self.is_over(bool(over[0]), truth)),
-            False,
+            bool(self._connection.state[0] == LATE),
             truth,
         )
 

@@ -10,7 +10,7 @@ from stable_baselines3.common.vec_env import VecEnv as _VecEnv
 
 from robonewbie.environment import EpisodeSeeds, checked_render_mode, show, spaces_of
 from robonewbie.picture import draw
-from robonewbie.simulator import RESET, SKIP, STEP, Connection
+from robonewbie.simulator import RESET, STEP_AND_RESET, Connection
 
 
 class VecEnv(_VecEnv):
@@ -19,8 +19,6 @@ class VecEnv(_VecEnv):
     def __init__(self, task="Walk", num_envs=8, reward="", render_mode=None, **options):
         self.render_mode = checked_render_mode(render_mode)
         self._connection = Connection(task, num_envs, reward, options)
-        self._longest = self._connection.description["longestCycles"]
-        self._steps = np.zeros(num_envs, dtype=int)
         self._episodes = EpisodeSeeds(num_envs)
         self.studio_address = show(self._connection) if render_mode == "human" else None
         super().__init__(num_envs, *spaces_of(self._connection.description))
@@ -29,8 +27,9 @@ class VecEnv(_VecEnv):
         self._episodes.begin(self._seeds)
         self._reset_seeds()
         self._reset_options()
-        observation, _, _ = self._connection.act(RESET, self._episodes.draw(np.ones(self.num_envs, dtype=bool)), 0)
-        self._steps[:] = 0
+        everybody = np.ones(self.num_envs, dtype=bool)
+        observation, _, _ = self._connection.act(RESET, self._episodes.draw(everybody), 0)
+        self._next = self._episodes.draw(everybody)
         self.reset_infos = self._infos()
         return observation
 
@@ -38,17 +37,16 @@ class VecEnv(_VecEnv):
         self._actions = actions
 
     def step_wait(self):
-        observation, reward, over = self._connection.act(STEP, 0, self._actions)
+        seeds = self._next
+        observation, reward, over = self._connection.act(STEP_AND_RESET, seeds, self._actions)
         infos = self._infos()
-        self._steps += 1
-        done = over | (self._steps >= self._longest)
+        done = self._connection.state > 0
         if done.any():
             for i in np.flatnonzero(done):
-                infos[i]["terminal_observation"] = observation[i]
+                infos[i]["terminal_observation"] = observation[i].copy()
                 infos[i]["TimeLimit.truncated"] = bool(not over[i])
-            fresh, _, _ = self._connection.act(np.where(done, RESET, SKIP), self._episodes.draw(done), 0)
-            observation = np.where(done[:, None], fresh, observation)
-            self._steps[done] = 0
+            observation[done] = self._connection.fresh
+            self._next = np.where(done, self._episodes.draw(done), seeds)
         return observation, reward.astype(np.float32), done, infos
 
     def _infos(self):

@@ -21,7 +21,8 @@ try:
 except ImportError:  # Windows
     fcntl = None
 
-SKIP, STEP, RESET = 0, 1, 2
+SKIP, STEP, RESET, STEP_AND_RESET = 0, 1, 2, 3
+OVER, LATE = 1, 2
 _START_SECONDS = 600  # the first start builds the program
 _PATIENCE_SECONDS = 60
 _OLDEST_JAVA = 17
@@ -180,29 +181,35 @@ class Connection:
         except RoboNewbieError:
             self.close()
             raise
-        self._orders = np.zeros(
-            count,
-            dtype=[("what", "u1"), ("seed", "<i8"), ("action", "<f8", (len(self.description["action"]),))],
-        )
+        rows = count * len(self.description["robots"])
+        actions, quantities = len(self.description["action"]), len(self.description["observation"])
+        self._orders = np.zeros(rows, dtype=[("what", "u1"), ("seed", "<i8"), ("action", "<f4", (actions,))])
         self.truth_names = self.description["truth"]
         self._answer = np.dtype(
             [
-                ("observation", "<f8", (len(self.description["observation"]),)),
+                ("observation", "<f4", (quantities,)),
                 ("reward", "<f8"),
                 ("truth", "<f8", (len(self.truth_names),)),
-                ("over", "?"),
+                ("state", "u1"),
             ]
         )
-        self.truth = np.zeros((count, len(self.truth_names)))
+        self.truth = np.zeros((rows, len(self.truth_names)))
+        self.state = np.zeros(rows, dtype=np.uint8)
+        self.fresh = np.zeros((0, quantities), dtype=np.float32)
 
     def act(self, what, seeds, actions):
-        """Lets environments step, begin anew or wait; gives observations, rewards and whether they are over."""
+        """Lets environments step, begin anew or wait; gives observations, rewards and whether they are over.
+
+        ``state`` says which are OVER or LATE, ``fresh`` has the first observations of those that began again after their step."""
         self._orders["what"] = what
         self._orders["seed"] = seeds
         self._orders["action"] = actions
-        answer = np.frombuffer(self._ask(b"A" + self._orders.tobytes()), dtype=self._answer)
-        self.truth = answer["truth"]
-        return answer["observation"].astype(np.float32), answer["reward"].copy(), answer["over"].copy()
+        reply = self._ask(b"A" + self._orders.tobytes())
+        answer = np.frombuffer(reply, dtype=self._answer, count=len(self._orders))
+        self.truth, self.state = answer["truth"], answer["state"]
+        begun = np.frombuffer(reply, dtype="<f4", offset=len(self._orders) * self._answer.itemsize)
+        self.fresh = begun.reshape(-1, self._answer["observation"].shape[0])
+        return answer["observation"].copy(), answer["reward"].copy(), self.state == OVER
 
     def change(self, options):
         """Changes the episodes that begin from now on."""

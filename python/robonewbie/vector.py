@@ -6,7 +6,7 @@ from gymnasium.vector.utils import batch_space
 
 from robonewbie.environment import RENDER_MODES, EpisodeSeeds, checked_render_mode, show, spaces_of
 from robonewbie.picture import draw
-from robonewbie.simulator import RESET, STEP, Connection
+from robonewbie.simulator import LATE, RESET, STEP, Connection
 
 
 class RoboNewbieVectorEnv(gymnasium.vector.VectorEnv):
@@ -51,7 +51,7 @@ class RoboNewbieVectorEnv(gymnasium.vector.VectorEnv):
         reward[fresh] = 0
         over[fresh] = False
         self._steps = np.where(fresh, 0, self._steps + 1)
-        truncated = (self._steps >= self._longest) & ~over
+        truncated = ((self._steps >= self._longest) | (self._connection.state == LATE)) & ~over
         self._done = over | truncated
         return observation, reward, over, truncated, self._truth()
 

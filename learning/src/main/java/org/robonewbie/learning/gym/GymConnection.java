@@ -13,7 +13,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import org.robonewbie.nao.Joint;
 
 /** Serves one program: makes its environments and lets them act, see docs/gym-protocol.md. */
@@ -26,8 +25,6 @@ final class GymConnection {
     private static final byte CHANGE = 'C';
     private static final byte PICTURE = 'P';
     private static final byte VIEW = 'V';
-    private static final byte STEP = 1;
-    private static final byte RESET = 2;
     private static final byte WELL = 0;
     private static final byte WRONG = 1;
 
@@ -36,7 +33,7 @@ final class GymConnection {
     private final GymOrder usual;
     private final ClassLoader classes;
     private final GymStage stage;
-    private List<GymEnvironment> environments = List.of();
+    private GymCrowd crowd = GymCrowd.NOBODY;
     private final List<GymShow> shows = new ArrayList<>();
 
     GymConnection(DataInputStream input, DataOutputStream output, GymOrder usual, ClassLoader classes, GymStage stage) {
@@ -63,7 +60,7 @@ final class GymConnection {
     private void end() {
         shows.forEach(GymShow::close);
         shows.clear();
-        environments.forEach(GymEnvironment::close);
+        crowd.close();
     }
 
     private ByteBuffer readMessage() throws IOException {
@@ -82,7 +79,7 @@ final class GymConnection {
             byte kind = request.get();
             switch (kind) {
                 case MAKE -> reply(WELL, make(request));
-                case ACT -> reply(WELL, act(request));
+                case ACT -> reply(WELL, crowd.act(request));
                 case CHANGE -> reply(WELL, change(request));
                 case PICTURE -> reply(WELL, picture(request));
                 case VIEW -> reply(WELL, view(request));
@@ -109,13 +106,10 @@ final class GymConnection {
         String message = text(request);
         GymOrder order = usual.completing(message);
         GymOptions options = GymOrder.options(message.lines().skip(1));
-        Supplier<GymEpisode> episodes = order.episodes(classes);
+        Supplier<List<GymEpisode>> episodes = order.episodes(classes);
         end();
-        environments = IntStream.range(0, count)
-                .parallel()
-                .mapToObj(i -> new GymEnvironment(episodes, options))
-                .toList();
-        return description(order, environments.get(0)).toString().getBytes(StandardCharsets.UTF_8);
+        crowd = GymCrowd.of(count, () -> new GymEnvironment(episodes, options));
+        return description(order, crowd.environment(0)).toString().getBytes(StandardCharsets.UTF_8);
     }
 
     private static String text(ByteBuffer request) {
@@ -124,7 +118,7 @@ final class GymConnection {
 
     private byte[] change(ByteBuffer request) {
         GymOptions options = GymOrder.options(text(request).lines());
-        environments.forEach(environment -> environment.setOptions(options));
+        crowd.setOptions(options);
         return new byte[0];
     }
 
@@ -144,12 +138,7 @@ final class GymConnection {
     }
 
     private GymEnvironment environment(ByteBuffer request) {
-        int index = request.getInt();
-        if (index < 0 || index >= environments.size()) {
-            throw new IllegalArgumentException(
-                    "There is no environment " + index + "; there are " + environments.size() + ", counted from 0.");
-        }
-        return environments.get(index);
+        return crowd.environment(request.getInt());
     }
 
     private static JsonObject description(GymOrder order, GymEnvironment environment) {
@@ -174,77 +163,9 @@ final class GymConnection {
         JsonArray truth = new JsonArray();
         GymTruth.NAMES.forEach(truth::add);
         all.add("truth", truth);
+        JsonArray robots = new JsonArray();
+        environment.names().forEach(robots::add);
+        all.add("robots", robots);
         return all;
-    }
-
-    private byte[] act(ByteBuffer request) {
-        int actions =
-                environments.isEmpty() ? 0 : environments.get(0).task().joints().size();
-        int size = 9 + Double.BYTES * actions;
-        if (environments.isEmpty() || request.remaining() != environments.size() * size) {
-            throw new IllegalArgumentException("Orders of " + request.remaining() + " bytes for " + environments.size()
-                    + " environments with " + actions + " actions each; " + environments.size() * size
-                    + " bytes were expected.");
-        }
-        int start = request.position();
-        for (int i = 0; i < environments.size(); i++) {
-            check(i, action(request, start + i * size, actions));
-        }
-        byte[][] answers = IntStream.range(0, environments.size())
-                .parallel()
-                .mapToObj(i -> act(
-                        environments.get(i),
-                        request.get(start + i * size),
-                        request.getLong(start + i * size + 1),
-                        action(request, start + i * size, actions)))
-                .toArray(byte[][]::new);
-        return joined(answers);
-    }
-
-    private static double[] action(ByteBuffer request, int order, int actions) {
-        double[] action = new double[actions];
-        for (int i = 0; i < actions; i++) {
-            action[i] = request.getDouble(order + 9 + i * Double.BYTES);
-        }
-        return action;
-    }
-
-    private static void check(int environment, double... action) {
-        for (double number : action) {
-            if (Double.isNaN(number)) {
-                throw new IllegalArgumentException("An action of environment " + environment
-                        + " holds a number that is none (NaN). Was something divided by zero?");
-            }
-        }
-    }
-
-    private static byte[] act(GymEnvironment environment, byte what, long seed, double... action) {
-        if (what == RESET) {
-            environment.reset(seed);
-        } else if (what == STEP) {
-            environment.step(action);
-        }
-        double[] observation = environment.observation();
-        double[] truth = environment.truth();
-        ByteBuffer answer = ByteBuffer.allocate(Double.BYTES * (observation.length + 1 + truth.length) + 1)
-                .order(ByteOrder.LITTLE_ENDIAN);
-        put(answer, observation);
-        answer.putDouble(environment.reward());
-        put(answer, truth);
-        return answer.put((byte) (environment.isOver() ? 1 : 0)).array();
-    }
-
-    private static void put(ByteBuffer answer, double... numbers) {
-        for (double number : numbers) {
-            answer.putDouble(number);
-        }
-    }
-
-    private static byte[] joined(byte[][] parts) {
-        ByteBuffer all = ByteBuffer.allocate(parts.length * parts[0].length);
-        for (byte[] part : parts) {
-            all.put(part);
-        }
-        return all.array();
     }
 }

@@ -3,63 +3,83 @@ package org.robonewbie.learning.gym;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 import org.robonewbie.trial.Audience;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Script;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.measure.Pushes;
 
-/** One robot that lives through episodes of a task, in a world of its own. */
+/** Robots that live through episodes of a task, in a world of their own; in most tasks it is one. */
 final class GymEnvironment implements AutoCloseable {
 
-    /** Robots pass their stops by a little, and errors of sensors come on top. */
-    private static final double ROOM = 0.1;
+    private static final int CYCLES_BETWEEN_PUSHES = 50;
 
-    private final Supplier<GymEpisode> episodes;
+    private final Supplier<List<GymEpisode>> episodes;
     private final List<ObservedQuantity> quantities;
     private GymOptions options;
-    private GymEpisode episode;
-    private Perception perception;
-    private ReadingErrors errors = ReadingErrors.NONE;
+    private List<GymLearner> learners;
+    private int cyclesPerAction = 1;
+    private int cycles;
     private Audience audience = Audience.NOBODY;
     private Scene scene;
     private Trial trial;
+    private Moment now;
 
     /** Begins the episode with seed 0 of tasks as they are. */
-    GymEnvironment(Supplier<GymEpisode> episodes) {
+    GymEnvironment(Supplier<List<GymEpisode>> episodes) {
         this(episodes, GymOptions.NONE);
     }
 
     /** Begins the episode with seed 0. */
-    GymEnvironment(Supplier<GymEpisode> episodes, GymOptions options) {
+    GymEnvironment(Supplier<List<GymEpisode>> episodes, GymOptions options) {
         this.options = options;
         this.episodes = episodes;
-        episode = episodes.get();
-        perception = new Perception(task().hasCamera());
-        quantities = Stream.concat(perception.quantities().stream(), task().extraQuantities().stream())
-                .map(quantity -> quantity.widened(ROOM))
-                .toList();
+        learners = newLearners();
+        quantities = learners.get(0).quantities();
         scene = task().scene(new Chance(0));
         trial = Trial.direct(scene, 0, cast());
+        now = trial.now();
         begin(0);
     }
 
-    /** What is observed; values beyond the ranges are clamped. */
+    private List<GymLearner> newLearners() {
+        List<GymEpisode> all = episodes.get();
+        return all.stream()
+                .map(episode -> new GymLearner(episode.task().robot(), episode))
+                .toList();
+    }
+
+    /** What is observed by each robot; values beyond the ranges are clamped. */
     List<ObservedQuantity> quantities() {
         return quantities;
     }
 
-    /** The task of the present episode. */
+    /** The task of the present episode, that of the first robot if there are several. */
     GymTask task() {
-        return episode.task();
+        return learners.get(0).task();
+    }
+
+    /** How many robots learn. */
+    int robots() {
+        return learners.size();
+    }
+
+    /** Names of the robots that learn: their team and number. */
+    List<String> names() {
+        return scene.robots().stream().limit(robots()).map(GymEnvironment::name).toList();
+    }
+
+    private static String name(RobotStart robot) {
+        return robot.team() + "_" + robot.number();
     }
 
     /** Begins an episode that is chosen by the seed. */
     void reset(long seed) {
-        episode = episodes.get();
-        perception = new Perception(task().hasCamera());
+        learners = newLearners();
         Scene next = task().scene(new Chance(seed));
         if (next.equals(scene)) {
             trial.reset(seed, cast());
@@ -73,9 +93,25 @@ final class GymEnvironment implements AutoCloseable {
 
     private void begin(long seed) {
         GymOptions.Drawn drawn = options.draw(seed);
-        errors = new ReadingErrors(drawn.noise(), seed);
-        episode.begin(trial, drawn, seed);
+        cyclesPerAction = drawn.cycles();
+        cycles = 0;
+        Moment first = trial.now();
+        learners.forEach(learner -> learner.stand(first));
+        drawn.apply(trial);
+        GymTask task = task();
+        task.begin(trial);
+        Script pushes = pushes(drawn.pushNewtons().orElse(task.pushNewtons()), seed);
+        trial.with(world -> {
+            pushes.act(world);
+            task.act(world);
+        });
+        now = trial.now();
+        learners.forEach(learner -> learner.begin(now, trial.readings(learner.robot()), drawn, seed));
         audience.cycleEnded(trial);
+    }
+
+    private static Script pushes(double newtons, long seed) {
+        return newtons == 0 ? world -> {} : new Pushes(seed, CYCLES_BETWEEN_PUSHES, newtons);
     }
 
     /** Changes the episodes that begin from now on. */
@@ -89,47 +125,82 @@ final class GymEnvironment implements AutoCloseable {
         audience.cycleEnded(trial);
     }
 
-    /** The robot that learns, and others that hold still. */
+    /** The robots that learn, and others that hold still. */
     private Performer[] cast() {
         Performer[] cast = new Performer[scene.robots().size()];
-        Arrays.setAll(cast, i -> i == 0 ? episode : Performer.ofSpeeds());
+        Arrays.setAll(cast, i -> i < robots() ? learners.get(i).performer() : Performer.ofSpeeds());
         return cast;
     }
 
-    /** Runs one cycle. */
+    /** Lets the only robot act. */
     void step(double... action) {
-        episode.step(trial, action);
+        act(new double[][] {action});
+    }
+
+    /** Lets each robot act for as many cycles as an action lasts, or until the episode is over. */
+    void act(double[]... actions) {
+        learners.forEach(GymLearner::beginReward);
+        int run = 0;
+        do {
+            runCycle(actions);
+            run++;
+        } while (run < cyclesPerAction && !isOver());
+    }
+
+    private void runCycle(double[][] actions) {
+        for (int robot = 0; robot < learners.size(); robot++) {
+            learners.get(robot).act(actions[robot]);
+        }
+        now = trial.step();
+        for (GymLearner learner : learners) {
+            learner.see(now, trial.readings(learner.robot()));
+        }
+        cycles++;
         audience.cycleEnded(trial);
     }
 
-    /** What the robot perceives; to be asked once after each reset and each step. */
+    /** What the first robot perceives. */
     double[] observation() {
-        double[] felt = errors.added(perception.observe(trial.readings(0)));
-        double[] extras = task().extras();
-        double[] all = Arrays.copyOf(felt, felt.length + extras.length);
-        System.arraycopy(extras, 0, all, felt.length, extras.length);
-        Arrays.setAll(all, i -> quantities.get(i).clamped(all[i]));
-        return all;
+        return observation(0);
+    }
+
+    /** What a robot perceives. */
+    double[] observation(int robot) {
+        return learners.get(robot).observation(quantities);
     }
 
     /** What is true now. */
     Moment now() {
-        return trial.now();
+        return now;
     }
 
-    /** What is true now, in the order of {@link GymTruth#NAMES}. */
-    double[] truth() {
-        return GymTruth.of(trial, task());
+    /** What is true of a robot now, in the order of {@link GymTruth#NAMES}. */
+    double[] truth(int robot) {
+        return GymTruth.of(
+                now,
+                trial.robot(robot).torsoVelocity(),
+                robot,
+                learners.get(robot).task());
     }
 
-    /** The reward of the last step. */
+    /** The reward of the first robot for the last action. */
     double reward() {
-        return episode.reward();
+        return reward(0);
+    }
+
+    /** The reward of a robot for the last action. */
+    double reward(int robot) {
+        return learners.get(robot).reward();
     }
 
     /** Whether the episode has ended. */
     boolean isOver() {
-        return episode.isOver();
+        return learners.stream().anyMatch(GymLearner::isOver);
+    }
+
+    /** Whether the episode has lasted as long as its task lasts. */
+    boolean isLate() {
+        return cycles >= task().longestCycles();
     }
 
     @Override

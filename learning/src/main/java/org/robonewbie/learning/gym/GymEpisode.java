@@ -11,15 +11,10 @@ import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Performer;
-import org.robonewbie.trial.Script;
 import org.robonewbie.trial.SensorReadings;
-import org.robonewbie.trial.Trial;
-import org.robonewbie.trial.measure.Pushes;
 
 /** One attempt at a task: the robot that does what a learning program wants, and what it earns by that. */
 final class GymEpisode implements Performer {
-
-    private static final int CYCLES_BETWEEN_PUSHES = 50;
 
     private final GymTask task;
     private final Measure measure;
@@ -47,45 +42,43 @@ final class GymEpisode implements Performer {
         return task;
     }
 
-    /** Completes the scene of a trial that is at its beginning. */
-    void begin(Trial trial, GymOptions.Drawn options, long seed) {
-        firstPosture = trial.now().robot().joints();
-        options.apply(trial);
-        task.begin(trial);
-        Script pushes = pushes(options.pushNewtons().orElse(task.pushNewtons()), seed);
-        trial.with(world -> {
-            pushes.act(world);
-            task.act(world);
-        });
-        for (int i = 0; i < options.delayCycles(); i++) {
+    /** Takes the first posture, from which actions are counted. */
+    void stand(Moment moment) {
+        firstPosture = moment.robots().get(task.robot()).joints();
+    }
+
+    /** Begins when the scene is complete. */
+    void begin(Moment moment, int delayCycles) {
+        for (int i = 0; i < delayCycles; i++) {
             underWay.add(new double[task.joints().size()]);
         }
-        see(trial.now());
+        see(moment);
         reward = 0;
     }
 
-    private static Script pushes(double newtons, long seed) {
-        return newtons == 0 ? world -> {} : new Pushes(seed, CYCLES_BETWEEN_PUSHES, newtons);
-    }
-
-    /** Runs one cycle. Actions beyond 1 count as 1. */
-    void step(Trial trial, double... newAction) {
+    /** Chooses what the robot does in the next cycle. Numbers beyond 1 count as 1. */
+    void act(double... newAction) {
         underWay.add(newAction);
         action = underWay.remove();
-        see(trial.step());
     }
 
-    private void see(Moment moment) {
+    /** Begins to count what an action earns. */
+    void beginReward() {
+        reward = 0;
+    }
+
+    /** Looks at what came of a cycle. */
+    void see(Moment moment) {
         double before = value;
         task.see(moment);
         if (measure != task) {
             measure.see(moment);
         }
         value = measure.isLargerBetter() ? measure.value() : -measure.value();
-        reward = value - before;
+        reward += value - before;
     }
 
-    /** The reward of the last step. */
+    /** The reward of the last action. */
     double reward() {
         return reward;
     }

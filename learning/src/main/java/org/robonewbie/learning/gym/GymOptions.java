@@ -37,6 +37,7 @@ final class GymOptions {
         BALL_Y,
         PUSH,
         DELAY(0, 1000),
+        CYCLES(1, 1000),
         NOISE(0, 1000),
         FRICTION(0.01, 100),
         MASS(0.1, 10);
@@ -145,7 +146,9 @@ final class GymOptions {
         /** Changes ground, robot and places before the task completes the scene. */
         void apply(Trial trial) {
             trial.setGrip(of(Name.FRICTION, 1));
-            trial.robot(0).setMassFactor(of(Name.MASS, 1));
+            for (int i = 0; i < trial.now().robots().size(); i++) {
+                trial.robot(i).setMassFactor(of(Name.MASS, 1));
+            }
             place(trial);
         }
 
@@ -173,6 +176,11 @@ final class GymOptions {
         /** How many cycles an action takes to reach the motors, in addition to none. */
         int delayCycles() {
             return (int) Math.round(of(Name.DELAY, 0));
+        }
+
+        /** How many cycles of 20 ms an action lasts. */
+        int cycles() {
+            return (int) Math.round(of(Name.CYCLES, 1));
         }
 
         /** Standard deviation of errors that come on top of what the robot feels, in the units of the readings. */

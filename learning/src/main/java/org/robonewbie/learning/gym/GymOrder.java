@@ -2,7 +2,9 @@ package org.robonewbie.learning.gym;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.measure.Catalogue;
@@ -20,7 +22,15 @@ public record GymOrder(String task, String reward) {
     private static final Catalogue<GymTask> TASKS = new Catalogue<>(
             "task",
             GymTask.class,
-            Map.of("Stand", GymStand::new, "Walk", GymWalk::new, "Kick", GymKick::new, "Reach", GymReach::new));
+            Map.of(
+                    "Stand", GymStand::new,
+                    "Walk", GymWalk::new,
+                    "Kick", GymKick::new,
+                    "Reach", GymReach::new,
+                    "Match1v1", () -> GymMatch.of(1),
+                    "Match2v2", () -> GymMatch.of(2),
+                    "Match11v11", () -> GymMatch.of(11),
+                    "KeeperAgainstAttacker", GymMatch::keeperAgainstAttacker));
 
     /** The order of a program as it comes in a message; what it leaves out is taken from this one. */
     GymOrder completing(String message) {
@@ -44,15 +54,24 @@ public record GymOrder(String task, String reward) {
      * Looks up task and reward.
      *
      * @param classes where to look for classes
-     * @return creates each episode
+     * @return creates each episode, for each robot that learns
      * @throws IllegalArgumentException if one of them does not exist; the message says what there is
      */
-    Supplier<GymEpisode> episodes(ClassLoader classes) {
+    Supplier<List<GymEpisode>> episodes(ClassLoader classes) {
         Supplier<GymTask> tasks = TASKS.named(task, classes);
-        if (reward.isEmpty()) {
-            return () -> new GymEpisode(tasks.get());
+        Optional<Supplier<Measure>> rewards =
+                reward.isEmpty() ? Optional.empty() : Optional.of(Measures.named(reward, classes));
+        if (rewards.isPresent() && tasks.get().learners() > 1) {
+            throw new IllegalArgumentException(
+                    "The reward " + reward + " looks at one robot, but several learn in " + task + ". Leave it out.");
         }
-        Supplier<Measure> rewards = Measures.named(reward, classes);
-        return () -> new GymEpisode(tasks.get(), rewards.get());
+        return () -> IntStream.range(0, tasks.get().learners())
+                .mapToObj(robot -> episode(tasks.get(), robot, rewards))
+                .toList();
+    }
+
+    private static GymEpisode episode(GymTask task, int robot, Optional<Supplier<Measure>> rewards) {
+        task.setRobot(robot);
+        return rewards.map(reward -> new GymEpisode(task, reward.get())).orElseGet(() -> new GymEpisode(task));
     }
 }

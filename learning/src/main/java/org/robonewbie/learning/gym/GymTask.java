@@ -4,16 +4,18 @@ import java.util.Arrays;
 import java.util.List;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Challenge;
 import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.measure.MeasureFromStart;
 
 /**
- * Something to learn for the first robot of a scene, in one episode. As a measure its value is what the robot has earned so far:
+ * Something to learn for one robot of a scene, in one episode. As a measure its value is what the robot has earned so far:
  * a step is rewarded with what the value grows by. An episode is over when the robot has fallen.
  *
  * <p>An action has a number between -1 and 1 for each of the task's {@link #joints}: the angle to go to, as a part of {@link
@@ -34,11 +36,12 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
     private static final List<Joint> LEGS = Arrays.stream(Joint.values())
             .filter(joint -> joint.name().matches(".*_(HIP|KNEE|FOOT)_.*"))
             .toList();
-    private static final Motion TO_THE_STANCE =
+    static final Motion TO_THE_STANCE =
             new Motion("stance", List.of(new Keyframe(600, Stance.POSTURE), new Keyframe(300, Stance.POSTURE)));
     private static final Scene STANDING = scene(1.5).withBall(2.5, 0);
 
     private Chance chance = new Chance(0);
+    private int robot;
 
     /** Creates a task for one episode. */
     protected GymTask() {}
@@ -63,6 +66,28 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
     /** {@return what differs from episode to episode} */
     protected final Chance chance() {
         return chance;
+    }
+
+    /**
+     * {@return how many robots learn, 1 unless a subclass says otherwise: the first ones of the scene, each with a task object of its own}
+     */
+    public int learners() {
+        return 1;
+    }
+
+    /** {@return the index in the scene of the robot whose task this is} */
+    protected final int robot() {
+        return robot;
+    }
+
+    /** Gives the task to another robot than the first one. */
+    final void setRobot(int index) {
+        robot = index;
+    }
+
+    @Override
+    protected final BodyState watched(Moment moment) {
+        return moment.robots().get(robot);
     }
 
     /** {@return the joints that an action moves, those of both legs; the others stay as they are} */

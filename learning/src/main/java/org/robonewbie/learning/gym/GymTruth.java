@@ -2,9 +2,9 @@ package org.robonewbie.learning.gym;
 
 import java.util.List;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
-import org.robonewbie.trial.Trial;
 
 /** What is true in an episode, without noise and delay, as a row of numbers in the world frame; and whether the task is done. */
 final class GymTruth {
@@ -27,17 +27,16 @@ final class GymTruth {
 
     private GymTruth() {}
 
-    /** The numbers of the present moment, in the order of the names. */
-    static double[] of(Trial trial, GymTask task) {
-        Moment now = trial.now();
-        Place place = now.place();
-        Vector3 velocity = trial.robot(0).torsoVelocity();
+    /** The numbers of a moment and one of its robots, in the order of the names. */
+    static double[] of(Moment now, Vector3 velocity, int robot, GymTask task) {
+        Place place = now.place(robot);
+        BodyState body = now.robots().get(robot);
         return new double[] {
             place.x(),
             place.y(),
-            now.robot().position().z(),
+            body.position().z(),
             place.degrees(),
-            now.robot().tiltDegrees(),
+            body.tiltDegrees(),
             velocity.x(),
             velocity.y(),
             now.ball().x(),

@@ -69,7 +69,7 @@ class GymEnvironmentTest {
 
     @Test
     void ballInTheCameraStaysUntilTheNextPicture() {
-        GymEnvironment far = new GymEnvironment(() -> new GymEpisode(new FarBall()));
+        GymEnvironment far = new GymEnvironment(() -> List.of(new GymEpisode(new FarBall())));
         far.step(NOTHING);
         double[] first = far.observation();
         far.step(NOTHING);

@@ -15,6 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import javax.tools.ToolProvider;
@@ -63,7 +64,7 @@ class GymServerTest {
             answer = act(order(1, 0, 0.1, 0, 0, 0));
         }
 
-        double shoulder = answer.getDouble(1 + Double.BYTES * Joint.LEFT_SHOULDER_PITCH.ordinal());
+        double shoulder = answer.getFloat(1 + Float.BYTES * Joint.LEFT_SHOULDER_PITCH.ordinal());
         assertThat(shoulder).isCloseTo(-95 + 12, within(0.5));
     }
 
@@ -73,7 +74,8 @@ class GymServerTest {
 
         assertThat(text(make("Fly", 1)))
                 .startsWith(
-                        "\1There is no task \"Fly\". There are: Kick, Reach, Stand, Walk. A class of your own must extend");
+                        "\1There is no task \"Fly\". There are: KeeperAgainstAttacker, Kick, Match11v11, Match1v1, Match2v2, Reach, Stand,"
+                                + " Walk. A class of your own must extend");
         assertThat(text(make("Walk", 0))).isEqualTo("\1" + "0 environments were asked for; there can be 1 to 1024.");
         assertThat(act(order(2, 1, 0, 0, 0, 0)).get(0)).isZero();
     }
@@ -90,7 +92,7 @@ class GymServerTest {
         assertThat(text(make("Reach\nreward=joy", 1))).startsWith("\1There is no measure \"joy\". There are: ");
         assertThat(text(make("Reach\nspeed=9", 1)))
                 .isEqualTo(
-                        "\1There is no option \"speed\". There are: reward, x, y, heading, ball_x, ball_y, push, delay, noise, friction, mass.");
+                        "\1There is no option \"speed\". There are: reward, x, y, heading, ball_x, ball_y, push, delay, cycles, noise, friction, mass.");
     }
 
     @Test
@@ -109,6 +111,49 @@ class GymServerTest {
                 .isEqualTo("\1There is no environment 1; there are 1, counted from 0.");
         assertThat(text(ask("Cball_x=2..1".getBytes(StandardCharsets.UTF_8))))
                 .startsWith("\1The option ball_x=2..1 is neither a number nor a range");
+    }
+
+    @Test
+    void episodeThatIsOverBeginsAgainWithItsNextObservation() throws IOException {
+        make("Reach\ncycles=60", 2);
+        byte[] begin = bytes(little(50).put(order(2, 1, 0, 0, 0, 0)).put(order(2, 2, 0, 0, 0, 0)));
+        byte[] act = bytes(little(50).put(order(3, 1, 0, 0, 0, 0)).put(order(1, 2, 0, 0, 0, 0)));
+        ByteBuffer first = act(begin);
+
+        ByteBuffer middle = act(act);
+        ByteBuffer last = act(act);
+
+        int row = (first.limit() - 1) / 2;
+        int observation = row - 1 - Double.BYTES * (1 + GymTruth.NAMES.size());
+        assertThat(middle.limit()).isEqualTo(first.limit());
+        assertThat(last.limit()).isEqualTo(first.limit() + observation);
+        assertThat(last.get(row)).as("the time of the task is over").isEqualTo((byte) 2);
+        assertThat(last.slice(first.limit(), observation)).isEqualTo(first.slice(1, observation));
+    }
+
+    @Test
+    void robotsOfAMatchActAndEarnEachForItself() throws IOException {
+        String description = text(make("Match1v1", 1));
+        byte[] still = order(2, 1, new double[12]);
+        act(bytes(little(2 * still.length).put(still).put(still)));
+        double[] bent = new double[12];
+        Arrays.fill(bent, 1);
+        byte[] hold = order(1, 1, new double[12]);
+        ByteBuffer answer = ByteBuffer.allocate(0);
+        for (int i = 0; i < 100; i++) {
+            answer = act(bytes(little(2 * hold.length).put(hold).put(order(1, 1, bent))));
+        }
+
+        int row = (answer.limit() - 1) / 2;
+        assertThat(description).contains("\"robots\":[\"left_1\",\"right_1\"]", "\"opponent1.forward\"");
+        assertThat(fallen(answer, row)).isZero();
+        assertThat(fallen(answer, 2 * row)).isOne();
+        assertThat(answer.get(2 * row)).as("a fall ends no match").isZero();
+        assertThat(text(make("Match1v1\nreward=energy", 1))).startsWith("\1The reward energy looks at one robot");
+    }
+
+    private static double fallen(ByteBuffer answer, int lastByteOfRow) {
+        return answer.getDouble(lastByteOfRow - 2 * Double.BYTES);
     }
 
     private static double truth(ByteBuffer answer, String name) {
@@ -148,11 +193,11 @@ class GymServerTest {
     @Test
     void noRobotMovesIfAnActionIsNoNumber() throws IOException {
         make("Reach", 2);
-        byte[] reset = bytes(little(82).put(order(2, 1, 0, 0, 0, 0)).put(order(2, 2, 0, 0, 0, 0)));
-        byte[] waiting = bytes(little(82).put(order(0, 1, 0, 0, 0, 0)).put(order(0, 2, 0, 0, 0, 0)));
+        byte[] reset = bytes(little(50).put(order(2, 1, 0, 0, 0, 0)).put(order(2, 2, 0, 0, 0, 0)));
+        byte[] waiting = bytes(little(50).put(order(0, 1, 0, 0, 0, 0)).put(order(0, 2, 0, 0, 0, 0)));
         ByteBuffer before = act(reset);
 
-        assertThat(text(act(bytes(little(82).put(order(1, 0, 1, 0, 0, 0)).put(order(1, 0, Double.NaN, 0, 0, 0))))))
+        assertThat(text(act(bytes(little(50).put(order(1, 0, 1, 0, 0, 0)).put(order(1, 0, Double.NaN, 0, 0, 0))))))
                 .startsWith("\1An action of environment 1 holds a number that is none (NaN).");
         assertThat(act(waiting)).isEqualTo(before);
     }
@@ -162,7 +207,7 @@ class GymServerTest {
         make("Reach", 2);
 
         assertThat(text(act(order(1, 0, 0, 0, 0, 0))))
-                .isEqualTo("\1Orders of 41 bytes for 2 environments with 4 actions each; 82 bytes were expected.");
+                .isEqualTo("\1Orders of 25 bytes for 2 robots with 4 actions each; 50 bytes were expected.");
         assertThat(text(ask(new byte[] {'?'}))).isEqualTo("\1There is no request of kind 63.");
     }
 
@@ -178,9 +223,9 @@ class GymServerTest {
 
     private static byte[] order(int what, long seed, double... action) {
         ByteBuffer order =
-                little(9 + Double.BYTES * action.length).put((byte) what).putLong(seed);
+                little(9 + Float.BYTES * action.length).put((byte) what).putLong(seed);
         for (double part : action) {
-            order.putDouble(part);
+            order.putFloat((float) part);
         }
         return bytes(order);
     }

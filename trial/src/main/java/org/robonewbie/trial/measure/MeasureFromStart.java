@@ -1,10 +1,11 @@
 package org.robonewbie.trial.measure;
 
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.Moment;
 
-/** A measure of a trial's first robot that compares with the beginning and knows when the robot has fallen. */
+/** A measure of one robot of a trial, the first one, that compares with the beginning and knows when the robot has fallen. */
 public abstract class MeasureFromStart implements Measure {
 
     private @Nullable Moment start;
@@ -18,8 +19,18 @@ public abstract class MeasureFromStart implements Measure {
         if (start == null) {
             start = moment;
         }
-        fallen |= moment.robot().isFallen();
+        fallen |= watched(moment).isFallen();
         see(start, moment);
+    }
+
+    /**
+     * Chooses the robot whose falls count.
+     *
+     * @param moment what is true now
+     * @return its body, that of the first robot unless a subclass says otherwise
+     */
+    protected BodyState watched(Moment moment) {
+        return moment.robot();
     }
 
     /**

@@ -1,0 +1,95 @@
+package org.robonewbie.learning.gym;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.SensorReadings;
+
+/** One robot that learns, in one episode: what it does, perceives and earns. */
+final class GymLearner {
+
+    /** Robots pass their stops by a little, and errors of sensors come on top. */
+    private static final double ROOM = 0.1;
+
+    private final int robot;
+    private final GymEpisode episode;
+    private final Perception perception;
+    private ReadingErrors errors = ReadingErrors.NONE;
+    private double[] felt = {};
+
+    GymLearner(int robot, GymEpisode episode) {
+        this.robot = robot;
+        this.episode = episode;
+        this.perception = new Perception(task().hasCamera());
+    }
+
+    GymTask task() {
+        return episode.task();
+    }
+
+    Performer performer() {
+        return episode;
+    }
+
+    /** What is observed; values beyond the ranges are clamped. */
+    List<ObservedQuantity> quantities() {
+        return Stream.concat(perception.quantities().stream(), task().extraQuantities().stream())
+                .map(quantity -> quantity.widened(ROOM))
+                .toList();
+    }
+
+    int robot() {
+        return robot;
+    }
+
+    /** Takes the first posture, from which actions are counted. */
+    void stand(Moment moment) {
+        episode.stand(moment);
+    }
+
+    /** Begins the episode; the scene is complete. */
+    void begin(Moment first, SensorReadings readings, GymOptions.Drawn drawn, long seed) {
+        errors = new ReadingErrors(drawn.noise(), seed + robot);
+        episode.begin(first, drawn.delayCycles());
+        felt = errors.added(perception.observe(readings));
+    }
+
+    /** Chooses what the robot does in the next cycle. */
+    void act(double... action) {
+        episode.act(action);
+    }
+
+    /** Begins to count what the robot earns by one action. */
+    void beginReward() {
+        episode.beginReward();
+    }
+
+    /** Looks at what came of a cycle. */
+    void see(Moment moment, SensorReadings readings) {
+        episode.see(moment);
+        felt = errors.added(perception.observe(readings));
+    }
+
+    /** What the robot perceives now. */
+    double[] observation(List<ObservedQuantity> quantities) {
+        double[] extras = task().extras();
+        double[] all = Arrays.copyOf(felt, felt.length + extras.length);
+        System.arraycopy(extras, 0, all, felt.length, extras.length);
+        for (int i = 0; i < all.length; i++) {
+            all[i] = quantities.get(i).clamped(all[i]);
+        }
+        return all;
+    }
+
+    /** The reward of the last action. */
+    double reward() {
+        return episode.reward();
+    }
+
+    /** Whether there is nothing more to earn. */
+    boolean isOver() {
+        return episode.isOver();
+    }
+}
