@@ -68,11 +68,11 @@ final class GymCrowd implements AutoCloseable {
         for (int row = 0; row < rows; row++) {
             check(request, start, row);
         }
-        ByteBuffer answers =
-                ByteBuffer.allocate(rows * (answerBytes + observationBytes)).order(ByteOrder.LITTLE_ENDIAN);
+        byte[] bytes = new byte[rows * (answerBytes + observationBytes)];
+        ByteBuffer answers = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         boolean[] begun = new boolean[environments.size()];
         IntStream.range(0, environments.size()).parallel().forEach(i -> begun[i] = act(i, request, start, answers));
-        return joined(answers, begun);
+        return joined(bytes, begun);
     }
 
     private void check(ByteBuffer request, int start, int row) {
@@ -155,10 +155,9 @@ final class GymCrowd implements AutoCloseable {
     }
 
     /** All answers, and behind them the first observations of those that have begun again. */
-    private byte[] joined(ByteBuffer answers, boolean... begun) {
+    private byte[] joined(byte[] all, boolean... begun) {
         int rows = environments.size() * robots;
         int length = rows * answerBytes;
-        byte[] all = answers.array();
         for (int i = 0; i < begun.length; i++) {
             if (begun[i]) {
                 int bytes = robots * observationBytes;
