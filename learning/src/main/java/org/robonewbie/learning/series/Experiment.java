@@ -42,6 +42,23 @@ public interface Experiment {
     double[] run(Map<String, Double> parameters, long seed) throws Exception;
 
     /**
+     * Carries out one trial of a plan with parameters that are texts, such as the name of an agent.
+     *
+     * @param numbers the numbers of the plan for this trial
+     * @param texts the texts of the plan for this trial
+     * @param seed chooses all that is random in it
+     * @return one number for each of the {@link #columns}
+     * @throws Exception if the trial failed; it is tried again some times
+     */
+    default double[] run(Map<String, Double> numbers, Map<String, String> texts, long seed) throws Exception {
+        if (!texts.isEmpty()) {
+            throw new IllegalArgumentException("The plan gives texts (" + String.join(", ", texts.keySet())
+                    + "), but this experiment takes numbers only. Let it override run(numbers, texts, seed).");
+        }
+        return run(numbers, seed);
+    }
+
+    /**
      * Creates an experiment from the name of its class.
      *
      * @param className full name of a class that the current thread's class loader knows

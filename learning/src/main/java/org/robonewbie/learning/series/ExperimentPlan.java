@@ -8,6 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.robonewbie.agent.log.Spelling;
 
 /**
@@ -17,15 +19,36 @@ import org.robonewbie.agent.log.Spelling;
  * @param experiment full name of a class that implements {@link Experiment}
  * @param trials the number of trials
  * @param seed chooses the seeds of all trials
- * @param values for each parameter the values to be tried, in the order of the file
+ * @param values for each parameter that is a number the values to be tried, in the order of the file
+ * @param texts for each parameter that is a text the texts to be tried, in the order of the file
  */
-public record ExperimentPlan(String experiment, int trials, long seed, LinkedHashMap<String, List<Double>> values) {
+public record ExperimentPlan(
+        String experiment,
+        int trials,
+        long seed,
+        LinkedHashMap<String, List<Double>> values,
+        LinkedHashMap<String, List<String>> texts) {
+
+    private static final Pattern TEXT = Pattern.compile("\\s*\"([^\"]*)\"\\s*(,|$)");
 
     private static final int MOST_TRIALS = 100_000_000;
 
     /**
+     * Creates a plan whose parameters are numbers.
+     *
+     * @param experiment full name of a class that implements {@link Experiment}
+     * @param trials the number of trials
+     * @param seed chooses the seeds of all trials
+     * @param values for each parameter the values to be tried
+     */
+    public ExperimentPlan(String experiment, int trials, long seed, LinkedHashMap<String, List<Double>> values) {
+        this(experiment, trials, seed, values, new LinkedHashMap<>());
+    }
+
+    /**
      * Reads a plan: a text file with lines {@code name=value}; {@code experiment}, {@code trials} and {@code seed} are known,
-     * each other name is a parameter with values between commas. What follows {@code #} is a comment.
+     * each other name is a parameter with values between commas, numbers or texts in quotation marks. What follows {@code #} is a
+     * comment.
      *
      * @param file the file
      * @return the plan
@@ -37,6 +60,7 @@ public record ExperimentPlan(String experiment, int trials, long seed, LinkedHas
         int trials = 1;
         long seed = 1;
         LinkedHashMap<String, List<Double>> values = new LinkedHashMap<>();
+        LinkedHashMap<String, List<String>> texts = new LinkedHashMap<>();
         List<String> lines = Files.readAllLines(file);
         for (int i = 0; i < lines.size(); i++) {
             String line = lines.get(i).replaceFirst("#.*", "").trim();
@@ -52,12 +76,18 @@ public record ExperimentPlan(String experiment, int trials, long seed, LinkedHas
                     case "experiment" -> experiment = value;
                     case "trials" -> trials = Integer.parseInt(value);
                     case "seed" -> seed = Long.parseLong(value);
-                    default -> values.put(name, numbers(value));
+                    default -> {
+                        if (value.startsWith("\"")) {
+                            texts.put(name, texts(value));
+                        } else {
+                            values.put(name, numbers(value));
+                        }
+                    }
                 }
             } catch (NumberFormatException wrong) {
                 throw new IllegalArgumentException(
                         file + ", line " + (i + 1) + ": \"" + line
-                                + "\" is not understood. Write name=number, or name=number,number,… for a parameter.",
+                                + "\" is not understood. Write name=number, or name=number,number,… or name=\"text\" for a parameter.",
                         wrong);
             }
         }
@@ -66,7 +96,7 @@ public record ExperimentPlan(String experiment, int trials, long seed, LinkedHas
                     file + ": a plan needs a line experiment=NAME.OF.A.CLASS and trials from 1 to " + MOST_TRIALS
                             + "; it has \"" + experiment + "\" and " + trials + ".");
         }
-        return new ExperimentPlan(experiment, trials, seed, values);
+        return new ExperimentPlan(experiment, trials, seed, values, texts);
     }
 
     private static List<Double> numbers(String text) {
@@ -77,6 +107,20 @@ public record ExperimentPlan(String experiment, int trials, long seed, LinkedHas
         return List.copyOf(numbers);
     }
 
+    private static List<String> texts(String value) {
+        List<String> texts = new ArrayList<>();
+        Matcher next = TEXT.matcher(value);
+        int end = 0;
+        while (end < value.length() && next.find(end) && next.start() == end) {
+            texts.add(next.group(1));
+            end = next.end();
+        }
+        if (end < value.length() || value.endsWith(",")) {
+            throw new NumberFormatException();
+        }
+        return List.copyOf(texts);
+    }
+
     /**
      * Refuses parameters that the experiment does not have.
      *
@@ -84,7 +128,9 @@ public record ExperimentPlan(String experiment, int trials, long seed, LinkedHas
      * @throws IllegalArgumentException if the plan gives another one; the message names the nearest that there is
      */
     public void refuseOthersThan(List<String> known) {
-        for (String name : values.keySet()) {
+        List<String> given = new ArrayList<>(values.keySet());
+        given.addAll(texts.keySet());
+        for (String name : given) {
             if (!known.contains(name)) {
                 String nearest = Spelling.nearest(name, known)
                         .map(meant -> " Did you mean " + meant + "?")
@@ -100,19 +146,23 @@ public record ExperimentPlan(String experiment, int trials, long seed, LinkedHas
         SplittableRandom seeds = new SplittableRandom(seed);
         List<PlannedTrial> all = new ArrayList<>(trials);
         for (int i = 0; i < trials; i++) {
-            all.add(new PlannedTrial(i, seeds.nextLong() >>> 1, parameters(i)));
+            long own = seeds.nextLong() >>> 1;
+            LinkedHashMap<String, Double> numbers = new LinkedHashMap<>();
+            LinkedHashMap<String, String> words = new LinkedHashMap<>();
+            choose(texts, choose(values, i, numbers), words);
+            all.add(new PlannedTrial(i, own, numbers, words));
         }
         return all;
     }
 
-    private LinkedHashMap<String, Double> parameters(int number) {
-        LinkedHashMap<String, Double> chosen = new LinkedHashMap<>();
+    /** Takes one choice of each parameter, and returns what is left of the number of the combination. */
+    private static <T> int choose(Map<String, List<T>> parameters, int number, Map<String, T> chosen) {
         int rest = number;
-        for (Map.Entry<String, List<Double>> parameter : values.entrySet()) {
-            List<Double> choices = parameter.getValue();
+        for (Map.Entry<String, List<T>> parameter : parameters.entrySet()) {
+            List<T> choices = parameter.getValue();
             chosen.put(parameter.getKey(), choices.get(rest % choices.size()));
             rest /= choices.size();
         }
-        return chosen;
+        return rest;
     }
 }

@@ -33,7 +33,7 @@ public record ResultTable(List<String> columns, List<PlannedTrial> trials, List<
         for (int i = 0; i < trials.size(); i++) {
             PlannedTrial trial = trials.get(i);
             text.append(trial.number()).append(',').append(trial.seed());
-            trial.parameters().values().forEach(value -> text.append(',').append(value));
+            trial.all().values().forEach(value -> text.append(',').append(quoted(String.valueOf(value))));
             for (double number : measured.get(i)) {
                 text.append(',').append(number);
             }
@@ -45,7 +45,7 @@ public record ResultTable(List<String> columns, List<PlannedTrial> trials, List<
     private List<String> names() {
         List<String> names = new ArrayList<>(List.of("trial", "seed"));
         if (!trials.isEmpty()) {
-            names.addAll(trials.get(0).parameters().keySet());
+            names.addAll(trials.get(0).all().keySet());
         }
         names.addAll(columns);
         return names.stream().map(ResultTable::quoted).toList();
@@ -78,6 +78,9 @@ public record ResultTable(List<String> columns, List<PlannedTrial> trials, List<
     private void write(JsonWriter writer, PlannedTrial trial, double[] numbers) throws IOException {
         writer.beginObject().name("trial").value(trial.number()).name("seed").value(trial.seed());
         for (var parameter : trial.parameters().entrySet()) {
+            writer.name(parameter.getKey()).value(parameter.getValue());
+        }
+        for (var parameter : trial.texts().entrySet()) {
             writer.name(parameter.getKey()).value(parameter.getValue());
         }
         for (int i = 0; i < numbers.length; i++) {

@@ -54,6 +54,25 @@ class LocalEngineTest {
     }
 
     @Test
+    void parametersMayBeTexts() throws IOException {
+        ExperimentPlan plan =
+                plan("experiment=" + Wordy.class.getName(), "trials=4", "word=\"a, b\", \"cd\"", "times=1,2");
+
+        assertThat(table(plan, new LocalEngine(1)).csv().lines().map(line -> line.replaceFirst(",\\d+,", ",")))
+                .containsExactly(
+                        "trial,seed,times,word,length",
+                        "0,1.0,\"a, b\",4.0",
+                        "1,2.0,\"a, b\",8.0",
+                        "2,1.0,cd,2.0",
+                        "3,2.0,cd,4.0");
+        assertThatThrownBy(() -> plan.refuseOthersThan(List.of("times", "words")))
+                .hasMessageContaining("\"word\"")
+                .hasMessageContaining("Did you mean words?");
+        assertThatThrownBy(() -> Experiment.of(Broken.class.getName()).run(Map.of(), Map.of("word", "x"), 1))
+                .hasMessageContaining("takes numbers only");
+    }
+
+    @Test
     void trialThatFailsOnceIsTriedAgain() throws IOException {
         ExperimentPlan plan = plan("experiment=" + Shaky.class.getName(), "trials=20");
         List<Integer> done = Collections.synchronizedList(new ArrayList<>());
@@ -77,7 +96,10 @@ class LocalEngineTest {
     void mistakesInAPlanAreTold() {
         assertThatThrownBy(() -> plan("experiment=x", "newtons=a lot"))
                 .hasMessageEndingWith("line 2: \"newtons=a lot\" is not understood. "
-                        + "Write name=number, or name=number,number,… for a parameter.");
+                        + "Write name=number, or name=number,number,… or name=\"text\" for a parameter.");
+        assertThatThrownBy(() -> plan("experiment=x", "agent=\"A\",B"))
+                .hasMessageContaining("line 2: \"agent=\"A\",B\" is not understood.");
+        assertThatThrownBy(() -> plan("experiment=x", "agent=\"A").all()).hasMessageContaining("is not understood");
         assertThatThrownBy(() -> plan("trials=3"))
                 .hasMessageEndingWith("a plan needs a line experiment=NAME.OF.A.CLASS and trials from 1 to 100000000; "
                         + "it has \"\" and 3.");
@@ -121,6 +143,28 @@ class LocalEngineTest {
                 throw new IllegalStateException("not yet");
             }
             return new double[] {seed};
+        }
+    }
+
+    /** Measures its texts. */
+    public static final class Wordy implements Experiment {
+
+        @Override
+        public List<String> columns() {
+            return List.of("length");
+        }
+
+        @Override
+        public double[] run(Map<String, Double> parameters, long seed) {
+            return new double[0];
+        }
+
+        @Override
+        public double[] run(Map<String, Double> numbers, Map<String, String> texts, long seed) {
+            return new double[] {
+                numbers.getOrDefault("times", 1.0)
+                        * texts.getOrDefault("word", "").length()
+            };
         }
     }
 
