@@ -63,6 +63,7 @@ final class CycleTable {
         all.add(Column.decimal("ball_distance", "m", "where the picture shows the ball; empty if it does not"));
         all.add(Column.decimal("ball_horizontal", "degrees", "direction of the ball in the picture, left is positive"));
         all.add(Column.decimal("ball_vertical", "degrees", "direction of the ball in the picture, up is positive"));
+        SeenAndSaid.addColumns(all);
     }
 
     private static void addTrue(List<Column> all) {
@@ -98,7 +99,7 @@ final class CycleTable {
         row.add(world.playMode().simSparkName());
         row.add(robot.team());
         row.add((long) robot.number());
-        putSensed(row, heard.perceived());
+        putSensed(row, heard.perceived(), heard.said());
         for (Joint joint : Joint.values()) {
             row.add(heard.commandedDegreesPerSecond(joint));
         }
@@ -110,7 +111,7 @@ final class CycleTable {
         return row;
     }
 
-    private static void putSensed(List<Object> row, PerceptorMessage message) {
+    private static void putSensed(List<Object> row, PerceptorMessage message, String said) {
         for (Joint joint : Joint.values()) {
             row.add(message.jointAngles().degreesOr(joint, Double.NaN));
         }
@@ -123,6 +124,7 @@ final class CycleTable {
         row.add(ball.map(PolarPosition::distanceMetres).orElse(Double.NaN));
         row.add(ball.map(PolarPosition::horizontalDegrees).orElse(Double.NaN));
         row.add(ball.map(PolarPosition::verticalDegrees).orElse(Double.NaN));
+        SeenAndSaid.put(row, message, said);
     }
 
     private static void putFoot(List<Object> row, Optional<FootForce> foot) {

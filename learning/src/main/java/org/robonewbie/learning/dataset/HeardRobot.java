@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.Map;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorCommand.Say;
 import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
 import org.robonewbie.protocol.effector.EffectorMessageReader;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -26,6 +27,7 @@ final class HeardRobot {
     private final PerceptorMessageReader perceptorReader = new PerceptorMessageReader();
     private final EffectorMessageReader effectorReader = new EffectorMessageReader();
     private final double[] degreesPerSecond = new double[Joint.COUNT];
+    private String said = "";
     private AgentMessages last;
 
     HeardRobot(AgentMessages first) {
@@ -35,12 +37,15 @@ final class HeardRobot {
 
     void hear(AgentMessages messages) {
         last = messages;
+        said = "";
         effectorReader.read(buffer(messages.effectors()), this::command, problem -> {});
     }
 
     private void command(EffectorCommand command) {
         if (command instanceof SetHingeSpeed speed && JOINTS.containsKey(speed.effectorName())) {
             degreesPerSecond[JOINTS.get(speed.effectorName()).ordinal()] = Math.toDegrees(speed.radiansPerSecond());
+        } else if (command instanceof Say say) {
+            said = say.text();
         }
     }
 
@@ -50,6 +55,11 @@ final class HeardRobot {
 
     double commandedDegreesPerSecond(Joint joint) {
         return degreesPerSecond[joint.ordinal()];
+    }
+
+    /** What the program says in this cycle; empty if it is silent. */
+    String said() {
+        return said;
     }
 
     long cycle() {
