@@ -91,6 +91,7 @@ class RoboNewbieEnv(gymnasium.Env):
         self.observation_units = [entry["unit"] for entry in description["observation"]]
         self.action_names = description["action"]
         self.range_degrees = description["rangeDegrees"]
+        self.cycles = options.get("cycles", 1)
         self.studio_address = show(self._connection) if render_mode == "human" else None
 
     def observe(self, observation, truth):

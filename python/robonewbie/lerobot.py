@@ -169,7 +169,7 @@ class RecordEpisodes(gymnasium.Wrapper):
     def __init__(self, env, folder, task="", frames_per_second=None):
         super().__init__(env)
         own = env.unwrapped
-        rate = frames_per_second or FRAMES_PER_SECOND / getattr(own, "cycles", 1)
+        rate = frames_per_second or round(FRAMES_PER_SECOND / getattr(own, "cycles", 1))
         self._writer = EpisodeWriter(folder, own.observation_names, own.action_names, rate)
         self._task = task or getattr(env.spec, "id", None) or type(own).__name__
         self._rows = []

@@ -57,6 +57,13 @@ class LeRobotTest(unittest.TestCase):
         np.testing.assert_allclose(frames["next.reward"], [row[2] for row in kept], rtol=1e-6)
         self.assertEqual(list(np.flatnonzero(frames["next.done"])), [99, 199, 299])
         self.assertEqual(list(episodes["dataset_to_index"]), [100, 200, 300])
+
+        slow = RecordEpisodes(gymnasium.make("RoboNewbie/Reach-v1", cycles=5), self.folder / "slow")
+        slow.reset(seed=1)
+        slow.step(np.zeros(4, dtype=np.float32))
+        slow.close()
+        info = json.loads((self.folder / "slow" / "meta" / "info.json").read_text(encoding="utf-8"))
+        self.assertEqual((info["fps"], info["total_frames"]), (10, 1))
         np.testing.assert_allclose(stats["action"]["mean"], np.mean([row[1] for row in kept], axis=0), atol=1e-6)
         np.testing.assert_allclose(stats["action"]["std"], np.std([row[1] for row in kept], axis=0), atol=1e-6)
 
