@@ -31,13 +31,14 @@ public final class Nao extends Robot implements AutoCloseable {
 
     private final SimulatorConnection simulator;
     private final Session session;
-    private final LogPrinter printer;
+    private final Runnable farewell;
 
-    private Nao(Clockwork clockwork, Session session, SimulatorConnection simulator) {
+    /** Puts a robot into a session that has begun; its farewell follows when it has left. */
+    Nao(Clockwork clockwork, Session session, SimulatorConnection simulator, Runnable farewell) {
         super(clockwork);
         this.session = session;
         this.simulator = simulator;
-        this.printer = new LogPrinter(clockwork.log(), System.out, simulator::close);
+        this.farewell = farewell;
     }
 
     /**
@@ -79,7 +80,8 @@ public final class Nao extends Robot implements AutoCloseable {
         Clockwork clockwork = new Clockwork("the robot");
         try {
             Session session = AgentRunner.join(clockwork, simulator, simulator.connect(), options, CycleWatch.NONE);
-            return new Nao(clockwork, session, simulator);
+            LogPrinter printer = new LogPrinter(clockwork.log(), System.out, simulator::close);
+            return new Nao(clockwork, session, simulator, printer::close);
         } catch (IOException lost) {
             simulator.close();
             throw new StartUpException("The simulator has not let the robot in: " + lost.getMessage());
@@ -144,6 +146,6 @@ public final class Nao extends Robot implements AutoCloseable {
     public void close() {
         session.close();
         simulator.close();
-        printer.close();
+        farewell.run();
     }
 }

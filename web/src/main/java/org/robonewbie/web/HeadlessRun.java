@@ -1,13 +1,17 @@
 package org.robonewbie.web;
 
 import java.io.IOException;
+import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.AgentDriver;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.recording.RunReport;
+import org.robonewbie.web.bytecode.Program;
 
 /**
  * A run that nobody watches, as fast as possible: what {@code robonewbie run --headless --fast} does, with the same results for the
@@ -16,6 +20,34 @@ import org.robonewbie.simulator.recording.RunReport;
 final class HeadlessRun {
 
     private HeadlessRun() {}
+
+    /**
+     * Lets a student's program play alone in the beginners' world.
+     *
+     * @param program its classes
+     * @param output gets what it prints
+     * @param seed start of all random numbers
+     * @param seconds simulated seconds after which it ends, if it does not end by itself
+     * @return the true results
+     */
+    static RunReport of(Program program, PrintStream output, long seed, double seconds) {
+        WorldSettings settings = WorldSettings.beginner().withSeed(seed);
+        long cycles = Math.round(seconds / Cycle.SECONDS);
+        try (SteppedSimulator simulator = SteppedSimulator.start(settings, Console.silent())) {
+            simulator.endAfter(seconds);
+            StudentProgram played = new StudentProgram(
+                    program, output, simulator::connect, simulator::cycle, TelemetrySink.NONE);
+            boolean isOver = false;
+            while (!isOver && simulator.cycles() < cycles) {
+                isOver = played.goOn();
+                if (isOver) {
+                    played.leave();
+                }
+                simulator.cycle();
+            }
+            return simulator.report();
+        }
+    }
 
     /**
      * Lets an agent play alone in the beginners' world.

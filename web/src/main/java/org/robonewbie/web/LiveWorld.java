@@ -3,16 +3,17 @@ package org.robonewbie.web;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.function.Function;
+import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.nao.Cycle;
-import org.robonewbie.protocol.frame.AgentLink;
-import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.studio.PageFeed;
+import org.robonewbie.web.bytecode.Program;
 
 /** The beginners' world with one agent, which a page watches; it goes on a little in each turn of the page's worker. */
 final class LiveWorld {
@@ -22,7 +23,7 @@ final class LiveWorld {
     private static final double SMOOTHING_SECONDS = 1;
 
     private final SteppedSimulator simulator;
-    private final AgentDriver agent;
+    private final Runnable player;
     private final PageFeed feed;
     private boolean paused;
     private int stepsLeft;
@@ -38,20 +39,45 @@ final class LiveWorld {
      * @param page gets what happens
      */
     LiveWorld(String name, long seed, PageFeed.Page page) {
+        this(seed, page, world -> world.agent(ShippedAgents.make(name)));
+    }
+
+    /**
+     * Lets a program of a student enter a new world.
+     *
+     * @param program its classes
+     * @param run gets how it goes
+     * @param seed start of all random numbers
+     * @param page gets what happens
+     */
+    LiveWorld(Program program, StudentRun run, long seed, PageFeed.Page page) {
+        this(seed, page, world -> run.begin(world.student(program, run)));
+    }
+
+    private LiveWorld(long seed, PageFeed.Page page, Function<LiveWorld, Runnable> entrance) {
         WorldSettings settings = WorldSettings.beginner().withSeed(seed);
         feed = new PageFeed(settings.parameters().field(), this::order, page);
         simulator = SteppedSimulator.start(settings, feed::told);
         simulator.reportEventsTo(feed::happened);
-        agent = new AgentDriver(ShippedAgents.make(name));
+        player = entrance.apply(this);
+        player.run();
+    }
+
+    private Runnable agent(Agent made) {
+        AgentDriver agent = new AgentDriver(made);
         agent.publishTo(feed);
         PatientLink link = new PatientLink(simulator.connect());
         try {
-            agent.join(link, agent.usualOptions());
+            agent.join(link, agent.usualOptions().withSeconds(StudentProgram.FOREVER_SECONDS));
         } catch (IOException impossible) {
             throw new UncheckedIOException("The world of the page has closed its connection.", impossible);
         }
         link.beBusy();
-        agent.goOn();
+        return agent::goOn;
+    }
+
+    private StudentProgram student(Program program, StudentRun run) {
+        return new StudentProgram(program, run.output(), simulator::connect, simulator::cycle, feed);
     }
 
     /** Does what the page asks for. */
@@ -90,7 +116,7 @@ final class LiveWorld {
         owedSeconds -= Cycle.SECONDS;
         simulator.cycle();
         hearMessages(watched);
-        agent.goOn();
+        player.run();
     }
 
     private void hearMessages(List<RobotSnapshot> watched) {
@@ -123,35 +149,5 @@ final class LiveWorld {
         paused = true;
         stepsLeft = cycles;
         owedSeconds = 0;
-    }
-
-    /** Turns the world until the robot is on its place; from then on a message is taken only if it is there. */
-    private static final class PatientLink implements AgentLink {
-
-        private final AgentLink link;
-        private boolean patient = true;
-
-        PatientLink(AgentLink link) {
-            this.link = link;
-        }
-
-        void beBusy() {
-            patient = false;
-        }
-
-        @Override
-        public void send(MessageBuffer message) throws IOException {
-            link.send(message);
-        }
-
-        @Override
-        public boolean receive(MessageBuffer message) throws IOException {
-            return (patient || link.isMessageWaiting()) && link.receive(message);
-        }
-
-        @Override
-        public void close() {
-            link.close();
-        }
     }
 }

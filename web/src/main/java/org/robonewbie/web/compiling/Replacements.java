@@ -6,13 +6,15 @@ import org.teavm.extension.spi.substitution.SubstitutionSink;
 
 /**
  * Puts classes of this module in the place of those that TeaVM's class library lacks: {@code java.util.HexFormat} becomes {@code
- * org.robonewbie.web.library.java.util.HexFormat}.
+ * org.robonewbie.web.library.java.util.HexFormat}, and {@code StudentCode} becomes {@code PageStudentCode}.
  */
 public final class Replacements extends SimpleSubstitutionPolicy {
 
     private static final String OURS = "org.robonewbie.web.library.";
     private static final Set<String> REPLACED =
             Set.of("java.security.MessageDigest", "java.util.HexFormat", "org.slf4j.LoggerFactory");
+    private static final Set<String> OTHERWISE_IN_A_PAGE =
+            Set.of("org.robonewbie.agent.log.StudentCode", "org.robonewbie.agent.running.Surroundings");
 
     /** Creates the policy; TeaVM finds it by its name. */
     public Replacements() {}
@@ -20,5 +22,6 @@ public final class Replacements extends SimpleSubstitutionPolicy {
     @Override
     public void contribute(SubstitutionSink sink) {
         sink.selectClasses(REPLACED::contains).packagePrefix(OURS);
+        sink.selectClasses(OTHERWISE_IN_A_PAGE::contains).packagePrefix(OURS).simpleNamePrefix("Page");
     }
 }

@@ -1,0 +1,36 @@
+package org.robonewbie.web;
+
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.robonewbie.web.bytecode.ProgramEnd;
+import org.robonewbie.web.bytecode.SpecialCalls;
+
+/** What {@code System} is to a program in the page. */
+final class PageSystem {
+
+    private PageSystem() {}
+
+    /**
+     * Carries out a call.
+     *
+     * @param name of the method
+     * @param arguments its arguments
+     * @return its result, or {@link SpecialCalls#UNKNOWN} for one that is called as it is
+     */
+    static @Nullable Object call(String name, @Nullable Object[] arguments) {
+        return switch (name) {
+            case "exit" -> throw new ProgramEnd((Integer) Objects.requireNonNull(arguments[0]));
+            case "getenv" -> null;
+            case "arraycopy" -> {
+                System.arraycopy(
+                        Objects.requireNonNull(arguments[0]),
+                        (Integer) Objects.requireNonNull(arguments[1]),
+                        Objects.requireNonNull(arguments[2]),
+                        (Integer) Objects.requireNonNull(arguments[3]),
+                        (Integer) Objects.requireNonNull(arguments[4]));
+                yield null;
+            }
+            default -> SpecialCalls.UNKNOWN;
+        };
+    }
+}

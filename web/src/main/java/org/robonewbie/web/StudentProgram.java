@@ -1,0 +1,238 @@
+package org.robonewbie.web;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.AgentDriver;
+import org.robonewbie.agent.Nao;
+import org.robonewbie.agent.NaoDriver;
+import org.robonewbie.agent.Options;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.web.bytecode.Machine;
+import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.web.bytecode.SpecialCalls;
+import org.robonewbie.web.bytecode.Waiting;
+import org.robonewbie.web.library.org.robonewbie.agent.log.PageStudentCode;
+
+/**
+ * A student's program in a world that somebody else turns. What would wait for a simulator, {@code run} of an agent and {@code sense}
+ * and {@code perform} of a {@code Nao}, stops the program until the next message.
+ */
+final class StudentProgram {
+
+    /** Who watches ends the game, not the program. */
+    static final double FOREVER_SECONDS = 1e6;
+
+    private final Machine machine;
+    private final Supplier<AgentLink> entrance;
+    private final Runnable nextCycle;
+    private final TelemetrySink viewer;
+    private final List<AgentDriver> drivers = new ArrayList<>();
+    private final List<PatientLink> links = new ArrayList<>();
+    private @Nullable NaoDriver held;
+    private @Nullable PatientLink link;
+
+    /**
+     * Loads a program.
+     *
+     * @param program its classes
+     * @param output what it prints
+     * @param entrance connects one more robot with the world; its link turns the world while it waits for a message
+     * @param nextCycle turns the world, for a program that waits in the middle of compiled code
+     * @param viewer receives what the robots think
+     */
+    StudentProgram(
+            Program program,
+            PrintStream output,
+            Supplier<AgentLink> entrance,
+            Runnable nextCycle,
+            TelemetrySink viewer) {
+        this.entrance = entrance;
+        this.nextCycle = nextCycle;
+        this.viewer = viewer;
+        machine = new Machine(program, output, this::special);
+        PageStudentCode.lookAt(machine::trace);
+        List<String> mains = program.mainClasses();
+        if (!mains.isEmpty()) {
+            machine.begin(mains.get(0));
+        } else if (!program.agents().isEmpty()) {
+            join((Agent) machine.create(program.agents().get(0)));
+        } else {
+            throw new IllegalArgumentException("The program has neither an agent nor a main method: begin with"
+                    + " \"public class MyAgent extends Agent\".");
+        }
+    }
+
+    /**
+     * Goes on until the program waits for the next message.
+     *
+     * @return whether it is over
+     */
+    boolean goOn() {
+        if (machine.goOn()) {
+            drivers.forEach(AgentDriver::goOn);
+            return drivers.isEmpty();
+        }
+        return false;
+    }
+
+    /** Lets the robots of the program leave, whatever it is doing. */
+    void leave() {
+        links.forEach(PatientLink::close);
+    }
+
+    private PatientLink enter() {
+        PatientLink own = new PatientLink(entrance.get());
+        links.add(own);
+        return own;
+    }
+
+    /** {@return whether a step of an agent has thrown an exception} */
+    boolean hasFailed() {
+        return drivers.stream().anyMatch(AgentDriver::hasFailed);
+    }
+
+    private void join(Agent agent, String... arguments) {
+        AgentDriver driver = new AgentDriver(agent);
+        driver.publishTo(viewer);
+        PatientLink own = enter();
+        try {
+            driver.join(own, driver.usualOptions().overriddenBy(arguments).withSeconds(FOREVER_SECONDS));
+        } catch (IOException impossible) {
+            throw new UncheckedIOException("The world of the page has closed its connection.", impossible);
+        }
+        own.beBusy();
+        drivers.add(driver);
+    }
+
+    private @Nullable Object special(
+            String owner, String name, @Nullable Object target, @Nullable Object[] arguments) {
+        if (target instanceof Nao nao) {
+            return ofNao(name, nao, arguments);
+        }
+        if (owner.equals("org/robonewbie/agent/Nao") && name.equals("connect")) {
+            return connect(Objects.requireNonNull(arguments[0]));
+        }
+        if (target instanceof Agent agent && name.equals("run")) {
+            return play((String[]) Objects.requireNonNull(arguments[0]), agent);
+        }
+        if (name.equals("runTogether")) {
+            return play(
+                    (String[]) Objects.requireNonNull(arguments[0]),
+                    (Agent[]) Objects.requireNonNull(arguments[1]));
+        }
+        return owner.equals("java/lang/System") ? PageSystem.call(name, arguments) : SpecialCalls.UNKNOWN;
+    }
+
+    private Object play(String[] arguments, Agent... agents) {
+        for (Agent agent : agents) {
+            join(agent, arguments);
+        }
+        List<AgentDriver> own = List.copyOf(drivers);
+        drivers.clear();
+        return new Later(() -> {
+            own.forEach(AgentDriver::goOn);
+            return false;
+        }, () -> null, nextCycle);
+    }
+
+    private Nao connect(Object wanted) {
+        Options options = (wanted instanceof Options given ? given : Options.of((String[]) wanted))
+                .withSeconds(FOREVER_SECONDS);
+        PatientLink own = enter();
+        try {
+            NaoDriver driver = NaoDriver.enter(own, options, viewer);
+            own.beBusy();
+            link = own;
+            held = driver;
+            return driver.nao();
+        } catch (IOException impossible) {
+            throw new UncheckedIOException("The world of the page has closed its connection.", impossible);
+        }
+    }
+
+    private @Nullable Object ofNao(String name, Nao nao, @Nullable Object[] arguments) {
+        NaoDriver driver = Objects.requireNonNull(held);
+        PatientLink own = Objects.requireNonNull(link);
+        if (name.equals("sense")) {
+            driver.complete();
+            return new Later(own::isMessageWaiting, () -> {
+                machine.newCycle();
+                return nao.sense() ? 1 : 0;
+            }, nextCycle);
+        }
+        if (name.equals("perform")) {
+            driver.complete();
+            return new Performance(nao, (String) Objects.requireNonNull(arguments[0]), driver, own);
+        }
+        return SpecialCalls.UNKNOWN;
+    }
+
+    /** A result that comes with a message. */
+    private record Later(BooleanSupplier ready, Supplier<@Nullable Object> outcome, Runnable nextCycle)
+            implements Waiting {
+
+        @Override
+        public boolean isReady() {
+            return ready.getAsBoolean();
+        }
+
+        @Override
+        public void hurry() {
+            nextCycle.run();
+        }
+
+        @Override
+        public @Nullable Object result() {
+            return outcome.get();
+        }
+    }
+
+    /** A motion, from its beginning to its end. */
+    private final class Performance implements Waiting {
+
+        private final Nao nao;
+        private final NaoDriver driver;
+        private final PatientLink own;
+        private boolean performing;
+
+        Performance(Nao nao, String motion, NaoDriver driver, PatientLink own) {
+            this.nao = nao;
+            this.driver = driver;
+            this.own = own;
+            performing = nao.motions().start(motion);
+        }
+
+        @Override
+        public boolean isReady() {
+            if (isGoingOn() && own.isMessageWaiting()) {
+                machine.newCycle();
+                performing = nao.sense();
+                driver.complete();
+            }
+            return !isGoingOn();
+        }
+
+        private boolean isGoingOn() {
+            return performing && !nao.motions().isFinished();
+        }
+
+        @Override
+        public void hurry() {
+            nextCycle.run();
+        }
+
+        @Override
+        public Object result() {
+            return performing ? 1 : 0;
+        }
+    }
+}

@@ -1,0 +1,12 @@
+package org.robonewbie.web.bytecode;
+
+/** A program did not come to the end of a cycle. */
+public final class EndlessLoop extends Error {
+
+    private static final long serialVersionUID = 1;
+
+    EndlessLoop(String place, long steps) {
+        super("Stopped at " + place + ": the program has gone " + steps
+                + " steps without a new message of the simulator. Does a loop there never end?");
+    }
+}

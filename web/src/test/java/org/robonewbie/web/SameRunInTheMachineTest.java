@@ -1,0 +1,133 @@
+package org.robonewbie.web;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.lang.reflect.Method;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.robonewbie.simulator.recording.RunReport;
+import org.robonewbie.web.bytecode.JavaSource;
+import org.robonewbie.web.bytecode.Program;
+
+/** Programs do the same in the machine of the page as in Java: each recording is the same to the last bit. */
+class SameRunInTheMachineTest {
+
+    private static final Path ROOT = Path.of("").toAbsolutePath().getParent();
+    private static final Path EXAMPLES = ROOT.resolve("examples/src/main/java/org/robonewbie/examples");
+    private static final Pattern BLOCK = Pattern.compile("(?ms)^```java\\R(.*?)^```");
+    private static final Pattern CLASS = Pattern.compile("public (?:final )?class (\\w+)");
+    private static final List<String> OTHERWISE = List.of(
+            "Agent_TwoBehaviours", // needs threads
+            "Agent_KeyframeDeveloper", // needs files
+            "Agent_PenaltyAttacker", // extends another example
+            "Agent_TestSelfLocalisation", // wants a world that tells the truth
+            "Agent_TestLocalFieldView", // the same
+            "Agent_SoccerTeam"); // several robots
+    private static final int SECONDS = 12;
+
+    @TempDir
+    private Path folder;
+
+    static Stream<Text> programs() throws IOException {
+        List<Text> texts = new ArrayList<>();
+        try (Stream<Path> files = Files.list(EXAMPLES)) {
+            files.sorted().map(SameRunInTheMachineTest::read).forEach(text -> add(text, texts));
+        }
+        try (Stream<Path> files = Files.list(ROOT.resolve("docs/tutorial"))) {
+            Stream.concat(Stream.of(ROOT.resolve("README.md")), files.filter(file -> file.toString().endsWith(".md")).sorted())
+                    .flatMap(file -> BLOCK.matcher(read(file)).results())
+                    .forEach(block -> add(block.group(1), texts));
+        }
+        return texts.stream().filter(text -> !OTHERWISE.contains(text.name()));
+    }
+
+    private static void add(String text, List<Text> texts) {
+        Matcher name = CLASS.matcher(text);
+        if (name.find() && text.contains("void main(")) {
+            texts.add(new Text(name.group(1), text));
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("programs")
+    void programHasTheSameRecordingInTheMachineAndInJava(Text text) throws Exception {
+        Map<String, byte[]> classes = JavaSource.compile(text.name(), text.text());
+
+        RunReport here =
+                HeadlessRun.of(new Program(classes.values()), new PrintStream(OutputStream.nullOutputStream()), 1, SECONDS);
+
+        assertThat(here.recordingSha256()).isEqualTo(recordingInJava(text.name(), classes));
+    }
+
+    /** Runs the main method as the command line does. */
+    private String recordingInJava(String name, Map<String, byte[]> classes) throws Exception {
+        Path report = folder.resolve("report.json");
+        Class<?> type = new Loader(classes)
+                .loadClass(classes.keySet().stream().filter(one -> one.endsWith(name)).findFirst().orElseThrow());
+        Method main = type.getMethod("main", String[].class);
+        main.invoke(null, (Object) new String[] {
+            "--headless", "--fast", "--seed", "1", "--seconds", "" + SECONDS, "--report", report.toString()
+        });
+        return JsonParser.parseString(Files.readString(report))
+                .getAsJsonObject()
+                .get("recordingSha256")
+                .getAsString();
+    }
+
+    private static String read(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
+    }
+
+    /**
+     * A program.
+     *
+     * @param name of its class
+     * @param text its text
+     */
+    record Text(String name, String text) {
+
+        @Override
+        public String toString() {
+            return name;
+        }
+    }
+
+    /** Loads classes from memory, before those of the same name elsewhere. */
+    private static final class Loader extends ClassLoader {
+
+        private final Map<String, byte[]> classes;
+
+        Loader(Map<String, byte[]> classes) {
+            super(SameRunInTheMachineTest.class.getClassLoader());
+            this.classes = classes;
+        }
+
+        @Override
+        protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+            byte[] bytes = classes.get(name);
+            if (bytes == null) {
+                return super.loadClass(name, resolve);
+            }
+            Class<?> loaded = findLoadedClass(name);
+            return loaded == null ? defineClass(name, bytes, 0, bytes.length) : loaded;
+        }
+    }
+}
