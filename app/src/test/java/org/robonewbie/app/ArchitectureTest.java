@@ -126,7 +126,8 @@ class ArchitectureTest {
                     "org.robonewbie.trial..",
                     "com.google.gson.."
                 }),
-                Arguments.of("examples", new String[] {"org.robonewbie.nao..", "org.robonewbie.agent.."}));
+                Arguments.of("examples", new String[] {"org.robonewbie.nao..", "org.robonewbie.agent.."}),
+                Arguments.of("team", new String[] {"org.robonewbie.nao..", "org.robonewbie.agent.."}));
     }
 
     @ParameterizedTest
@@ -271,7 +272,8 @@ class ArchitectureTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"nao", "protocol", "agent", "simulator", "bench", "trial", "studio", "examples", "app"})
+    @ValueSource(
+            strings = {"nao", "protocol", "agent", "simulator", "bench", "trial", "studio", "examples", "team", "app"})
     void moduleIsLookedAt(String module) {
         assertThat(HOUSE).anyMatch(type -> type.getPackageName().startsWith("org.robonewbie." + module));
     }

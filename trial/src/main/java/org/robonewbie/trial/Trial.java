@@ -12,6 +12,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
@@ -251,6 +252,15 @@ public final class Trial implements AutoCloseable {
     public Trial with(Script newScript) {
         script = newScript;
         return this;
+    }
+
+    /**
+     * Carries out an order of the human referee before the next cycle, such as a kick-off. Only served trials have a referee.
+     *
+     * @param order the order
+     */
+    public void order(Order order) {
+        simulator.order(order);
     }
 
     /**

@@ -24,6 +24,7 @@ import picocli.CommandLine.Parameters;
             "Measure how well RoboNewbie works on this computer.",
             "",
             "motions, agents: try all shipped motions or the example agents many times in the simulator.",
+            "team: let the example team play halves on the league's pitch against as many Agent_BetterSoccer.",
             "server: let many robots play whole matches over TCP; does the server keep step with the clock?"
         },
         footer = {
@@ -33,6 +34,8 @@ import picocli.CommandLine.Parameters;
             "  robonewbie measure motions --seeds 3      a quick look",
             "  robonewbie measure motions --first-seed 1000 --json result.json",
             "  robonewbie measure agents                 20 games of each example agent",
+            "  robonewbie measure team --players 3       20 halves, 3 against 3",
+            "  robonewbie measure team --players 1       one player alone, for 5 minutes of open play",
             "  robonewbie measure server                 11 against 11 for 10 minutes on the clock",
             "  robonewbie measure server --fast --matches 3"
         })
@@ -40,33 +43,39 @@ final class MeasureCommand implements Callable<Integer> {
 
     private static final String MOTIONS = "motions";
     private static final String AGENTS = "agents";
+    private static final String TEAM = "team";
     private static final String SERVER = "server";
     private static final Map<String, String> DESCRIPTIONS = Map.of(
             MOTIONS, "Try all shipped motions many times in the simulator.",
             AGENTS, "Let each example agent play many times.",
+            TEAM, "Let the example team play halves against as many Agent_BetterSoccer.",
             SERVER, "Let many robots play whole matches over TCP; does the server keep step with the clock?");
 
     /** What can be measured. */
-    static final List<String> SUBJECTS = List.of(MOTIONS, AGENTS, SERVER);
+    static final List<String> SUBJECTS = List.of(MOTIONS, AGENTS, TEAM, SERVER);
 
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Parameters(paramLabel = "motions|agents|server", description = "What to measure: motions, agents or server.")
+    @Parameters(
+            paramLabel = "motions|agents|team|server",
+            description = "What to measure: motions, agents, team or server.")
     private String subject = MOTIONS;
 
     @Option(
             names = "--seeds",
             paramLabel = "N",
             defaultValue = "20",
-            description = "motions, agents: trials of each one, each disturbed in another way (default: 20).")
+            description =
+                    "motions, agents: trials of each one, each disturbed in another way; team: halves (default: 20).")
     private int seeds;
 
     @Option(
             names = "--first-seed",
             paramLabel = "N",
             defaultValue = "1",
-            description = "motions, agents: seed of the first trial; another one disturbs in other ways (default: 1).")
+            description =
+                    "motions, agents, team: seed of the first trial; another one disturbs in other ways (default: 1).")
     private long firstSeed;
 
     @Option(
@@ -78,6 +87,13 @@ final class MeasureCommand implements Callable<Integer> {
 
     @Option(names = "--json", paramLabel = "FILE", description = "motions, agents: write the results as JSON too.")
     private Optional<Path> json = Optional.empty();
+
+    @Option(
+            names = "--players",
+            paramLabel = "N",
+            defaultValue = "3",
+            description = "team: players of each team, 1 to 11; 1 plays alone (default: 3).")
+    private int players;
 
     @Mixin
     final ServerLoadOptions load = new ServerLoadOptions();
@@ -102,10 +118,13 @@ final class MeasureCommand implements Callable<Integer> {
         if (subject.equals(SERVER)) {
             return load.measure();
         }
-        if (!subject.equals(MOTIONS) && !subject.equals(AGENTS)) {
+        if (players < 1 || players > 11) {
+            throw new CalledWronglyException("--players " + players + ": a team has 1 to 11 players.");
+        }
+        if (!List.of(MOTIONS, AGENTS, TEAM).contains(subject)) {
             throw new CalledWronglyException(
                     "\"" + subject
-                            + "\" cannot be measured; write: robonewbie measure motions, or: measure agents, or: measure server");
+                            + "\" cannot be measured; write: robonewbie measure motions, or: measure agents, or: measure team, or: measure server");
         }
         if (seeds < 1) {
             throw new CalledWronglyException("--seeds " + seeds + ": give a number of trials of at least 1.");
@@ -121,6 +140,8 @@ final class MeasureCommand implements Callable<Integer> {
     private void measureTrials() throws IOException {
         if (subject.equals(AGENTS)) {
             new AgentMeasurement(seeds, firstSeed, System.out).run(part, json);
+        } else if (subject.equals(TEAM)) {
+            new TeamMeasurement(seeds, firstSeed, System.out).run(players);
         } else {
             new MotionMeasurement(seeds, firstSeed, part, System.out).run(json);
         }

@@ -29,6 +29,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie new my-team",
             "  robonewbie new my-team --package org.example.soccer",
             "  robonewbie new my-team --build gradle",
+            "  robonewbie new my-team --from team        begins with the example team",
             "then: cd my-team, and ./robonewbie (on Windows: robonewbie)"
         })
 final class NewCommand implements Callable<Integer> {
@@ -54,6 +55,13 @@ final class NewCommand implements Callable<Integer> {
             description = "What builds the project: maven or gradle (default: maven).")
     private NewProject.BuildTool tool = NewProject.BuildTool.MAVEN;
 
+    @Option(
+            names = "--from",
+            paramLabel = "ORIGIN",
+            description =
+                    "What the project begins with: agent, or team for a copy of the example team (default: agent).")
+    private NewProject.Origin origin = NewProject.Origin.AGENT;
+
     @Override
     public Integer call() throws IOException {
         String folder = Path.of(name).getFileName().toString();
@@ -73,7 +81,7 @@ final class NewCommand implements Callable<Integer> {
                     "There is a folder " + name + " already, and it is kept. Take another name.");
         }
         Path jar = ownJar();
-        new NewProject(folder, chosen, tool, jar, versionOf(jar)).create(project);
+        new NewProject(folder, chosen, tool, origin, jar, versionOf(jar)).create(project);
         System.out.println("Your project is in " + project.toAbsolutePath() + System.lineSeparator()
                 + "Go on with: cd " + name + System.lineSeparator()
                 + "            ./robonewbie   (on Windows: robonewbie)" + System.lineSeparator()

@@ -24,8 +24,17 @@ final class NewProject {
     private final String name;
     private final String packageName;
     private final BuildTool tool;
+    private final Origin origin;
     private final Path jar;
     private final String version;
+
+    /** What the project begins with. */
+    enum Origin {
+        /** An agent that greets and turns to the ball. */
+        AGENT,
+        /** A copy of the example team. */
+        TEAM
+    }
 
     /** What builds the project; each IDE understands both. */
     enum BuildTool {
@@ -48,13 +57,15 @@ final class NewProject {
      * @param name name of the project
      * @param packageName package of its classes
      * @param tool what builds it
+     * @param origin what it begins with
      * @param jar the program of RoboNewbie; sources and API pages are taken from beside it if they are there
      * @param version its version
      */
-    NewProject(String name, String packageName, BuildTool tool, Path jar, String version) {
+    NewProject(String name, String packageName, BuildTool tool, Origin origin, Path jar, String version) {
         this.name = name;
         this.packageName = packageName;
         this.tool = tool;
+        this.origin = origin;
         this.jar = jar;
         this.version = version;
     }
@@ -80,13 +91,21 @@ final class NewProject {
         if (!executable) {
             System.err.println("The file robonewbie could not be made executable; start it by: sh robonewbie");
         }
-        write("MyAgent.java", project.resolve("src/main/java").resolve(folder()).resolve("MyAgent.java"));
+        writeAgent(project.resolve("src/main/java").resolve(folder()));
         write(
                 "MyAgentTest.java",
                 project.resolve("src/test/java").resolve(folder()).resolve("MyAgentTest.java"));
         Files.createDirectories(project.resolve("motions"));
         MotionFiles.save(ShippedMotions.file("wave"), project.resolve("motions/greet.txt"));
         fillRepository(project);
+    }
+
+    private void writeAgent(Path folder) throws IOException {
+        if (origin == Origin.TEAM) {
+            new TeamSources(packageName, "MyAgent").write(folder);
+        } else {
+            write("MyAgent.java", folder.resolve("MyAgent.java"));
+        }
     }
 
     private void fillRepository(Path project) throws IOException {

@@ -8,20 +8,23 @@ import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
-/** Knows all examples that can be run: the classes with a {@code main} method in {@code org.robonewbie.examples}. */
+/**
+ * Knows all examples that can be run: the classes with a {@code main} method in {@code org.robonewbie.examples} and {@code
+ * org.robonewbie.team}.
+ */
 public final class ExampleCatalogue {
 
     /** The example to begin with. */
     public static final String FIRST_EXAMPLE = "Agent_BasicStructure";
 
-    private static final String PACKAGE = "org.robonewbie.examples";
-    private static final String FOLDER = PACKAGE.replace('.', '/');
+    private static final List<String> PACKAGES = List.of("org.robonewbie.examples", "org.robonewbie.team");
 
     private final SortedMap<String, String> classNames = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
 
@@ -35,8 +38,10 @@ public final class ExampleCatalogue {
     public static ExampleCatalogue load() {
         ExampleCatalogue catalogue = new ExampleCatalogue();
         try {
-            for (var places = loader().getResources(FOLDER); places.hasMoreElements(); ) {
-                catalogue.addAll(places.nextElement().toURI());
+            for (String each : PACKAGES) {
+                for (var places = loader().getResources(folder(each)); places.hasMoreElements(); ) {
+                    catalogue.addAll(each, places.nextElement().toURI());
+                }
             }
         } catch (IOException unreadable) {
             throw new UncheckedIOException("The examples cannot be read", unreadable);
@@ -61,20 +66,24 @@ public final class ExampleCatalogue {
         return Optional.ofNullable(classNames.get(simpleName)).flatMap(ExampleCatalogue::program);
     }
 
-    private void addAll(URI place) throws IOException {
+    private static String folder(String packageName) {
+        return packageName.replace('.', '/');
+    }
+
+    private void addAll(String packageName, URI place) throws IOException {
         if (place.getScheme().equals("jar")) {
             try (FileSystem jar = FileSystems.newFileSystem(place, Map.of())) {
-                addAll(jar.getPath(FOLDER));
+                addAll(packageName, jar.getPath(folder(packageName)));
             }
         } else {
-            addAll(Path.of(place));
+            addAll(packageName, Path.of(place));
         }
     }
 
-    private void addAll(Path folder) throws IOException {
+    private void addAll(String packageName, Path folder) throws IOException {
         try (Stream<Path> files = Files.walk(folder)) {
             files.filter(file -> file.toString().endsWith(".class"))
-                    .map(file -> PACKAGE + "." + classNameOf(folder.relativize(file)))
+                    .map(file -> packageName + "." + classNameOf(folder.relativize(file)))
                     .filter(name -> program(name).isPresent())
                     .forEach(name -> classNames.put(name.substring(name.lastIndexOf('.') + 1), name));
         }

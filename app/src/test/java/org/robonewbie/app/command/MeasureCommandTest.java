@@ -31,7 +31,7 @@ class MeasureCommandTest {
         assertThatThrownBy(command::call)
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessage("\"mountains\" cannot be measured; write: robonewbie measure motions, or: measure agents,"
-                        + " or: measure server");
+                        + " or: measure team, or: measure server");
     }
 
     @Tag("slow")

@@ -28,7 +28,8 @@ class NewCommandTest {
         Path sources = Files.writeString(folder.resolve("robonewbie-sources.jar"), "its sources");
         Path project = folder.resolve("my-team");
 
-        new NewProject("my-team", "org.example.team", BuildTool.MAVEN, jar, "2.0.0").create(project);
+        new NewProject("my-team", "org.example.team", BuildTool.MAVEN, NewProject.Origin.AGENT, jar, "2.0.0")
+                .create(project);
 
         assertThat(project.resolve(LIBRARY + ".jar")).hasSameBinaryContentAs(jar);
         assertThat(project.resolve(LIBRARY + "-sources.jar")).hasSameBinaryContentAs(sources);
@@ -47,12 +48,27 @@ class NewCommandTest {
     }
 
     @Test
+    void projectFromTheTeamHasTheWholeTeamInThePackageOfTheStudent() throws IOException {
+        Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
+        Path project = folder.resolve("my-team");
+
+        new NewProject("my-team", "org.example.team", BuildTool.MAVEN, NewProject.Origin.TEAM, jar, "2.0")
+                .create(project);
+
+        assertThat(mistakesIn(project, "src/main/java/org/example/team/MyAgent.java"))
+                .isEmpty();
+        assertThat(project.resolve("src/main/java/org/example/team/tactics/Strategy.java"))
+                .content()
+                .doesNotContain("org.robonewbie.team");
+    }
+
+    @Test
     void versionsOfThePluginsAreThoseOfRoboNewbie() throws IOException {
         Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
         Path project = folder.resolve("my-team");
         String own = Project.read(Project.ROOT.resolve("pom.xml"));
 
-        new NewProject("my-team", "team", BuildTool.MAVEN, jar, "2.0").create(project);
+        new NewProject("my-team", "team", BuildTool.MAVEN, NewProject.Origin.AGENT, jar, "2.0").create(project);
 
         assertThat(Files.readString(project.resolve("pom.xml"))
                         .lines()
@@ -67,7 +83,7 @@ class NewCommandTest {
         Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
         Path project = folder.resolve("my-team");
 
-        new NewProject("my-team", "team", BuildTool.GRADLE, jar, "2.0.0").create(project);
+        new NewProject("my-team", "team", BuildTool.GRADLE, NewProject.Origin.AGENT, jar, "2.0.0").create(project);
 
         assertThat(project.resolve("build.gradle"))
                 .content()

@@ -1,0 +1,173 @@
+package org.robonewbie.team;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.Options;
+import org.robonewbie.agent.localisation.GroundPose;
+import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.team.skill.Dribble;
+import org.robonewbie.team.skill.Footwork;
+import org.robonewbie.team.skill.Gaze;
+import org.robonewbie.team.skill.Goalkeeping;
+import org.robonewbie.team.skill.Kick;
+import org.robonewbie.team.skill.Limbs;
+import org.robonewbie.team.tactics.KickOffPlaces;
+import org.robonewbie.team.tactics.Plan;
+import org.robonewbie.team.tactics.Strategy;
+import org.robonewbie.team.talk.Talk;
+import org.robonewbie.team.talk.TeamMessage;
+import org.robonewbie.team.world.Situation;
+import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.world.WorldModel;
+
+/**
+ * A player of the example team for the league's pitch. In each cycle it updates what it believes ({@link WorldModel}), decides ({@link
+ * Strategy}), moves (the classes in {@code skill}) and tells its team mates ({@link TeamMessage}).
+ *
+ * <p>{@code Agent_Team 11 --team Blue} starts eleven players with one command, {@code Agent_Team --number 4} only number 4. They play on
+ * pitches of any size.
+ */
+public class Agent_Team extends Agent {
+
+    private static final String USUAL_PLAYERS = "3";
+    private static final double STILL_SECONDS = 0.2;
+    private static final double BEAM_AGAIN_SECONDS = 1;
+
+    private final int number;
+    private final WorldModel world = new WorldModel();
+    private final Strategy strategy = new Strategy(world);
+    private final Limbs body = new Limbs(nao, walk, motions, lookAround);
+    private final Footwork feet = new Footwork(walk);
+    private final Dribble dribble = new Dribble(walk, feet);
+    private final Kick kick = new Kick(body, feet);
+    private final Goalkeeping keeping = new Goalkeeping(body);
+    private final Gaze gaze = new Gaze(body);
+    private final Board board = new Board(nao, world);
+    private List<Spot> way = List.of();
+    private double beamedSeconds = Double.NEGATIVE_INFINITY;
+
+    /** Creates a player with any number that is free. */
+    public Agent_Team() {
+        this(0);
+    }
+
+    /**
+     * Creates a player.
+     *
+     * @param number its number, 1 to 11, or 0 for any that is free
+     */
+    public Agent_Team(int number) {
+        this.number = number;
+        fieldView.setTransformation(CameraTransformation.KINEMATICS);
+    }
+
+    /**
+     * Starts the players.
+     *
+     * @param args how many players, 1 to 11, and options such as {@code --team Blue}; with {@code --number} it is one player
+     */
+    public static void main(String[] args) {
+        boolean single = Arrays.asList(args).contains("--number");
+        Agent[] team = single
+                ? new Agent[] {new Agent_Team()}
+                : IntStream.rangeClosed(1, players(args))
+                        .mapToObj(Agent_Team::new)
+                        .toArray(Agent[]::new);
+        runTogether(args, team);
+    }
+
+    private static int players(String... args) {
+        String players = args.length > 0 && !args[0].startsWith("-") ? args[0] : USUAL_PLAYERS;
+        if (!players.matches("[1-9]|1[01]")) {
+            System.err.println("A team has 1 to 11 players, not \"" + players + "\".");
+            System.exit(2);
+        }
+        return Integer.parseInt(players);
+    }
+
+    @Override
+    protected Options defaults() {
+        return Options.none().withWords().withNumber(number);
+    }
+
+    @Override
+    protected void think() {
+        world.update(nao, fieldView);
+        Talk.listen(nao, world);
+        if (nao.getVision().isPresent()) {
+            strategy.decide();
+        }
+        if (isToLineUp()) {
+            lineUp();
+        } else if (nao.isFallen()) {
+            motions.startGetUp();
+        } else if (motions.isFinished()) {
+            play(strategy.plan());
+        }
+        gaze.look(world);
+        speak();
+        board.show(strategy.plan(), way);
+    }
+
+    private boolean isToLineUp() {
+        return nao.isBeamAllowed()
+                && world.situation() == Situation.LINE_UP
+                && world.secondsInSituation() > STILL_SECONDS;
+    }
+
+    /** Goes to its place before a kick-off: by beam, and again if the referee has moved it. */
+    private void lineUp() {
+        GroundPose place = KickOffPlaces.place(world.number(), !world.hasScored(), world.field());
+        boolean away = world.place().distanceTo(Spot.of(place)) > 0.3 || nao.isFallen();
+        boolean free = motions.isFinished() || nao.isFallen();
+        if (away && free && world.seconds() - beamedSeconds > BEAM_AGAIN_SECONDS) {
+            nao.beam(place.x(), place.y(), place.headingDegrees());
+            motions.reset();
+            motions.start("stand");
+            world.beamed(place);
+            beamedSeconds = world.seconds();
+        } else if (nao.isFallen()) {
+            motions.startGetUp();
+        } else {
+            walk.stop();
+        }
+    }
+
+    private void play(Plan plan) {
+        way = List.of(plan.target());
+        switch (plan.action()) {
+            case GO -> way = feet.go(world, plan.target(), plan.headingDegrees());
+            case KEEP -> keep(plan);
+            case DRIBBLE -> dribble.bring(world, plan.target());
+            case KICK -> kick.kick(world, plan.headingDegrees());
+            case SEARCH -> walk.towards(0, 0, 40);
+            case STAND -> walk.stop();
+        }
+    }
+
+    private void keep(Plan plan) {
+        if (!keeping.dive(world)) {
+            way = feet.go(world, plan.target(), plan.headingDegrees());
+        }
+    }
+
+    private void speak() {
+        if (Talk.isMyTurn(world.seconds(), world.number())) {
+            Plan plan = strategy.plan();
+            nao.say(new TeamMessage(
+                            world.number(),
+                            world.pose(),
+                            world.isFallen(),
+                            plan.role(),
+                            world.ball(),
+                            world.ballVelocity(),
+                            world.ownBallAgeSeconds(),
+                            strategy.secondsToBall(),
+                            plan.receiver(),
+                            plan.target())
+                    .encode());
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package org.robonewbie.team.skill;
+
+import org.robonewbie.agent.walk.Walk;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.world.WorldModel;
+
+/**
+ * Brings the ball forward. The robot gets behind the ball, seen from where the ball has to go, and walks on: the feet push the ball
+ * along. As long as the ball does not leave the way, the robot never stops.
+ *
+ * <p>Ahead of the robot is a cone that begins between the feet. While the ball is in it, the robot walks with full speed and only
+ * corrects its way; else it walks around the ball.
+ */
+public final class Dribble {
+
+    private static final double BEHIND_METRES = 0.25;
+    private static final double AROUND_METRES = 0.35;
+    private static final double CONE_METRES = 0.07;
+    private static final double CONE_SLOPE = 0.22;
+    private static final double MOST_TURN = 25;
+    private static final double CALM_METRES = 0.02;
+    private static final double CALM_DEGREES = 3;
+    private static final double AHEAD_SECONDS = 0.25;
+
+    private final Walk walk;
+    private final Footwork feet;
+
+    /**
+     * Prepares the skill.
+     *
+     * @param walk the walk
+     * @param feet walks to places
+     */
+    public Dribble(Walk walk, Footwork feet) {
+        this.walk = walk;
+        this.feet = feet;
+    }
+
+    /**
+     * Brings the ball one step nearer to a place.
+     *
+     * @param world where the ball is
+     * @param target where the ball has to go, in the coordinates of the team
+     */
+    public void bring(WorldModel world, Spot target) {
+        Spot ball = world.ballIn(AHEAD_SECONDS).seenFrom(world.pose());
+        Spot way = target.minus(world.ball());
+        double turn = PortableMath.IEEEremainder(way.degrees() - world.pose().headingDegrees(), 360);
+        Spot direction = Spot.polar(turn, 1);
+        Spot aside = Spot.polar(turn + 90, 1);
+        double ahead = ball.dot(direction);
+        double left = -ball.dot(aside);
+        if (ahead < 0.1) {
+            double side = left >= 0 ? 1 : -1;
+            feet.step(ball.minus(direction.times(BEHIND_METRES)).plus(aside.times(side * AROUND_METRES)), turn, true);
+        } else if (Math.abs(left) > CONE_METRES + CONE_SLOPE * Math.max(0, ahead - BEHIND_METRES)
+                || Math.abs(turn) > MOST_TURN) {
+            feet.step(ball.minus(direction.times(BEHIND_METRES)), turn, true);
+        } else {
+            double seconds = Math.max(0.5, (ahead - BEHIND_METRES) / Walk.MOST_FORWARD);
+            walk.towards(Walk.MOST_FORWARD, -beyond(left, CALM_METRES) / seconds, 1.5 * beyond(turn, CALM_DEGREES));
+        }
+    }
+
+    /** What is left of a deviation after a part that does not matter: each correction makes the robot slower. */
+    private static double beyond(double deviation, double calm) {
+        return Math.signum(deviation) * Math.max(0, Math.abs(deviation) - calm);
+    }
+}

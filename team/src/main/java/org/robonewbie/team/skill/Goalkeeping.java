@@ -1,0 +1,76 @@
+package org.robonewbie.team.skill;
+
+import org.robonewbie.team.world.BallFilter;
+import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.world.WorldModel;
+
+/**
+ * Keeps the goal: stands between ball and goal where the angle is smallest, and throws itself in the way of a ball that would roll over
+ * the line.
+ */
+public final class Goalkeeping {
+
+    private static final double REACH_METRES = 0.12;
+    private static final double MOST_REACH_METRES = 0.9;
+    private static final double DANGER_SECONDS = 1.6;
+    private static final double LEAST_SPEED = 0.8;
+    private static final double OUT_METRES = 0.7;
+
+    private final Limbs body;
+
+    /**
+     * Prepares the skill.
+     *
+     * @param body dives
+     */
+    public Goalkeeping(Limbs body) {
+        this.body = body;
+    }
+
+    /**
+     * Chooses where the keeper stands.
+     *
+     * @param world where the ball is
+     * @return its place, in the coordinates of the team
+     */
+    public static Spot place(WorldModel world) {
+        Spot goal = world.ourGoal();
+        Spot place =
+                goal.towards(world.ball(), Math.min(OUT_METRES, world.ball().distanceTo(goal) / 2));
+        return new Spot(Math.max(place.x(), goal.x() + 0.25), place.y());
+    }
+
+    /**
+     * Dives if the ball is about to roll into the goal beside the robot.
+     *
+     * @param world where the ball is and how it rolls
+     * @return whether the robot dives
+     */
+    public boolean dive(WorldModel world) {
+        double crossing = crossing(world);
+        if (Double.isNaN(crossing) || Math.abs(crossing) < REACH_METRES || Math.abs(crossing) > MOST_REACH_METRES) {
+            return false;
+        }
+        body.walk().stop();
+        return !body.walk().isWalking() && body.motions().start(crossing > 0 ? "dive-left" : "dive-right");
+    }
+
+    /** How far to the left of the robot a dangerous ball will pass, metres; not a number if there is no danger. */
+    private static double crossing(WorldModel world) {
+        Spot ball = world.ball();
+        Spot velocity = world.ballVelocity();
+        Spot end = ball.plus(velocity.times(BallFilter.ROLLING_SECONDS));
+        double line = world.ourGoal().x();
+        boolean fast = velocity.x() < -LEAST_SPEED && world.ownBallAgeSeconds() < 0.2;
+        double way = ball.x() - world.place().x();
+        if (!fast || end.x() > line || way < 0 || way / -velocity.x() > DANGER_SECONDS) {
+            return Double.NaN;
+        }
+        double slope = velocity.y() / velocity.x();
+        double atLine = ball.y() + slope * (line - ball.x());
+        double here = ball.y() + slope * (world.place().x() - ball.x());
+        boolean towardsGoal = Math.abs(atLine) < world.field().goalWidth() / 2 + 0.15;
+        double facing = Math.abs(world.pose().headingDegrees()) < 90 ? 1 : -1;
+        return towardsGoal ? facing * (here - world.place().y()) : Double.NaN;
+    }
+}

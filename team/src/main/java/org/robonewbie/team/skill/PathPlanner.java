@@ -1,0 +1,97 @@
+package org.robonewbie.team.skill;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.team.world.Spot;
+
+/**
+ * Plans a way around obstacles. Each obstacle is a circle that the robot must not enter. Where the straight way crosses one, the
+ * planner tries both sides: it goes to a point beside the circle, and from there on in the same manner. Of both ways it takes the
+ * shorter one.
+ *
+ * <pre>{@code
+ * List<Spot> way = PathPlanner.way(here, there, List.of(new PathPlanner.Obstacle(opponent, 0.5)));
+ * walkTowards(way.get(0));
+ * }</pre>
+ */
+public final class PathPlanner {
+
+    private static final int MOST_TURNS = 3;
+    private static final double MARGIN = 1.15;
+
+    /**
+     * Something in the way.
+     *
+     * @param centre where it is
+     * @param radius how far the middle of the robot has to keep away, metres
+     */
+    public record Obstacle(Spot centre, double radius) {}
+
+    private PathPlanner() {}
+
+    /**
+     * Plans a way.
+     *
+     * @param from where it begins
+     * @param to where it ends
+     * @param obstacles what to walk around; those around the end do not count
+     * @return the points where the way bends, and its end
+     */
+    public static List<Spot> way(Spot from, Spot to, List<Obstacle> obstacles) {
+        List<Obstacle> possible = obstacles.stream()
+                .filter(obstacle -> obstacle.centre.distanceTo(to) > obstacle.radius)
+                .toList();
+        return way(from, to, possible, MOST_TURNS);
+    }
+
+    private static List<Spot> way(Spot from, Spot to, List<Obstacle> obstacles, int turns) {
+        Optional<Obstacle> first = turns == 0 ? Optional.empty() : firstInTheWay(from, to, obstacles);
+        return first.map(obstacle -> around(from, to, obstacle, obstacles, turns))
+                .orElse(List.of(to));
+    }
+
+    private static Optional<Obstacle> firstInTheWay(Spot from, Spot to, List<Obstacle> obstacles) {
+        return obstacles.stream()
+                .filter(obstacle -> obstacle.centre.distanceToWay(from, to)
+                        < Math.min(obstacle.radius, leastDistance(from, obstacle)))
+                .min(Comparator.comparingDouble(obstacle -> obstacle.centre.distanceTo(from)));
+    }
+
+    /** A robot that is too near already may go away, but not nearer. */
+    private static double leastDistance(Spot from, Obstacle obstacle) {
+        return 0.95 * from.distanceTo(obstacle.centre);
+    }
+
+    private static List<Spot> around(Spot from, Spot to, Obstacle obstacle, List<Obstacle> obstacles, int turns) {
+        List<Spot> left = side(from, to, obstacle, 1, obstacles, turns);
+        List<Spot> right = side(from, to, obstacle, -1, obstacles, turns);
+        return length(from, left) <= length(from, right) ? left : right;
+    }
+
+    private static List<Spot> side(
+            Spot from, Spot to, Obstacle obstacle, int side, List<Obstacle> obstacles, int turns) {
+        Spot way = to.minus(from);
+        double length = Math.max(1e-6, way.length());
+        Spot aside = new Spot(-way.y(), way.x()).times(side * MARGIN * obstacle.radius / length);
+        Spot corner = obstacle.centre.plus(aside);
+        List<Spot> result = new ArrayList<>(way(from, corner, without(obstacles, obstacle), turns - 1));
+        result.addAll(way(corner, to, obstacles, turns - 1));
+        return result;
+    }
+
+    private static List<Obstacle> without(List<Obstacle> obstacles, Obstacle done) {
+        return obstacles.stream().filter(obstacle -> !obstacle.equals(done)).toList();
+    }
+
+    private static double length(Spot from, List<Spot> way) {
+        double sum = 0;
+        Spot before = from;
+        for (Spot spot : way) {
+            sum += before.distanceTo(spot);
+            before = spot;
+        }
+        return sum;
+    }
+}

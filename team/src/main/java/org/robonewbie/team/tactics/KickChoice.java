@@ -1,0 +1,189 @@
+package org.robonewbie.team.tactics;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.team.skill.Kick;
+import org.robonewbie.team.world.Mate;
+import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.world.WorldModel;
+
+/**
+ * Chooses what to do with the ball: the option with the largest expected gain in each second.
+ *
+ * <p>Each option leads the ball to some place, takes some time, and succeeds with some probability. {@link #value} says what a ball at
+ * a place is worth: 1 in the opponents' goal, −1 in its own. The gain is the value afterwards, weighted with the probabilities
+ * that the team or the opponents have the ball then, minus the value now.
+ */
+public final class KickChoice {
+
+    private static final double STEP_DEGREES = 15;
+    private static final double DRIBBLE_METRES = 2;
+    private static final double DRIBBLE_SPEED = 0.55;
+    private static final double RUN_SPEED = 0.5;
+    private static final double TURN_SPEED = 60;
+    private static final double OPPONENT_SPEED = 0.5;
+    private static final double LOSS = 0.25;
+    private static final double VALUE_METRES = 8;
+    private static final double LANE_METRES = 0.5;
+    private static final double SHOT_DEVIATION_DEGREES = 6;
+    private static final double PASS_METRES = 3;
+    private static final double LOYALTY = 0.3;
+    private static final double SAME_DEGREES = 20;
+
+    private final WorldModel world;
+    private final boolean mayDribble;
+    private final Plan before;
+
+    /**
+     * Looks at the present moment.
+     *
+     * @param world the game
+     * @param mayDribble whether the player may touch the ball more than once
+     * @param before what the player has done until now; to change costs time, so it must be worth it
+     */
+    public KickChoice(WorldModel world, boolean mayDribble, Plan before) {
+        this.world = world;
+        this.mayDribble = mayDribble;
+        this.before = before;
+    }
+
+    /**
+     * One possibility.
+     *
+     * @param plan what the player would do
+     * @param gain how much better the game would be in each second
+     */
+    public record Option(Plan plan, double gain) {}
+
+    /** {@return the best option} */
+    public Plan best() {
+        return options().stream()
+                .max(Comparator.comparingDouble(this::loyalGain))
+                .map(Option::plan)
+                .orElseGet(() -> dribble(0).plan);
+    }
+
+    private double loyalGain(Option option) {
+        boolean same = option.plan.action() == before.action()
+                && Math.abs(PortableMath.IEEEremainder(option.plan.headingDegrees() - before.headingDegrees(), 360))
+                        < SAME_DEGREES;
+        return option.gain + (same ? LOYALTY * Math.abs(option.gain) : 0);
+    }
+
+    /** {@return all options, for a look at what else was possible} */
+    public List<Option> options() {
+        List<Option> options = new ArrayList<>();
+        for (double degrees = -180; degrees < 180; degrees += STEP_DEGREES) {
+            add(options, degrees);
+        }
+        add(options, world.theirGoal().minus(world.ball()).degrees());
+        return options;
+    }
+
+    private void add(List<Option> options, double degrees) {
+        if (mayDribble) {
+            options.add(dribble(degrees));
+        }
+        options.add(kick(degrees));
+    }
+
+    private Option dribble(double degrees) {
+        Spot end = world.ball().plus(Spot.polar(degrees, DRIBBLE_METRES));
+        double seconds = DRIBBLE_METRES / DRIBBLE_SPEED + turnSeconds(degrees);
+        double keeps = 1;
+        for (Spot opponent : world.opponents()) {
+            double near = opponent.distanceToWay(world.ball(), end);
+            keeps *= 1 - 0.5 * PortableMath.exp(-near * near);
+        }
+        return new Option(new Plan(TeamRole.STRIKER, Plan.Action.DRIBBLE, end, degrees, 0), gain(end, keeps, seconds));
+    }
+
+    private Option kick(double degrees) {
+        Spot ball = world.ball();
+        Spot end = ball.plus(Spot.polar(degrees, Kick.METRES));
+        double seconds = Kick.seconds(world, degrees);
+        double undisturbed = probability(world.opponentDistance(ball) / OPPONENT_SPEED - seconds);
+        double free = freeLane(ball, end);
+        double goal = goalProbability(ball, degrees);
+        Optional<Mate> receiver = nearest(end);
+        double ours = secondsTo(receiver.map(Mate::place).orElse(world.place()), end);
+        double theirs = world.opponentDistance(end) / OPPONENT_SPEED;
+        double keeps = undisturbed * free * probability(theirs - ours);
+        double rest = gain(end, keeps, seconds + ours);
+        double shot = undisturbed * free * (1 - value(ball)) / seconds;
+        int number = receiver.filter(mate -> goal < 0.3 && mate.place().distanceTo(end) < PASS_METRES)
+                .map(Mate::number)
+                .orElse(0);
+        Plan plan = new Plan(TeamRole.STRIKER, Plan.Action.KICK, end, degrees, number);
+        return new Option(plan, goal * shot + (1 - goal) * rest);
+    }
+
+    /** The gain in each second if the ball gets to a place with a probability. */
+    private double gain(Spot end, double keeps, double seconds) {
+        double after = isOnPitch(end) ? value(end) - LOSS * (1 - keeps) : value(world.ball()) - LOSS;
+        return (after - value(world.ball())) / seconds;
+    }
+
+    private boolean isOnPitch(Spot spot) {
+        return Math.abs(spot.x()) < world.field().length() / 2 - 0.3
+                && Math.abs(spot.y()) < world.field().width() / 2 - 0.3;
+    }
+
+    /**
+     * Calculates what a ball at a place is worth.
+     *
+     * @param spot the place
+     * @return from −1 in its goal to 1 in the opponents' goal
+     */
+    public double value(Spot spot) {
+        return PortableMath.exp(-spot.distanceTo(world.theirGoal()) / VALUE_METRES)
+                - PortableMath.exp(-spot.distanceTo(world.ourGoal()) / VALUE_METRES);
+    }
+
+    /** How probable it is that a kick in a direction ends in the goal, if nobody stops it. */
+    private double goalProbability(Spot ball, double degrees) {
+        double post = world.field().goalWidth() / 2 - 0.1;
+        Spot left = new Spot(world.theirGoal().x(), post).minus(ball);
+        Spot right = new Spot(world.theirGoal().x(), -post).minus(ball);
+        if (ball.distanceTo(world.theirGoal()) > Kick.METRES || left.x() <= 0) {
+            return 0;
+        }
+        double toLeft = PortableMath.IEEEremainder(left.degrees() - degrees, 360) / SHOT_DEVIATION_DEGREES;
+        double toRight = PortableMath.IEEEremainder(degrees - right.degrees(), 360) / SHOT_DEVIATION_DEGREES;
+        return probability(1.7 * toLeft) * probability(1.7 * toRight);
+    }
+
+    private double freeLane(Spot from, Spot to) {
+        double free = 1;
+        for (Spot opponent : world.opponents()) {
+            double near = opponent.distanceToWay(from, to) / LANE_METRES;
+            free *= 1 - 0.7 * PortableMath.exp(-near * near);
+        }
+        return free;
+    }
+
+    private Optional<Mate> nearest(Spot end) {
+        return world.mates().stream()
+                .filter(mate -> !mate.message().fallen() && mate.number() != 1)
+                .min(Comparator.comparingDouble(mate -> mate.place().distanceTo(end)))
+                .filter(mate -> mate.place().distanceTo(end) < world.place().distanceTo(end));
+    }
+
+    private double turnSeconds(double degrees) {
+        double turn = Math.abs(PortableMath.IEEEremainder(
+                degrees - world.ball().minus(world.place()).degrees(), 360));
+        return turn / TURN_SPEED;
+    }
+
+    private static double secondsTo(Spot from, Spot to) {
+        return Math.max(1.5, from.distanceTo(to) / RUN_SPEED);
+    }
+
+    /** From 0 to 1; one half for 0. */
+    private static double probability(double lead) {
+        return 1 / (1 + PortableMath.exp(-lead));
+    }
+}

@@ -1,0 +1,51 @@
+package org.robonewbie.team.tactics;
+
+import org.robonewbie.agent.localisation.GroundPose;
+import org.robonewbie.nao.SoccerField;
+
+/**
+ * Where the players stand before a kick-off, by their numbers. Numbers from 2 on come near the ball first, so that small teams attack
+ * too; all places are in its half, and all but that of the player who kicks off outside the centre circle.
+ */
+public final class KickOffPlaces {
+
+    private static final double[][] LEAGUE = {
+        {-14.5, 0},
+        {-0.45, 0.06},
+        {-2.5, 0},
+        {-1.2, 3.5},
+        {-1.2, -3.5},
+        {-5, 0},
+        {-5, 3.5},
+        {-5, -3.5},
+        {-1.2, 7},
+        {-1.2, -7},
+        {-9, 0}
+    };
+    private static final int KICKER = 2;
+    private static final double KICK_METRES = -0.45;
+    private static final double BEHIND_CIRCLE_METRES = 0.4;
+
+    private KickOffPlaces() {}
+
+    /**
+     * Returns the place of a number.
+     *
+     * @param number 1 to 11
+     * @param kicksOff whether this team will kick off
+     * @param field the pitch
+     * @return the place, in the coordinates of the team
+     */
+    public static GroundPose place(int number, boolean kicksOff, SoccerField field) {
+        double behindCircle = -field.centreCircleRadius() - BEHIND_CIRCLE_METRES;
+        if (number == KICKER) {
+            return new GroundPose(kicksOff ? KICK_METRES : behindCircle, 0.06, 0);
+        }
+        if (number == KICKER + 1) {
+            return new GroundPose(kicksOff ? behindCircle : 2 * behindCircle, 0, 0);
+        }
+        double scale = field.length() / SoccerField.LEAGUE.length();
+        double[] place = LEAGUE[Math.max(1, Math.min(LEAGUE.length, number)) - 1];
+        return new GroundPose(place[0] * scale, place[1] * scale, 0);
+    }
+}

@@ -1,0 +1,117 @@
+package org.robonewbie.team.tactics;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.robonewbie.team.talk.TeamMessage;
+import org.robonewbie.team.world.Mate;
+import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.world.WorldModel;
+
+/**
+ * Who does what. All players calculate the same from what they have told each other, so they agree without a captain.
+ *
+ * <p>The ball belongs to the player that says the shortest time to it. The others share the places of the {@link Formation} so that all
+ * their ways together are shortest. Two things keep players from changing their minds all the time: who is the striker must be
+ * beaten by {@link #STRIKER_LEAD_SECONDS}, and who has a role pays {@link #ROLE_LEAD_METRES} less for it.
+ */
+public final class Roles {
+
+    static final double STRIKER_LEAD_SECONDS = 0.8;
+    static final double ROLE_LEAD_METRES = 1;
+
+    private static final int KEEPER_NUMBER = 1;
+    private static final double SILENT_SECONDS = 2;
+
+    private final WorldModel world;
+    private final TeamRole before;
+    private final double secondsToBall;
+
+    /** A player in the calculation. */
+    private record Candidate(int number, Spot place, TeamRole role) {}
+
+    /**
+     * Looks at the present moment.
+     *
+     * @param world the game
+     * @param before the player's role until now
+     * @param secondsToBall when the player could play the ball
+     */
+    public Roles(WorldModel world, TeamRole before, double secondsToBall) {
+        this.world = world;
+        this.before = before;
+        this.secondsToBall = secondsToBall;
+    }
+
+    /** {@return the player's role} */
+    public TeamRole own() {
+        boolean alone = world.mates().isEmpty();
+        if (isStriker()) {
+            return TeamRole.STRIKER;
+        }
+        if (world.number() == KEEPER_NUMBER && !alone) {
+            return TeamRole.KEEPER;
+        }
+        return placeInFormation();
+    }
+
+    private boolean isStriker() {
+        double own = secondsToBall - (before == TeamRole.STRIKER ? STRIKER_LEAD_SECONDS : 0);
+        return world.mates().stream()
+                .filter(mate -> world.seconds() - mate.heardSeconds() < SILENT_SECONDS)
+                .allMatch(mate -> own < claim(mate) || (own == claim(mate) && world.number() < mate.number()));
+    }
+
+    private static double claim(Mate mate) {
+        TeamMessage message = mate.message();
+        return message.secondsToBall() - (message.role() == TeamRole.STRIKER ? STRIKER_LEAD_SECONDS : 0);
+    }
+
+    private TeamRole placeInFormation() {
+        List<Candidate> players = players();
+        Map<TeamRole, Spot> places = new Formation(world.field()).places(world.ball(), players.size());
+        List<TeamRole> roles = List.copyOf(places.keySet());
+        double[][] cost = new double[players.size()][roles.size()];
+        int own = 0;
+        for (int i = 0; i < players.size(); i++) {
+            own = players.get(i).number == world.number() ? i : own;
+            for (int j = 0; j < roles.size(); j++) {
+                Spot place = places.getOrDefault(roles.get(j), Spot.ORIGIN);
+                cost[i][j] = cost(players.get(i), roles.get(j), place);
+            }
+        }
+        return roles.get(Assignment.cheapest(cost)[own]);
+    }
+
+    private static double cost(Candidate player, TeamRole role, Spot place) {
+        double metres = player.place.distanceTo(place) - (player.role == role ? ROLE_LEAD_METRES : 0);
+        return Math.max(0, metres) * Math.max(0, metres);
+    }
+
+    /** All players but keeper and striker, in the order of their numbers. */
+    private List<Candidate> players() {
+        int striker = striker();
+        List<Candidate> players = new ArrayList<>();
+        for (Mate mate : world.mates()) {
+            if (mate.number() != KEEPER_NUMBER && mate.number() != striker) {
+                players.add(new Candidate(
+                        mate.number(), mate.place(), mate.message().role()));
+            }
+        }
+        players.add(new Candidate(world.number(), world.place(), before));
+        players.sort((one, other) -> Integer.compare(one.number, other.number));
+        return players.subList(0, Math.min(players.size(), 9));
+    }
+
+    private int striker() {
+        int number = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (Mate mate : world.mates()) {
+            if (claim(mate) < least) {
+                least = claim(mate);
+                number = mate.number();
+            }
+        }
+        return number;
+    }
+}

@@ -1,0 +1,101 @@
+package org.robonewbie.team.tactics;
+
+import org.robonewbie.team.world.Mate;
+import org.robonewbie.team.world.Situation;
+import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.world.WorldModel;
+
+/**
+ * What is different at kick-offs, kick-ins, corners, goal kicks and free kicks. Who takes the kick may not touch the ball a second time
+ * before somebody else has: so it kicks far instead of dribbling, and then leaves the ball to the others. And while the opponents take
+ * theirs, everybody keeps away from the ball.
+ */
+public final class SetPlay {
+
+    private static final double TAKER_METRES = 0.7;
+    private static final double FORBIDDEN_SECONDS = 6;
+    private static final double OTHERS_METRES = 0.5;
+    private static final double KEEP_AWAY_METRES = 0.6;
+    private static final double PATIENCE_SECONDS = 11;
+
+    private Situation before = Situation.LINE_UP;
+    private double forbiddenUntil;
+    private boolean forbidden;
+
+    /** Creates a set play before the first kick-off. */
+    public SetPlay() {}
+
+    /**
+     * Watches the referee; call it before each decision.
+     *
+     * @param world the game
+     * @param role what the player has done until now
+     */
+    public void update(WorldModel world, TeamRole role) {
+        boolean taken = before.isOurs() && world.situation() == Situation.OPEN_PLAY;
+        boolean taker = role == TeamRole.STRIKER && world.ball().distanceTo(world.place()) < TAKER_METRES;
+        if (taken && taker && !world.mates().isEmpty()) {
+            forbiddenUntil = world.seconds() + FORBIDDEN_SECONDS;
+        }
+        if ((isForbidden(world) && isTouchedByOthers(world)) || world.situation() != Situation.OPEN_PLAY) {
+            forbiddenUntil = 0;
+        }
+        forbidden = isForbidden(world);
+        before = world.situation();
+    }
+
+    private boolean isForbidden(WorldModel world) {
+        return world.seconds() < forbiddenUntil;
+    }
+
+    private static boolean isTouchedByOthers(WorldModel world) {
+        return world.opponentDistance(world.ball()) < OTHERS_METRES
+                || world.mates().stream()
+                        .map(Mate::place)
+                        .anyMatch(place -> place.distanceTo(world.ball()) < OTHERS_METRES);
+    }
+
+    /** {@return whether the player must leave the ball to others, since it has just taken a kick} */
+    public boolean isForbidden() {
+        return forbidden;
+    }
+
+    /**
+     * Looks whether the player is about to take a kick.
+     *
+     * @param world the game
+     * @return whether it may touch the ball only once; when the time for the kick is nearly over it no longer matters how
+     */
+    public boolean mayTouchOnce(WorldModel world) {
+        return world.situation().isOurs() && !world.mates().isEmpty() && world.secondsInSituation() < PATIENCE_SECONDS;
+    }
+
+    /**
+     * Returns where the striker waits while the opponents take a kick: between ball and goal, as near as the rules allow.
+     *
+     * @param world the game
+     * @return the place
+     */
+    public static Spot wall(WorldModel world) {
+        return world.ball().towards(world.ourGoal(), distance(world));
+    }
+
+    /**
+     * Moves a place away from the ball if the opponents take a kick, and into its half at a kick-off.
+     *
+     * @param world the game
+     * @param place where a player would like to be
+     * @return where it may be
+     */
+    public static Spot legal(WorldModel world, Spot place) {
+        Situation situation = world.situation();
+        boolean near = situation.isTheirs() && place.distanceTo(world.ball()) < distance(world);
+        Spot away = near ? world.ball().towards(place, distance(world)) : place;
+        boolean kickOff = situation == Situation.OUR_KICK_OFF || situation == Situation.THEIR_KICK_OFF;
+        return kickOff && away.x() > -KEEP_AWAY_METRES ? new Spot(-KEEP_AWAY_METRES, away.y()) : away;
+    }
+
+    private static double distance(WorldModel world) {
+        return world.field().centreCircleRadius() + KEEP_AWAY_METRES;
+    }
+}

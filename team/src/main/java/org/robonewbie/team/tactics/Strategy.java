@@ -1,0 +1,146 @@
+package org.robonewbie.team.tactics;
+
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.team.skill.Goalkeeping;
+import org.robonewbie.team.tactics.Plan.Action;
+import org.robonewbie.team.world.Situation;
+import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.world.WorldModel;
+
+/**
+ * Decides what a player does, in each picture of the camera: first its role, by {@link Roles}; then the striker chooses what to do with
+ * the ball, by {@link KickChoice}, and the others go to their places, by {@link Formation}. Set plays change only a few things, see
+ * {@link SetPlay}.
+ */
+public final class Strategy {
+
+    private static final double LOST_SECONDS = 3;
+    private static final double KEEPER_LEAVES_METRES = 3.5;
+    private static final double NEVER_SECONDS = 25;
+    private static final double GET_UP_SECONDS = 4;
+    private static final double SPEED = 0.5;
+    private static final double TURN_SPEED = 90;
+    private static final double MOST_SECONDS = 24;
+    private static final double NEAR_METRES = 0.8;
+    private static final double CONTESTED_METRES = 0.6;
+    private static final double KICK_LASTS_SECONDS = 3;
+
+    private final WorldModel world;
+    private final SetPlay setPlay = new SetPlay();
+    private Plan plan = Plan.NONE;
+    private double planSeconds;
+
+    /**
+     * Creates a strategy.
+     *
+     * @param world the game
+     */
+    public Strategy(WorldModel world) {
+        this.world = world;
+    }
+
+    /** {@return the present plan} */
+    public Plan plan() {
+        return plan;
+    }
+
+    /** Decides again. */
+    public void decide() {
+        setPlay.update(world, plan.role());
+        TeamRole role = new Roles(world, plan.role(), secondsToBall()).own();
+        Plan next = planOf(role);
+        if (plan.action() != Action.KICK || isOld(next)) {
+            plan = next;
+            planSeconds = world.seconds();
+        }
+    }
+
+    /** A player that prepares a kick sticks to it for a while, since each new plan would cost it new steps. */
+    private boolean isOld(Plan next) {
+        return world.seconds() - planSeconds > KICK_LASTS_SECONDS
+                || next.role() != TeamRole.STRIKER
+                || world.ballFromHere().length() > NEAR_METRES;
+    }
+
+    private Plan planOf(TeamRole role) {
+        if (world.ballAgeSeconds() > LOST_SECONDS) {
+            return new Plan(role, Action.SEARCH, world.place(), 0, 0);
+        }
+        if (world.situation() == Situation.OVER) {
+            return new Plan(role, Action.STAND, world.place(), 0, 0);
+        }
+        return switch (role) {
+            case STRIKER -> striker();
+            case KEEPER -> new Plan(role, Action.KEEP, Goalkeeping.place(world), facing(Goalkeeping.place(world)), 0);
+            default -> waiting(role);
+        };
+    }
+
+    private Plan striker() {
+        if (world.situation().isTheirs()) {
+            Spot place = SetPlay.wall(world);
+            return new Plan(TeamRole.STRIKER, Action.GO, place, facing(place), 0);
+        }
+        if (isContested()) {
+            return push(TeamRole.STRIKER);
+        }
+        boolean kickOnly = setPlay.mayTouchOnce(world);
+        return new KickChoice(world, !kickOnly, plan).best();
+    }
+
+    /** Whether an opponent is at the ball too: then it has to be pushed on, by two players if need be. */
+    private boolean isContested() {
+        return world.situation() == Situation.OPEN_PLAY && world.opponentDistance(world.ball()) < CONTESTED_METRES;
+    }
+
+    private Plan push(TeamRole role) {
+        Spot goal = world.theirGoal();
+        return new Plan(role, Action.DRIBBLE, goal, goal.minus(world.ball()).degrees(), 0);
+    }
+
+    private Plan waiting(TeamRole role) {
+        if (role == TeamRole.SUPPORTER && isContested()) {
+            return push(role);
+        }
+        Spot place = new Formation(world.field()).place(role, world.ball());
+        Spot legal = SetPlay.legal(world, place);
+        return new Plan(role, Action.GO, legal, facing(legal), 0);
+    }
+
+    private double facing(Spot place) {
+        return world.ball().minus(place).degrees();
+    }
+
+    /**
+     * Estimates when the player could play the ball: where will it be, when can I be there, and how far do I have to turn?
+     *
+     * @return seconds, {@link #NEVER_SECONDS} if the player does not want the ball
+     */
+    public double secondsToBall() {
+        boolean keeps = world.number() == 1
+                && !world.mates().isEmpty()
+                && world.ball().distanceTo(world.ourGoal()) > KEEPER_LEAVES_METRES;
+        if (keeps || world.ballAgeSeconds() > LOST_SECONDS || setPlay.isForbidden()) {
+            return NEVER_SECONDS;
+        }
+        double seconds = reachSeconds();
+        Spot ball = world.ballIn(seconds);
+        double behind = Math.abs(PortableMath.IEEEremainder(
+                world.theirGoal().minus(ball).degrees()
+                        - ball.minus(world.place()).degrees(),
+                360));
+        double turn = Math.abs(ball.seenFrom(world.pose()).degrees());
+        double sum = seconds + behind / TURN_SPEED + turn / TURN_SPEED + (world.isFallen() ? GET_UP_SECONDS : 0);
+        return Math.min(MOST_SECONDS, sum);
+    }
+
+    private double reachSeconds() {
+        double step = 0.2;
+        for (double seconds = 0; seconds < 4; seconds += step) {
+            if (world.place().distanceTo(world.ballIn(seconds)) < SPEED * seconds) {
+                return seconds;
+            }
+        }
+        return world.place().distanceTo(world.ballIn(4)) / SPEED;
+    }
+}

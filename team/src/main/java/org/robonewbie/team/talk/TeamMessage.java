@@ -1,0 +1,109 @@
+package org.robonewbie.team.talk;
+
+import java.util.Optional;
+import org.robonewbie.agent.localisation.GroundPose;
+import org.robonewbie.team.tactics.TeamRole;
+import org.robonewbie.team.world.Spot;
+
+/**
+ * What a robot tells its team: where it is, what it does, where it sees the ball, and when it could be there. In 18 of the 20
+ * characters that the rules allow; {@link Characters} writes six bits into each.
+ *
+ * <table>
+ * <caption>The bits</caption>
+ * <tr><td>number</td><td>4</td></tr>
+ * <tr><td>place</td><td>10 + 10: 4 cm</td></tr>
+ * <tr><td>heading</td><td>7: 3 degrees</td></tr>
+ * <tr><td>fallen</td><td>1</td></tr>
+ * <tr><td>role</td><td>4</td></tr>
+ * <tr><td>ball</td><td>10 + 10: 4 cm</td></tr>
+ * <tr><td>speed of the ball</td><td>7 + 7: 0.1 m/s</td></tr>
+ * <tr><td>seconds since the ball was seen</td><td>5: 0.2 s</td></tr>
+ * <tr><td>seconds to the ball</td><td>8: 0.1 s</td></tr>
+ * <tr><td>receiver of a pass</td><td>4</td></tr>
+ * <tr><td>where the pass goes</td><td>8 + 8: 16 cm</td></tr>
+ * <tr><td>check sum</td><td>5</td></tr>
+ * </table>
+ *
+ * @param number the number on the speaker's shirt, 1 to 11
+ * @param pose where it is, in the coordinates of the team
+ * @param fallen whether it lies on the ground
+ * @param role what it does
+ * @param ball where the ball is, in the coordinates of the team
+ * @param ballVelocity how the ball rolls, metres per second
+ * @param ballAgeSeconds how long ago it has seen the ball; {@link #LONGEST_AGE_SECONDS} or more means not lately
+ * @param secondsToBall when it could play the ball
+ * @param receiver whom it passes to; 0 is nobody
+ * @param passTarget where the pass goes
+ */
+public record TeamMessage(
+        int number,
+        GroundPose pose,
+        boolean fallen,
+        TeamRole role,
+        Spot ball,
+        Spot ballVelocity,
+        double ballAgeSeconds,
+        double secondsToBall,
+        int receiver,
+        Spot passTarget) {
+
+    /** The longest time for which a message can say when the ball was seen. */
+    public static final double LONGEST_AGE_SECONDS = 6.2;
+
+    private static final double MOST_METRES = 20.5;
+    private static final double MOST_SPEED = 6.35;
+
+    /** {@return the message as the robot says it, 18 characters} */
+    public String encode() {
+        Characters text = new Characters();
+        text.write(number, 4);
+        write(text, Spot.of(pose), 10, MOST_METRES);
+        text.write(pose.headingDegrees(), 7, -180, 180);
+        text.write(fallen ? 1 : 0, 1);
+        text.write(role.ordinal(), 4);
+        write(text, ball, 10, MOST_METRES);
+        write(text, ballVelocity, 7, MOST_SPEED);
+        text.write(ballAgeSeconds, 5, 0, LONGEST_AGE_SECONDS);
+        text.write(secondsToBall, 8, 0, 25.5);
+        text.write(receiver, 4);
+        write(text, passTarget, 8, MOST_METRES);
+        return text.finish();
+    }
+
+    private static void write(Characters text, Spot spot, int bits, double most) {
+        text.write(spot.x(), bits, -most, most);
+        text.write(spot.y(), bits, -most, most);
+    }
+
+    /**
+     * Understands what somebody has said.
+     *
+     * @param text what was heard
+     * @return the message; empty if it is none of this team's
+     */
+    public static Optional<TeamMessage> decode(String text) {
+        return Characters.of(text).map(TeamMessage::read).filter(message -> message.number > 0 && message.number <= 11);
+    }
+
+    private static TeamMessage read(Characters text) {
+        int number = text.read(4);
+        Spot place = readSpot(text, 10, MOST_METRES);
+        double heading = text.read(7, -180, 180);
+        boolean fallen = text.read(1) == 1;
+        TeamRole role = TeamRole.values()[text.read(4) % TeamRole.values().length];
+        Spot ball = readSpot(text, 10, MOST_METRES);
+        Spot velocity = readSpot(text, 7, MOST_SPEED);
+        double age = text.read(5, 0, LONGEST_AGE_SECONDS);
+        double seconds = text.read(8, 0, 25.5);
+        int receiver = text.read(4);
+        Spot target = readSpot(text, 8, MOST_METRES);
+        GroundPose pose = new GroundPose(place.x(), place.y(), heading);
+        return new TeamMessage(number, pose, fallen, role, ball, velocity, age, seconds, receiver, target);
+    }
+
+    private static Spot readSpot(Characters text, int bits, double most) {
+        double x = text.read(bits, -most, most);
+        return new Spot(x, text.read(bits, -most, most));
+    }
+}

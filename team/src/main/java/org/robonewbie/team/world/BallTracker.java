@@ -1,0 +1,57 @@
+package org.robonewbie.team.world;
+
+import org.robonewbie.agent.localisation.GroundPose;
+import org.robonewbie.agent.localisation.SelfLocalisation;
+import org.robonewbie.agent.perception.FieldItem;
+import org.robonewbie.nao.Cycle;
+
+/**
+ * Follows the ball with a {@link BallFilter}. The filter lives in the frame of the odometry: there the ball keeps its place while the
+ * robot walks, and does not jump when the robot corrects its belief of where it is on the pitch.
+ */
+final class BallTracker {
+
+    private static final double NEAR_DEVIATION = 0.015;
+    private static final double DEVIATION_PER_METRE = 0.012;
+
+    private final BallFilter filter = new BallFilter();
+    private GroundPose here = GroundPose.ORIGIN;
+    private double seenSeconds = Double.NEGATIVE_INFINITY;
+
+    /** Lets the ball roll on by a cycle. */
+    void roll() {
+        if (filter.isKnown()) {
+            filter.roll(Cycle.SECONDS);
+        }
+    }
+
+    /** Looks at the ball if there is a new picture. */
+    void look(SelfLocalisation self, FieldItem ball, double seconds) {
+        here = self.odometry().pose();
+        if (ball.isKnown() && ball.ageSeconds() == 0) {
+            filter.see(Spot.of(ball.position()).onMap(here), NEAR_DEVIATION + DEVIATION_PER_METRE * ball.distance());
+            seenSeconds = seconds;
+        }
+    }
+
+    /** Forgets the ball, since the robot was put somewhere else. */
+    void reset() {
+        filter.reset();
+        seenSeconds = Double.NEGATIVE_INFINITY;
+    }
+
+    /** When the ball was last seen. */
+    double seenSeconds() {
+        return seenSeconds;
+    }
+
+    /** Where the ball is, seen from the robot. */
+    Spot position() {
+        return filter.position().seenFrom(here);
+    }
+
+    /** How the ball rolls, in the directions of the robot, metres per second. */
+    Spot velocity() {
+        return filter.velocity().seenFrom(new GroundPose(0, 0, here.headingDegrees()));
+    }
+}

@@ -1,0 +1,28 @@
+package org.robonewbie.team.world;
+
+import org.robonewbie.agent.localisation.GroundPose;
+import org.robonewbie.team.talk.TeamMessage;
+
+/**
+ * A team mate as it has presented itself.
+ *
+ * @param message what it has said last
+ * @param heardSeconds when, in simulated seconds
+ */
+public record Mate(TeamMessage message, double heardSeconds) {
+
+    /** {@return the number on its shirt, 1 to 11} */
+    public int number() {
+        return message.number();
+    }
+
+    /** {@return where it stands, in the coordinates of the team} */
+    public GroundPose pose() {
+        return message.pose();
+    }
+
+    /** {@return its place, in the coordinates of the team} */
+    public Spot place() {
+        return Spot.of(message.pose());
+    }
+}

@@ -1,0 +1,53 @@
+package org.robonewbie.team.world;
+
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.TeamSide;
+
+/** What the referee's play mode means for one team. */
+public enum Situation {
+    /** Before a kick-off and after a goal: robots may be beamed to their places. */
+    LINE_UP,
+    /** Both teams may play the ball. */
+    OPEN_PLAY,
+    /** This team kicks off. */
+    OUR_KICK_OFF,
+    /** The opponents kick off. */
+    THEIR_KICK_OFF,
+    /** This team has a kick-in, corner, goal kick or free kick; the opponents keep away. */
+    OUR_KICK,
+    /** The opponents have a kick-in, corner, goal kick or free kick. */
+    THEIR_KICK,
+    /** The game is over. */
+    OVER;
+
+    /**
+     * Looks at a play mode with the eyes of a team.
+     *
+     * @param mode the referee's decision
+     * @param side the half that the team defends
+     * @return what it means for the team
+     */
+    public static Situation of(PlayMode mode, TeamSide side) {
+        return switch (mode) {
+            case BEFORE_KICK_OFF, GOAL_LEFT, GOAL_RIGHT -> LINE_UP;
+            case GAME_OVER -> OVER;
+            case KICK_OFF_LEFT -> side == TeamSide.LEFT ? OUR_KICK_OFF : THEIR_KICK_OFF;
+            case KICK_OFF_RIGHT -> side == TeamSide.RIGHT ? OUR_KICK_OFF : THEIR_KICK_OFF;
+            case PASS_LEFT, PASS_RIGHT -> OPEN_PLAY;
+            default ->
+                mode.kicker()
+                        .map(kicker -> kicker == side ? OUR_KICK : THEIR_KICK)
+                        .orElse(OPEN_PLAY);
+        };
+    }
+
+    /** {@return whether only this team may play the ball} */
+    public boolean isOurs() {
+        return this == OUR_KICK_OFF || this == OUR_KICK;
+    }
+
+    /** {@return whether only the opponents may play the ball} */
+    public boolean isTheirs() {
+        return this == THEIR_KICK_OFF || this == THEIR_KICK;
+    }
+}

@@ -1,0 +1,267 @@
+package org.robonewbie.team.world;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.robonewbie.agent.Robot;
+import org.robonewbie.agent.localisation.GroundPose;
+import org.robonewbie.agent.localisation.SelfLocalisation;
+import org.robonewbie.agent.perception.LocalFieldView;
+import org.robonewbie.agent.perception.PlayerItem;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.team.talk.TeamMessage;
+
+/**
+ * What a player believes of the game: where it is itself, where the ball rolls, where the others are, and what the referee has
+ * decided. Everything else in this team looks at the game through this class, in the coordinates of the team.
+ *
+ * <p>What the player has not seen itself for a while it takes from its team mates: they say where they are and where they see the
+ * ball.
+ */
+public final class WorldModel {
+
+    private static final double BEAM_SECONDS = 0.15;
+    private static final double OWN_EYES_SECONDS = 1;
+    private static final double MATE_SECONDS = 4;
+    private static final double OPPONENT_SECONDS = 4;
+
+    private final SelfLocalisation self = new SelfLocalisation();
+    private final BallTracker tracker = new BallTracker();
+    private final Tilt tilt = new Tilt();
+    private final SideWatch sides = new SideWatch();
+    private final SortedMap<Integer, Mate> mates = new TreeMap<>();
+    private GroundPose pose = GroundPose.ORIGIN;
+    private Spot ball = Spot.ORIGIN;
+    private Spot ballVelocity = Spot.ORIGIN;
+    private double ballSeenSeconds = Double.NEGATIVE_INFINITY;
+    private List<Spot> opponents = List.of();
+    private Situation situation = Situation.LINE_UP;
+    private double situationSeconds;
+    private double beamedSeconds = Double.NEGATIVE_INFINITY;
+    private double seconds;
+    private int number;
+    private boolean fallen;
+    private boolean scored;
+
+    /** Creates a model that knows nothing. */
+    public WorldModel() {}
+
+    /**
+     * Takes in one cycle; call it once in each cycle, first of all.
+     *
+     * @param nao the robot
+     * @param view what it sees
+     */
+    public void update(Robot nao, LocalFieldView view) {
+        seconds = nao.getTime();
+        number = nao.getNumber();
+        fallen = nao.isFallen();
+        tilt.feel(nao);
+        boolean upright = tilt.isUpright() && !fallen;
+        if (upright && seconds - beamedSeconds > BEAM_SECONDS) {
+            self.update(nao, view);
+            tracker.look(self, view.ball(), seconds);
+        }
+        sides.look(sides.convert(self.pose()), seconds);
+        pose = sides.convert(self.pose());
+        tracker.roll();
+        updateSituation(nao);
+        mates.values().removeIf(mate -> seconds - mate.heardSeconds() > MATE_SECONDS);
+        believeBall();
+        if (upright && nao.getVision().isPresent()) {
+            opponents = opponents(view);
+        }
+    }
+
+    private void updateSituation(Robot nao) {
+        TeamSide side = sides.isChanged() ? nao.getTeamSide().opponent() : nao.getTeamSide();
+        Situation now = Situation.of(nao.getPlayMode(), side);
+        scored = nao.getPlayMode() == (side == TeamSide.LEFT ? PlayMode.GOAL_LEFT : PlayMode.GOAL_RIGHT);
+        if (now != situation) {
+            situation = now;
+            situationSeconds = seconds;
+        }
+    }
+
+    /** Believes its own eyes if they have seen the ball lately, else the team mate who has seen it last. */
+    private void believeBall() {
+        ball = tracker.position().onMap(pose);
+        ballVelocity = tracker.velocity().onMap(new GroundPose(0, 0, pose.headingDegrees()));
+        ballSeenSeconds = tracker.seenSeconds();
+        if (seconds - ballSeenSeconds > OWN_EYES_SECONDS) {
+            Optional<Mate> witness = mates.values().stream()
+                    .max(Comparator.comparingDouble(WorldModel::sawBallSeconds))
+                    .filter(mate -> mate.message().ballAgeSeconds() < TeamMessage.LONGEST_AGE_SECONDS)
+                    .filter(mate -> sawBallSeconds(mate) > ballSeenSeconds);
+            witness.ifPresent(this::believe);
+        }
+    }
+
+    private static double sawBallSeconds(Mate mate) {
+        return mate.heardSeconds() - mate.message().ballAgeSeconds();
+    }
+
+    private void believe(Mate witness) {
+        Spot then = witness.message().ballVelocity();
+        double later = seconds - witness.heardSeconds();
+        ball = BallFilter.foresee(witness.message().ball(), then, later);
+        ballVelocity = then.times(Math.max(0, 1 - later / BallFilter.ROLLING_SECONDS));
+        ballSeenSeconds = sawBallSeconds(witness);
+    }
+
+    private List<Spot> opponents(LocalFieldView view) {
+        List<Spot> places = new ArrayList<>();
+        for (PlayerItem player : view.opponents()) {
+            if (player.ageSeconds() < OPPONENT_SECONDS) {
+                Vector3 now = self.odometry().positionNow(player);
+                places.add(Spot.of(now).onMap(pose));
+            }
+        }
+        return List.copyOf(places);
+    }
+
+    /**
+     * Takes in what a team mate says.
+     *
+     * @param message what was heard
+     */
+    public void hear(TeamMessage message) {
+        if (message.number() != number) {
+            mates.put(message.number(), new Mate(message, seconds));
+        }
+    }
+
+    /**
+     * Remembers that the robot is put somewhere else.
+     *
+     * @param place where to, in the coordinates of the team
+     */
+    public void beamed(GroundPose place) {
+        self.setPose(sides.convert(place));
+        sides.beamed(place, seconds);
+        tracker.reset();
+        beamedSeconds = seconds;
+        pose = place;
+    }
+
+    /** {@return simulated seconds} */
+    public double seconds() {
+        return seconds;
+    }
+
+    /** {@return the robot's own number} */
+    public int number() {
+        return number;
+    }
+
+    /** {@return whether the robot lies on the ground} */
+    public boolean isFallen() {
+        return fallen;
+    }
+
+    /** {@return what the referee has decided, with the eyes of the team} */
+    public Situation situation() {
+        return situation;
+    }
+
+    /** {@return seconds since the referee has decided so} */
+    public double secondsInSituation() {
+        return seconds - situationSeconds;
+    }
+
+    /** {@return whether the team has just scored, so that the opponents kick off next} */
+    public boolean hasScored() {
+        return scored;
+    }
+
+    /** {@return the pitch} */
+    public SoccerField field() {
+        return self.field();
+    }
+
+    /** {@return the middle of the opponents' goal line} */
+    public Spot theirGoal() {
+        return new Spot(field().length() / 2, 0);
+    }
+
+    /** {@return the middle of the team's own goal line} */
+    public Spot ourGoal() {
+        return new Spot(-field().length() / 2, 0);
+    }
+
+    /** {@return where the robot is} */
+    public GroundPose pose() {
+        return pose;
+    }
+
+    /** {@return seconds since the robot has seen where it is} */
+    public double poseAgeSeconds() {
+        return self.ageSeconds();
+    }
+
+    /** {@return the robot's place} */
+    public Spot place() {
+        return Spot.of(pose);
+    }
+
+    /** {@return where the ball is} */
+    public Spot ball() {
+        return ball;
+    }
+
+    /** {@return how the ball rolls, metres per second} */
+    public Spot ballVelocity() {
+        return ballVelocity;
+    }
+
+    /** {@return seconds since somebody of the team has seen the ball; infinite if nobody has} */
+    public double ballAgeSeconds() {
+        return seconds - ballSeenSeconds;
+    }
+
+    /** {@return seconds since the robot itself has seen the ball; infinite if it never has} */
+    public double ownBallAgeSeconds() {
+        return seconds - tracker.seenSeconds();
+    }
+
+    /** {@return where the ball is, seen from the robot} */
+    public Spot ballFromHere() {
+        return ball.seenFrom(pose);
+    }
+
+    /**
+     * Foresees the ball.
+     *
+     * @param later how many seconds from now
+     * @return where it will be
+     */
+    public Spot ballIn(double later) {
+        return BallFilter.foresee(ball, ballVelocity, later);
+    }
+
+    /** {@return the team mates that were heard lately, by their numbers} */
+    public List<Mate> mates() {
+        return List.copyOf(mates.values());
+    }
+
+    /** {@return where the opponents are that were seen lately} */
+    public List<Spot> opponents() {
+        return opponents;
+    }
+
+    /**
+     * Looks how near the opponents are.
+     *
+     * @param spot a point
+     * @return metres from it to the nearest opponent; infinite if none is in sight
+     */
+    public double opponentDistance(Spot spot) {
+        return opponents.stream().mapToDouble(spot::distanceTo).min().orElse(Double.POSITIVE_INFINITY);
+    }
+}
