@@ -42,7 +42,7 @@ final class TeamMeasurement {
             results.add(result);
             out.println(String.format(
                     Locale.ROOT,
-                    LINE,
+                    "%2d v %-2d seed %-5d %2d : %-2d   falls %3d (others %3d)   passes %2d, reached %2d",
                     players,
                     players == 1 ? 0 : players,
                     seed,
