@@ -17,8 +17,6 @@ final class TeamMeasurement {
 
     private static final double HALF_SECONDS = 300;
     private static final double LONGEST_SECONDS = 3600;
-    private static final String LINE =
-            "%2d v %-2d seed %-5d %2d : %-2d   falls %3d (others %3d)   passes %2d, reached %2d";
 
     private final int halves;
     private final long firstSeed;
