@@ -93,7 +93,7 @@ class SelfLocalisationTest {
             agent.respond(seeing(truth, TeamSide.LEFT, 1 + 0.06 * i, Landmark.FLAG_1_RIGHT));
         }
 
-        assertIs(truth, 0.01);
+        assertIs(truth, 0.03);
     }
 
     @Test

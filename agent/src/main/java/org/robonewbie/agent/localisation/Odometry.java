@@ -27,6 +27,7 @@ import org.robonewbie.nao.motion.Posture;
 public final class Odometry {
 
     private static final int MEMORY_CYCLES = 3000;
+    private static final double SOLE_BELOW_FOOT = 0.01;
     private static final Joint[] JOINTS = Joint.values();
 
     private final ForwardKinematics kinematics = ForwardKinematics.of(RobotType.TYPE_0);
@@ -34,6 +35,7 @@ public final class Odometry {
     private GroundPose pose = GroundPose.ORIGIN;
     private Leg support = Leg.LEFT;
     private GroundPose torsoOnSupport = GroundPose.ORIGIN;
+    private double height;
     private boolean begun;
 
     /** Creates an odometry that begins at the origin. */
@@ -59,6 +61,12 @@ public final class Odometry {
                 ? Leg.LEFT
                 : Leg.RIGHT;
         torsoOnSupport = torsoOn(body, support);
+        height = body.foot(support).inverse().position().z() + SOLE_BELOW_FOOT;
+    }
+
+    /** {@return height of the torso's centre above the sole of the standing foot, metres} */
+    double height() {
+        return height;
     }
 
     /** {@return how far the robot has moved: its pose in the frame of the place where this odometry began} */

@@ -1,20 +1,29 @@
 package org.robonewbie.agent.localisation;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.robonewbie.agent.Robot;
-import org.robonewbie.agent.perception.FieldItem;
+import org.robonewbie.agent.perception.CameraPicture;
+import org.robonewbie.agent.perception.Direction;
 import org.robonewbie.agent.perception.LocalFieldView;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.ForwardKinematics;
+import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.model.RobotType;
 
 /**
- * Estimates where on the pitch the robot is: {@link Odometry} advances the last pose, and each picture with landmarks pulls it
- * to where they show the robot to be. Two landmarks determine the pose, by the best rigid fit of what is seen to the map; a
- * single one determines the position if the heading is known.
+ * Estimates where on the pitch the robot is: {@link Odometry} advances the last pose, and each landmark in a picture corrects it
+ * by what it shows, together with the height and the tilt of the camera (a Kalman filter). To begin with, the robot needs two
+ * landmarks in one picture: they determine the pose, by the best rigid fit of what is seen to the map.
  *
  * <p>It also finds out which pitch it is: no two of the known pitches have their goal posts and flags at the same distances.
  *
@@ -29,23 +38,31 @@ import org.robonewbie.nao.math.PortableMath;
  */
 public final class SelfLocalisation {
 
-    private static final double SHARE_OF_FIT = 0.3;
-    private static final double SHARE_OF_SINGLE = 0.1;
+    private static final double FIT_METRES = 1;
+    private static final double FIT_DEGREES = 10;
+    private static final double SET_METRES = 0.3;
+    private static final double SET_DEGREES = 0.5;
+    private static final int PICTURES_TO_DOUBT = 4;
+    private static final double GRAVITY_LEAST = 5;
 
+    private static final Set<String> LANDMARKS =
+            Arrays.stream(Landmark.values()).map(Landmark::name).collect(Collectors.toSet());
     private static final List<SoccerField> PITCHES = List.of(SoccerField.BEGINNER, SoccerField.LEAGUE);
     private static final double CERTAIN_METRES = 0.3;
 
     private SoccerField field;
     private boolean fieldKnown;
     private final Odometry odometry = new Odometry();
-    private GroundPose pose = GroundPose.ORIGIN;
+    private final ForwardKinematics kinematics = ForwardKinematics.of(RobotType.TYPE_0);
+    private final PoseFilter filter = new PoseFilter();
+    private int contradictions;
     private GroundPose odometryBefore = GroundPose.ORIGIN;
     private boolean known;
     private double seenSeconds = Double.NEGATIVE_INFINITY;
     private double nowSeconds;
 
-    /** A landmark in the picture: where it is seen and where it stands. */
-    private record Sighting(Vector3 seen, Vector3 map) {}
+    /** A landmark in the picture: where the camera sees it, where that is from the torso, and where it stands. */
+    private record Sighting(Direction direction, Vector3 seen, Vector3 map) {}
 
     /** Creates a robot that does not know where it is, nor on which pitch. */
     public SelfLocalisation() {
@@ -75,14 +92,37 @@ public final class SelfLocalisation {
     public void update(Robot nao, LocalFieldView view) {
         nowSeconds = nao.getTime();
         odometry.update(nao);
+        move(nao);
+        Optional<CameraPicture> picture = nao.getVision();
+        if (picture.isPresent() && !nao.isFallen()) {
+            Pose camera = kinematics.camera(nao.getJointAngle(Joint.NECK_YAW), nao.getJointAngle(Joint.NECK_PITCH));
+            recognisePitch(picture.get(), camera, nao.getTeamSide());
+            if (fieldKnown) {
+                correct(sightings(field, picture.get(), camera, nao.getTeamSide()), camera);
+            }
+        }
+    }
+
+    private void move(Robot nao) {
         GroundPose now = odometry.pose();
         Vector3 step = odometryBefore.fromFrame(new Vector3(now.x(), now.y(), 0));
-        pose = pose.moved(step.x(), step.y(), now.headingDegrees() - odometryBefore.headingDegrees());
+        Vector3 turned = nao.getGyro().times(Cycle.SECONDS);
         odometryBefore = now;
-        if (nao.getVision().isPresent() && !nao.isFallen()) {
-            recognisePitch(view, nao.getTeamSide());
-            correct(fieldKnown ? sightings(field, view, nao.getTeamSide()) : List.of());
+        if (nao.isFallen()) {
+            filter.move(step.x(), step.y(), new Vector3(0, 0, turned.z()));
+            filter.lie();
+            return;
         }
+        filter.move(step.x(), step.y(), turned);
+        filter.stand(odometry.height());
+        Vector3 up = nao.getAcceleration();
+        if (up.z() > GRAVITY_LEAST) {
+            filter.feel(degrees(-up.x(), up.z()), degrees(up.y(), up.z()));
+        }
+    }
+
+    private static double degrees(double aside, double up) {
+        return PortableMath.toDegrees(PortableMath.atan2(aside, up));
     }
 
     /**
@@ -91,13 +131,13 @@ public final class SelfLocalisation {
      * @param newPose in the coordinates of the robot's team
      */
     public void setPose(GroundPose newPose) {
-        pose = newPose;
+        filter.begin(newPose, SET_METRES, SET_DEGREES);
         known = true;
     }
 
     /** {@return the robot's pose in the coordinates of its team; the centre spot until it has seen two landmarks at once} */
     public GroundPose pose() {
-        return pose;
+        return filter.pose();
     }
 
     /** {@return the pitch; that of the beginners until two landmarks were seen at once} */
@@ -115,30 +155,51 @@ public final class SelfLocalisation {
         return nowSeconds - seenSeconds;
     }
 
+    /** {@return height of the torso's centre above the ground, metres} */
+    public double heightMetres() {
+        return filter.height();
+    }
+
+    /** {@return how much the torso bows forward, degrees} */
+    public double leanDegrees() {
+        return filter.leanDegrees();
+    }
+
+    /** {@return how much the torso leans to the right, degrees} */
+    public double rollDegrees() {
+        return filter.rollDegrees();
+    }
+
     /** {@return the movement alone, kept up to date by this class} */
     public Odometry odometry() {
         return odometry;
     }
 
-    private void correct(List<Sighting> sightings) {
-        if (sightings.size() >= 2) {
-            GroundPose fit = fit(sightings);
-            pose = known ? pose.towards(fit, SHARE_OF_FIT) : fit;
+    private void correct(List<Sighting> sightings, Pose camera) {
+        if (!known && sightings.size() >= 2) {
+            filter.begin(fit(sightings), FIT_METRES, FIT_DEGREES);
             known = true;
             seenSeconds = nowSeconds;
-        } else if (sightings.size() == 1 && known) {
-            Sighting only = sightings.get(0);
-            Vector3 believed = pose.toFrame(only.seen);
-            Vector3 miss = only.map.minus(believed);
-            GroundPose shifted = new GroundPose(pose.x() + miss.x(), pose.y() + miss.y(), pose.headingDegrees());
-            pose = pose.towards(shifted, SHARE_OF_SINGLE);
+        } else if (known && !sightings.isEmpty()) {
+            believe(sightings, camera);
             seenSeconds = nowSeconds;
         }
     }
 
-    private void recognisePitch(LocalFieldView view, TeamSide side) {
+    /** What several pictures contradict is doubted, so that a robot that was carried away finds its place again. */
+    private void believe(List<Sighting> sightings, Pose camera) {
+        long strange = sightings.stream()
+                .filter(sighting -> !filter.see(sighting.map, sighting.direction, camera))
+                .count();
+        contradictions = 2 * strange >= sightings.size() ? contradictions + 1 : 0;
+        if (contradictions >= PICTURES_TO_DOUBT) {
+            filter.doubt();
+        }
+    }
+
+    private void recognisePitch(CameraPicture picture, Pose camera, TeamSide side) {
         for (SoccerField pitch : PITCHES) {
-            List<Sighting> sightings = fieldKnown ? List.of() : sightings(pitch, view, side);
+            List<Sighting> sightings = fieldKnown ? List.of() : sightings(pitch, picture, camera, side);
             if (sightings.size() >= 2 && distanceError(sightings) < CERTAIN_METRES) {
                 field = pitch;
                 fieldKnown = true;
@@ -155,16 +216,16 @@ public final class SelfLocalisation {
                 .orElse(0);
     }
 
-    private static List<Sighting> sightings(SoccerField field, LocalFieldView view, TeamSide side) {
-        List<Sighting> sightings = new ArrayList<>();
-        for (Landmark landmark : Landmark.values()) {
-            FieldItem item = view.landmark(landmark);
-            if (item.isKnown() && item.ageSeconds() == 0) {
-                Vector3 place = field.position(landmark);
-                sightings.add(new Sighting(item.position(), side == TeamSide.LEFT ? place : place.times(-1)));
-            }
-        }
-        return sightings;
+    private static List<Sighting> sightings(SoccerField field, CameraPicture picture, Pose camera, TeamSide side) {
+        return picture.sightings().stream()
+                .filter(seen -> LANDMARKS.contains(seen.name()))
+                .map(seen -> sighting(field.position(Landmark.valueOf(seen.name())), seen.direction(), camera, side))
+                .toList();
+    }
+
+    private static Sighting sighting(Vector3 place, Direction seen, Pose camera, TeamSide side) {
+        Vector3 map = side == TeamSide.LEFT ? place : new Vector3(-place.x(), -place.y(), place.z());
+        return new Sighting(seen, camera.transform(seen.toPoint()), map);
     }
 
     /**

@@ -21,12 +21,10 @@ import org.robonewbie.nao.math.PortableMath;
  */
 record StepPhase(Gait gait, Leg swing, double phase, TorsoPosture torso) {
 
-    private static final double EASING = 0.7;
-
-    /** Which part of its way the swing foot has made: σ − 0.7 sin(2πσ) / 2π, which starts and stops softly. */
+    /** Which part of its way the swing foot has made: σ − e sin(2πσ) / 2π with the easing e. */
     double travelled() {
         double part = swingPhase();
-        return part - EASING * PortableMath.sin(2 * Math.PI * part) / (2 * Math.PI);
+        return part - gait.swingEasing() * PortableMath.sin(2 * Math.PI * part) / (2 * Math.PI);
     }
 
     /** How high the swing foot is, in metres: h a sin(πs)^1.2, where s = σ^exp(−skew) moves the highest point. */

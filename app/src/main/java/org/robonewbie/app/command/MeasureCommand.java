@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.learning.measure.MotionMeasurement;
+import org.robonewbie.nao.model.RobotType;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -85,6 +86,14 @@ final class MeasureCommand implements Callable<Integer> {
             description = "motions, agents: only those whose name has this in it, such as kick.")
     private String part = "";
 
+    @Option(
+            names = "--type",
+            paramLabel = "0..4",
+            defaultValue = "0",
+            description =
+                    "motions: how the robot is built; types 1 to 4 are tried on a whole simulator only (default: 0).")
+    private int type;
+
     @Option(names = "--json", paramLabel = "FILE", description = "motions, agents: write the results as JSON too.")
     private Optional<Path> json = Optional.empty();
 
@@ -143,7 +152,14 @@ final class MeasureCommand implements Callable<Integer> {
         } else if (subject.equals(TEAM)) {
             new TeamMeasurement(seeds, firstSeed, System.out).run(players);
         } else {
-            new MotionMeasurement(seeds, firstSeed, part, System.out).run(json);
+            new MotionMeasurement(seeds, firstSeed, part, robotType(), System.out).run(json);
         }
+    }
+
+    private RobotType robotType() {
+        if (type < 0 || type >= RobotType.values().length) {
+            throw new CalledWronglyException("--type " + type + ": give the number of a robot type, 0 to 4.");
+        }
+        return RobotType.values()[type];
     }
 }

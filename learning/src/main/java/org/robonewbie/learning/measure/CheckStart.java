@@ -1,6 +1,7 @@
 package org.robonewbie.learning.measure;
 
 import java.util.function.LongFunction;
+import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.learning.rehearsal.Rehearsal;
 import org.robonewbie.nao.model.RobotType;
 
@@ -24,10 +25,26 @@ record CheckStart(String suffix, String words, LongFunction<Rehearsal> opening) 
             seed -> Rehearsal.inStance(seed, 2));
 
     /** An agent on a whole simulator. */
-    static final CheckStart SERVER = new CheckStart(
-            ", on the server",
-            "an agent on an own simulator with noise, in the stance",
-            seed -> Rehearsal.served(seed, RobotType.TYPE_0));
+    static CheckStart server(RobotType type) {
+        return new CheckStart(
+                ", on the server" + suffix(type),
+                "an agent on an own simulator with noise, in the stance",
+                seed -> Rehearsal.served(seed, type));
+    }
+
+    /** An agent on a whole simulator, with room for long ways. */
+    static CheckStart onLeaguePitch(RobotType type, WalkStyle style) {
+        return new CheckStart(
+                suffix(type),
+                "an agent on an own simulator with noise and the league's pitch, in the stance, reached from a posture"
+                        + " beside it; pushed by a hand each second",
+                seed -> Rehearsal.onLeaguePitch(seed, type, style));
+    }
+
+    /** What the names of checks end with if the robot is not the usual one. */
+    static String suffix(RobotType type) {
+        return type == RobotType.TYPE_0 ? "" : ", type " + type.ordinal();
+    }
 
     /** What the robot does, and what comes of it. */
     interface Act {

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.model.RobotType;
 
 /**
  * Measures all shipped motions in the simulated world and prints a table: how often each works, and how well.
@@ -25,6 +26,7 @@ public final class MotionMeasurement {
     private final PrintStream out;
     private final long firstSeed;
     private final String part;
+    private final RobotType type;
 
     /**
      * Prepares a measurement.
@@ -33,7 +35,7 @@ public final class MotionMeasurement {
      * @param out where the table goes
      */
     public MotionMeasurement(int seeds, PrintStream out) {
-        this(seeds, 1, "", out);
+        this(seeds, 1, "", RobotType.TYPE_0, out);
     }
 
     /**
@@ -42,27 +44,30 @@ public final class MotionMeasurement {
      * @param seeds trials of each motion, at least 1
      * @param firstSeed seed of the first trial of each motion
      * @param part a part of the names of the motions that are measured; all have the empty one
+     * @param type how the robot is built; types other than 0 are measured on a whole simulator only
      * @param out where the table goes
      */
-    public MotionMeasurement(int seeds, long firstSeed, String part, PrintStream out) {
+    public MotionMeasurement(int seeds, long firstSeed, String part, RobotType type, PrintStream out) {
         if (seeds < 1) {
             throw new IllegalArgumentException("Cannot measure with " + seeds + " seeds. Use at least 1.");
         }
         this.seeds = seeds;
         this.firstSeed = firstSeed;
         this.part = part;
+        this.type = type;
         this.out = out;
     }
 
-    /** {@return all checks in the order of the table} */
+    /** {@return all checks of robot type 0 in the order of the table} */
     public static List<MotionCheck> checks() {
-        return Stream.of(
-                        WalkChecks.all(),
-                        EngineChecks.all(),
-                        KickChecks.all(),
-                        GetUpChecks.all(),
-                        FallChecks.all(),
-                        ServerChecks.all())
+        return checks(RobotType.TYPE_0);
+    }
+
+    private static List<MotionCheck> checks(RobotType type) {
+        Stream<List<MotionCheck>> bare =
+                Stream.of(WalkChecks.all(), EngineChecks.all(), KickChecks.all(), GetUpChecks.all(), FallChecks.all());
+        Stream<List<MotionCheck>> served = Stream.of(ServerChecks.all(type), SkillChecks.all(type));
+        return Stream.concat(type == RobotType.TYPE_0 ? bare : Stream.empty(), served)
                 .flatMap(List::stream)
                 .toList();
     }
@@ -76,8 +81,9 @@ public final class MotionMeasurement {
      */
     public List<CheckResult> run(Optional<Path> json) throws IOException {
         List<CheckResult> results = new ArrayList<>();
-        List<MotionCheck> checks =
-                checks().stream().filter(check -> check.name().contains(part)).toList();
+        List<MotionCheck> checks = checks(type).stream()
+                .filter(check -> check.name().contains(part))
+                .toList();
         if (checks.isEmpty()) {
             throw new IllegalArgumentException("No motion's name has \"" + part + "\" in it.");
         }

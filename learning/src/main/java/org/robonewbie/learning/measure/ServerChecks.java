@@ -1,6 +1,7 @@
 package org.robonewbie.learning.measure;
 
 import java.util.List;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /** The most important checks once more, with an agent on a whole simulator instead of a robot in a bare world. */
@@ -8,20 +9,21 @@ final class ServerChecks {
 
     private ServerChecks() {}
 
-    static List<MotionCheck> all() {
+    static List<MotionCheck> all(RobotType type) {
+        CheckStart start = CheckStart.server(type);
         return List.of(
-                WalkChecks.walk(CheckStart.SERVER, "walk-forward"),
-                WalkChecks.walk(CheckStart.SERVER, "walk-forward-fast"),
-                EngineChecks.forward(CheckStart.SERVER),
-                EngineChecks.turn(CheckStart.SERVER),
-                getUp("stand-up-from-back", "fall-back"),
-                getUp("stand-up-from-front", "fall-forward"),
-                KickChecks.kick(CheckStart.SERVER, "kick-right"),
-                KickChecks.pass(CheckStart.SERVER, "pass-right"));
+                WalkChecks.walk(start, "walk-forward"),
+                WalkChecks.walk(start, "walk-forward-fast"),
+                EngineChecks.forward(start),
+                EngineChecks.turn(start),
+                getUp(start, "stand-up-from-back", "fall-back"),
+                getUp(start, "stand-up-from-front", "fall-forward"),
+                KickChecks.kick(start, "kick-right"),
+                KickChecks.pass(start, "pass-right"));
     }
 
-    private static MotionCheck getUp(String name, String fall) {
-        return CheckStart.SERVER.check(name, "stands within 10 s after " + fall, "s", (robot, seed) -> {
+    private static MotionCheck getUp(CheckStart start, String name, String fall) {
+        return start.check(name, "stands within 10 s after " + fall, "s", (robot, seed) -> {
             robot.allowFalls();
             robot.play(ShippedMotions.motion(fall));
             robot.hold(1 + 0.1 * (seed % 7));

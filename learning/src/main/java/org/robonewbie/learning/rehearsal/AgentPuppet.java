@@ -1,12 +1,17 @@
 package org.robonewbie.learning.rehearsal;
 
 import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Performer;
 
 /** An agent as puppet, with all that lies between an agent and its motors. */
 final class AgentPuppet extends Agent implements Puppet {
+
+    AgentPuppet(WalkStyle style) {
+        walk.setStyle(style);
+    }
 
     @Override
     public Performer performer() {

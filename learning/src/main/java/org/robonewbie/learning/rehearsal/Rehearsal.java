@@ -19,6 +19,7 @@ import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
@@ -44,6 +45,9 @@ public final class Rehearsal implements AutoCloseable {
     private static final Place START = new Place(-4.5, 1.5, 0);
     private static final RobotStart ROBOT = RobotStart.at(START);
     private static final Vector3 BALL_ASIDE = new Vector3(0, -3.5, 0);
+    private static final Place FAR_END = new Place(-14, 0, 0);
+    private static final Vector3 BALL_FAR_ASIDE = new Vector3(0, -9, 0);
+    private static final double PUSH_NEWTONS = 3;
     private static final double NOISE_DEGREES = 1;
     private static final double SETTLING_SECONDS = 0.6;
     private static final double SECONDS_TO_STOP = 3;
@@ -139,8 +143,27 @@ public final class Rehearsal implements AutoCloseable {
      * @return the robot on its feet
      */
     public static Rehearsal served(long seed, RobotType type) {
-        AgentPuppet puppet = new AgentPuppet();
         Scene scene = Scene.of(ROBOT.withType(type).after("stand")).withBall(BALL_ASIDE);
+        return served(scene, seed, WalkStyle.STANDARD);
+    }
+
+    /**
+     * Lets an agent in the stance do what it is told, on a whole simulator with noise and the league's pitch, which has room for
+     * long ways. It reaches the stance by way of a nearby posture, and a hand pushes it.
+     *
+     * @param seed chooses noise and disturbances
+     * @param type how the robot is built
+     * @param style how it walks
+     * @return the robot on its feet, 14 m before the centre line, facing the other half
+     */
+    public static Rehearsal onLeaguePitch(long seed, RobotType type, WalkStyle style) {
+        RobotStart robot = RobotStart.at(FAR_END).withType(type).after("stand");
+        Scene scene = Scene.of(robot).withParameters(SoccerParameters.league()).withBall(BALL_FAR_ASIDE);
+        return served(scene, seed, style).intoStance(seed, PUSH_NEWTONS);
+    }
+
+    private static Rehearsal served(Scene scene, long seed, WalkStyle style) {
+        AgentPuppet puppet = new AgentPuppet(style);
         Rehearsal rehearsal = new Rehearsal(Trial.served(scene, seed, puppet.performer()), puppet, Trial::close);
         rehearsal.begin(true);
         return rehearsal;

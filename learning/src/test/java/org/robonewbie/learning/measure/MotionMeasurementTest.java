@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.model.RobotType;
 
 class MotionMeasurementTest {
 
@@ -49,7 +50,8 @@ class MotionMeasurementTest {
 
     @Test
     void refusesAPartThatNoNameHas() {
-        assertThatThrownBy(() -> new MotionMeasurement(1, 0, "flight", System.out).run(Optional.empty()))
+        assertThatThrownBy(
+                        () -> new MotionMeasurement(1, 0, "flight", RobotType.TYPE_0, System.out).run(Optional.empty()))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("No motion's name has \"flight\" in it.");
     }

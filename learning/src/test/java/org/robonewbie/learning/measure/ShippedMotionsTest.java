@@ -9,6 +9,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 class ShippedMotionsTest {
 
+    /** What is measured in trials that another check judges already. */
+    private static final List<String> SECOND_LOOKS = List.of(", straight", ", drift", "place, mostly", ", heading");
+
     @ParameterizedTest
     @MethodSource("checks")
     void keepToTheirRule(MotionCheck check) {
@@ -32,7 +35,7 @@ class ShippedMotionsTest {
 
     static List<MotionCheck> checks() {
         return MotionMeasurement.checks().stream()
-                .filter(check -> !check.name().endsWith(", straight"))
+                .filter(check -> SECOND_LOOKS.stream().noneMatch(check.name()::endsWith))
                 .toList();
     }
 }

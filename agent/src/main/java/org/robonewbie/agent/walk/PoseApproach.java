@@ -1,0 +1,60 @@
+package org.robonewbie.agent.walk;
+
+import org.robonewbie.nao.math.PortableMath;
+
+/**
+ * Steers a walk to a place and a heading. Far away the robot faces the place and walks forward, its fastest direction; near the
+ * place it turns to the wanted heading and steps into any direction. It brakes in time: with the deceleration a, the speed at the
+ * distance d is √(2 a d).
+ *
+ * <pre>{@code
+ * PoseApproach approach = new PoseApproach(WalkStyle.STANDARD);
+ * // in each cycle:
+ * WalkVelocity velocity = approach.velocity(ahead, left, turn);   // where the target is, as seen from the torso
+ * walk.towards(velocity.forward(), velocity.left(), velocity.turn());
+ * }</pre>
+ *
+ * @param style how the robot walks; set it by {@link Walk#setStyle} too
+ */
+public record PoseApproach(WalkStyle style) {
+
+    private static final double FACES_PLACE_METRES = 0.6;
+    private static final double FACES_HEADING_METRES = 0.25;
+    private static final double PER_SECOND = 2;
+    private static final double TURN_PER_SECOND = 2.2;
+    private static final double BRAKES = 0.7;
+    private static final double MOST_ASIDE_DEGREES = 60;
+
+    /**
+     * Calculates how to walk now.
+     *
+     * @param ahead metres from the torso to the target, forward
+     * @param left metres from the torso to the target, to the left
+     * @param turnDegrees from the torso's heading to the wanted one, positive to the left, -180 to 180
+     * @return the velocity for this cycle, within what the style allows
+     */
+    public WalkVelocity velocity(double ahead, double left, double turnDegrees) {
+        double distance = PortableMath.hypot(ahead, left);
+        double bearing = PortableMath.toDegrees(PortableMath.atan2(left, ahead));
+        double far = share(distance);
+        double turn = TURN_PER_SECOND * (far * bearing + (1 - far) * turnDegrees);
+        if (distance > FACES_PLACE_METRES && Math.abs(bearing) > MOST_ASIDE_DEGREES) {
+            return new WalkVelocity(0, 0, turn).within(style.most(), style.backward());
+        }
+        double speed = Math.min(PER_SECOND * distance, braking(distance));
+        double perMetre = speed / Math.max(1e-6, distance);
+        return new WalkVelocity(perMetre * ahead, (1 - far) * perMetre * left, turn)
+                .within(style.most(), style.backward());
+    }
+
+    /** 1 far away, where the robot faces the place, 0 where it faces the wanted heading. */
+    private static double share(double distance) {
+        double share = (distance - FACES_HEADING_METRES) / (FACES_PLACE_METRES - FACES_HEADING_METRES);
+        return Math.max(0, Math.min(1, share));
+    }
+
+    private double braking(double distance) {
+        double deceleration = 1000 * style.change().forward() / style.gait().stepMillis();
+        return Math.sqrt(2 * BRAKES * deceleration * distance);
+    }
+}
