@@ -1,0 +1,149 @@
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStream;
+import java.lang.reflect.Executable;
+import java.lang.reflect.Modifier;
+import java.net.URI;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.robonewbie.web.compiling.ProgramLibrary;
+
+/**
+ * Packs what the compiler in the page has to know: Java's classes that programs may use there, with all that these are made of, and
+ * those of RoboNewbie. A file is its number of classes, then each with its path, the number of its bytes, and these.
+ *
+ * <p>Usage: {@code java -cp CLASS_PATH PackLibrary.java FILE}
+ */
+final class PackLibrary {
+
+    /** What javac itself looks for. */
+    private static final String[] ALSO = {
+        "java.lang.Override", "java.lang.Deprecated", "java.lang.SuppressWarnings", "java.lang.FunctionalInterface",
+        "java.lang.SafeVarargs", "java.lang.Void", "java.lang.annotation.Annotation", "java.lang.annotation.Target",
+        "java.lang.annotation.Retention", "java.lang.annotation.RetentionPolicy", "java.lang.annotation.ElementType",
+        "java.lang.annotation.Repeatable", "java.lang.annotation.Native", "java.lang.annotation.Documented",
+        "java.lang.annotation.Inherited", "java.lang.ClassLoader", "java.lang.Module", "java.lang.Package",
+        "java.lang.ClassNotFoundException", "java.lang.NoClassDefFoundError", "java.lang.ReflectiveOperationException",
+        "java.lang.invoke.LambdaMetafactory", "java.lang.invoke.StringConcatFactory", "java.lang.invoke.MethodHandles$Lookup",
+        "java.lang.invoke.MethodHandles", "java.lang.invoke.MethodHandle", "java.lang.invoke.MethodType",
+        "java.lang.invoke.CallSite", "java.lang.invoke.VarHandle", "java.lang.invoke.TypeDescriptor",
+        "java.lang.runtime.ObjectMethods", "java.lang.LinkageError", "java.lang.IncompatibleClassChangeError"
+    };
+
+    private PackLibrary() {}
+
+    public static void main(String[] args) throws IOException, ClassNotFoundException {
+        Map<String, byte[]> classes = new TreeMap<>();
+        Path base = FileSystems.getFileSystem(URI.create("jrt:/")).getPath("modules", "java.base");
+        for (String name : javaClasses()) {
+            String file = name.replace('.', '/') + ".class";
+            classes.put(file, Files.readAllBytes(base.resolve(file)));
+        }
+        classes.put("module-info.class", Files.readAllBytes(base.resolve("module-info.class")));
+        addRobonewbie(classes);
+        ByteArrayOutputStream packed = new ByteArrayOutputStream();
+        try (DataOutputStream output = new DataOutputStream(packed)) {
+            output.writeInt(classes.size());
+            for (Map.Entry<String, byte[]> one : classes.entrySet()) {
+                output.writeUTF(one.getKey());
+                output.writeInt(one.getValue().length);
+                output.write(one.getValue());
+            }
+        }
+        Path file = Path.of(args[0]);
+        Files.createDirectories(file.getParent());
+        Files.write(file, packed.toByteArray());
+        System.out.println(classes.size() + " classes, " + packed.size() + " bytes");
+    }
+
+    /** The named classes, what they are made of, and what their methods take and give. */
+    private static TreeSet<String> javaClasses() throws ClassNotFoundException, IOException {
+        TreeSet<String> names = new TreeSet<>();
+        for (String name : ProgramLibrary.javaClasses()) {
+            Class<?> type = Class.forName(name, false, null);
+            addWithAbove(type, names);
+            for (Executable method : Stream.<Executable>concat(
+                            Stream.of(type.getDeclaredMethods()), Stream.of(type.getDeclaredConstructors()))
+                    .filter(one -> Modifier.isPublic(one.getModifiers()) || Modifier.isProtected(one.getModifiers()))
+                    .toList()) {
+                for (Class<?> parameter : method.getParameterTypes()) {
+                    addWithAbove(parameter, names);
+                }
+                for (Class<?> thrown : method.getExceptionTypes()) {
+                    addWithAbove(thrown, names);
+                }
+                if (method instanceof java.lang.reflect.Method plain) {
+                    addWithAbove(plain.getReturnType(), names);
+                }
+            }
+        }
+        for (String name : ALSO) {
+            addWithAbove(Class.forName(name, false, null), names);
+        }
+        try (Stream<Path> functions = Files.list(Path.of(URI.create("jrt:/java.base/java/util/function")))) {
+            functions.map(file -> file.getFileName().toString())
+                    .filter(name -> !name.contains("package-info"))
+                    .forEach(name -> names.add("java.util.function." + name.replace(".class", "")));
+        }
+        return names;
+    }
+
+    private static void addWithAbove(Class<?> type, TreeSet<String> names) {
+        Class<?> plain = type;
+        while (plain.isArray()) {
+            plain = plain.getComponentType();
+        }
+        if (plain.isPrimitive() || !names.add(plain.getName())) {
+            return;
+        }
+        if (plain.getEnclosingClass() != null) {
+            addWithAbove(plain.getEnclosingClass(), names);
+        }
+        if (plain.getSuperclass() != null) {
+            addWithAbove(plain.getSuperclass(), names);
+        }
+        for (Class<?> above : plain.getInterfaces()) {
+            addWithAbove(above, names);
+        }
+    }
+
+    private static void addRobonewbie(Map<String, byte[]> classes) throws IOException {
+        for (String place : System.getProperty("java.class.path").split(File.pathSeparator)) {
+            Path path = Path.of(place);
+            if (place.contains("robonewbie") || place.endsWith("classes")) {
+                if (Files.isDirectory(path)) {
+                    addFolder(path, classes);
+                } else {
+                    try (FileSystem jar = FileSystems.newFileSystem(path)) {
+                        addFolder(jar.getPath("/"), classes);
+                    }
+                }
+            }
+        }
+    }
+
+    private static void addFolder(Path folder, Map<String, byte[]> classes) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                String name = folder.relativize(file).toString().replace('\\', '/');
+                boolean isWanted = name.endsWith(".class")
+                        && ProgramLibrary.has(name.replace(".class", "").replace('/', '.').replaceAll("\\$.*", ""));
+                boolean isAgentCycle = name.startsWith("org/robonewbie/protocol/") && name.endsWith(".class")
+                        || name.startsWith("org/robonewbie/nao/") && name.endsWith(".class");
+                if (isWanted || isAgentCycle) {
+                    try (InputStream input = Files.newInputStream(file)) {
+                        classes.putIfAbsent(name, input.readAllBytes());
+                    }
+                }
+            }
+        }
+    }
+}
