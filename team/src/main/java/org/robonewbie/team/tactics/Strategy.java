@@ -22,7 +22,6 @@ public final class Strategy {
     private static final double TURN_SPEED = 90;
     private static final double MOST_SECONDS = 24;
     private static final double NEAR_METRES = 0.8;
-    private static final double CONTESTED_METRES = 0.6;
     private static final double KICK_LASTS_SECONDS = 3;
 
     private final WorldModel world;
@@ -81,27 +80,11 @@ public final class Strategy {
             Spot place = SetPlay.wall(world);
             return new Plan(TeamRole.STRIKER, Action.GO, place, facing(place), 0);
         }
-        if (isContested()) {
-            return push(TeamRole.STRIKER);
-        }
         boolean kickOnly = setPlay.mayTouchOnce(world);
         return new KickChoice(world, !kickOnly, plan).best();
     }
 
-    /** Whether an opponent is at the ball too: then it has to be pushed on, by two players if need be. */
-    private boolean isContested() {
-        return world.situation() == Situation.OPEN_PLAY && world.opponentDistance(world.ball()) < CONTESTED_METRES;
-    }
-
-    private Plan push(TeamRole role) {
-        Spot goal = world.theirGoal();
-        return new Plan(role, Action.DRIBBLE, goal, goal.minus(world.ball()).degrees(), 0);
-    }
-
     private Plan waiting(TeamRole role) {
-        if (role == TeamRole.SUPPORTER && isContested()) {
-            return push(role);
-        }
         Spot place = new Formation(world.field()).place(role, world.ball());
         Spot legal = SetPlay.legal(world, place);
         return new Plan(role, Action.GO, legal, facing(legal), 0);
