@@ -212,7 +212,7 @@ public final class ProgramApi extends Handler.Abstract {
     }
 
     private static byte[] body(Request request) throws IOException {
-        if (request.getLength() > MOST_BYTES) {
+        if (request.getLength() < 0 || request.getLength() > MOST_BYTES) {
             throw new RefusedException(413, "A program may have at most " + MOST_BYTES + " bytes.");
         }
         try (InputStream stream = Content.Source.asInputStream(request)) {
