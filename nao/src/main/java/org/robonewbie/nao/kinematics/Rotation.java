@@ -88,8 +88,7 @@ public record Rotation(double w, double x, double y, double z) {
     }
 
     /**
-     * {@return the direction of the rotated x axis as an angle about z in degrees, -180 to 180; positive is to the left} ## Jba
-     * ## J0ba06189f
+     * {@return the direction of the rotated x axis as an angle about z in degrees, -180 to 180; positive is to the left}
      */
     public double yawDegrees() {
         return PortableMath.toDegrees(PortableMath.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)));
