@@ -58,6 +58,8 @@ import picocli.CommandLine.Parameters;
         })
 final class GradeCommand implements Callable<Integer> {
 
+    private static final String GIVEN_TEAM = "org.robonewbie.team.";
+
     @Mixin
     final HelpOption help = new HelpOption();
 
@@ -244,7 +246,19 @@ final class GradeCommand implements Callable<Integer> {
     }
 
     private Supplier<Agent> agents(String program) {
-        return StudentsAgents.of(new AgentFinder(ExampleCatalogue.load(), classPath.folders()).findClass(program));
+        Supplier<Class<?>> types = new AgentFinder(ExampleCatalogue.load(), classPath.folders()).findClass(program);
+        refuseTheGivenTeam(types.get());
+        return StudentsAgents.of(types);
+    }
+
+    /** The example team would solve exercises in which students try ideas of their own. */
+    private static void refuseTheGivenTeam(Class<?> program) {
+        for (Class<?> type = program; type != null; type = type.getSuperclass()) {
+            if (type.getName().startsWith(GIVEN_TEAM)) {
+                throw new CalledWronglyException(program.getSimpleName() + " plays as " + type.getSimpleName()
+                        + " does, which is given and earns no points. Write \"extends Agent\", and your own think().");
+            }
+        }
     }
 
     private int handOut(Exercise exercise) throws IOException {

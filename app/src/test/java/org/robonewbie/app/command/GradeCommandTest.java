@@ -234,6 +234,17 @@ class GradeCommandTest {
         assertThat(printed.exitCode()).isEqualTo(2);
     }
 
+    @Test
+    void exampleTeamEarnsNoPoints() throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("ScoreAGoal.java"), "public class ScoreAGoal extends org.robonewbie.team.Agent_Team {}");
+
+        Printed printed = Printed.by("grade", "score-a-goal", file.toString());
+
+        assertThat(printed.exitCode()).isEqualTo(2);
+        assertThat(printed.err()).contains("ScoreAGoal plays as Agent_Team does, which is given");
+    }
+
     private String program(String lines) throws IOException {
         return Files.writeString(folder.resolve("MyArms.java"), """
                 import java.util.ArrayList;
