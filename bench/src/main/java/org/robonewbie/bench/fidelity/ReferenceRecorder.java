@@ -24,7 +24,7 @@ import org.robonewbie.nao.file.AtomicFile;
  */
 public final class ReferenceRecorder {
 
-    private static final int ATTEMPTS = 5;
+    private static final int ATTEMPTS = 20;
 
     private final ReferenceServer server;
     private final int type;
