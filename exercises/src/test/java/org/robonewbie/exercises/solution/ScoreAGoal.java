@@ -21,7 +21,7 @@ public final class ScoreAGoal extends Agent {
     private static final SoccerField FIELD = SoccerField.BEGINNER;
 
     private final SelfLocalisation self = new SelfLocalisation(FIELD);
-    private static final double CLEAR_METRES = 0.9;
+    private static final double CLEAR_METRES = 1;
 
     private final Map<Integer, Vector3> wall = new HashMap<>();
     private boolean placed;
