@@ -5,12 +5,15 @@
 import { load } from './webassembly-loader.js';
 
 const TURN_MILLISECONDS = 20;
+const REPORT_MILLISECONDS = 200;
 const SHORTEST_SECONDS = 0.001;
 
 const program = load(new URL('robonewbie.wasm', import.meta.url).href);
 let last = performance.now();
 /** @type {ReturnType<typeof setInterval> | undefined} */
 let turns;
+/** @type {ReturnType<typeof setInterval> | undefined} */
+let reports;
 
 /** @param {any} exports functions of the program */
 function turn(exports) {
@@ -26,6 +29,22 @@ function begin(exports, { agent, seed }) {
   postMessage({ begun: agent, agents: exports.agents().split(' ') });
   last = performance.now();
   turns ??= setInterval(() => attempt(() => turn(exports)), TURN_MILLISECONDS);
+}
+
+/** @param {any} exports @param {{classes: Int8Array[], seed: number}} wanted */
+function beginProgram(exports, { classes, seed }) {
+  for (const each of classes) {
+    exports.takeClass(each);
+  }
+  const refusal = exports.beginProgram(seed);
+  if (refusal) {
+    postMessage({ refusal });
+    return;
+  }
+  postMessage({ begun: '', agents: exports.agents().split(' ') });
+  last = performance.now();
+  turns ??= setInterval(() => attempt(() => turn(exports)), TURN_MILLISECONDS);
+  reports ??= setInterval(() => attempt(() => postMessage({ run: exports.programRun() })), REPORT_MILLISECONDS);
 }
 
 /** @param {() => void} deed */
@@ -46,6 +65,10 @@ onmessage = async ({ data }) => {
   attempt(() => {
     if (data.begin) {
       begin(exports, data.begin);
+    } else if (data.program) {
+      beginProgram(exports, data.program);
+    } else if (data.stopProgram) {
+      exports.stopProgram();
     } else if (data.ask) {
       exports.ask(JSON.stringify(data.ask));
     } else {

@@ -2,7 +2,12 @@
 import { Studio } from '../studio.js';
 import { AgentChoice } from './agent-choice.js';
 import { sayHowToInstall } from './old-browser.js';
+import { PageCompiler } from './page-compiler.js';
 import { answerInsteadOfServer } from './page-server.js';
+import { ProgramServer } from './program-server.js';
+import { ProgramShelf } from './program-shelf.js';
+import { addTakeaways } from './program-takeaway.js';
+import { sharedProgram } from './share.js';
 import { WorldConnection } from './world-connection.js';
 import { world } from './world-process.js';
 
@@ -10,13 +15,20 @@ import { world } from './world-process.js';
 const TOKEN = 'page';
 
 /** @param {Worker} worker */
-function begin(worker) {
-  answerInsteadOfServer();
+async function begin(worker) {
+  const shelf = new ProgramShelf();
+  const shared = await sharedProgram();
+  if (shared) {
+    shelf.takeShared(shared.path, shared.text);
+  }
+  const programs = new ProgramServer(new PageCompiler(), worker, shelf);
+  answerInsteadOfServer(programs);
   const options = new URLSearchParams(location.search);
   options.set('token', TOKEN);
   const choice = new AgentChoice(options.get('agent'));
-  const studio = new Studio(options, (listener) => new WorldConnection(worker, listener, choice));
+  const studio = new Studio(options, (listener) => new WorldConnection(worker, listener, choice, programs));
   Object.assign(window, { studio });
+  addTakeaways(() => studio.rooms.program, shelf);
   studio.start();
   navigator.serviceWorker?.register('service-worker.js').catch(() => {});
 }

@@ -7,8 +7,10 @@ export class WorldConnection {
    * @param {Worker} worker
    * @param {import('../live/connection.js').Listener} listener
    * @param {import('./agent-choice.js').AgentChoice} choice
+   * @param {import('./program-server.js').ProgramServer} programs
    */
-  constructor(worker, listener, choice) {
+  constructor(worker, listener, choice, programs) {
+    this.programs = programs;
     this.listener = listener;
     this.choice = choice;
     this.worker = worker;
@@ -31,10 +33,11 @@ export class WorldConnection {
 
   /** @param {string} agent */
   #begin(agent) {
+    this.programs.forget();
     this.worker.postMessage({ begin: { agent, seed: SEED } });
   }
 
-  /** @param {string | ArrayBuffer | {begun: string, agents: string[]} | {failure: string}} data */
+  /** @param {any} data a text, the bytes of a state, or what the worker says of itself */
   #receive(data) {
     if (typeof data === 'string') {
       this.listener.told(JSON.parse(data));
@@ -43,6 +46,10 @@ export class WorldConnection {
     } else if ('begun' in data) {
       this.choice.offer(data.agents);
       this.listener.opened();
+    } else if ('run' in data) {
+      this.programs.heard(data.run);
+    } else if ('refusal' in data) {
+      this.programs.refused(data.refusal);
     } else {
       this.#fail(data.failure);
     }

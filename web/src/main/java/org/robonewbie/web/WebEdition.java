@@ -1,7 +1,10 @@
 package org.robonewbie.web;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.studio.PageFeed;
+import org.robonewbie.web.bytecode.Program;
 import org.teavm.jso.JSBody;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
@@ -9,7 +12,10 @@ import org.teavm.jso.typedarrays.Int8Array;
 /** What the scripts of the page call; each exported method becomes a function of the compiled program. */
 public final class WebEdition {
 
+    private static final List<byte[]> CLASSES = new ArrayList<>();
+
     private static @Nullable LiveWorld world;
+    private static @Nullable StudentRun run;
 
     private WebEdition() {}
 
@@ -51,18 +57,61 @@ public final class WebEdition {
      */
     @JSExport
     public static void begin(String agent, int seed) {
-        world = new LiveWorld(agent, seed, new PageFeed.Page() {
+        run = null;
+        world = new LiveWorld(agent, seed, new Page());
+    }
 
-            @Override
-            public void tell(String json) {
-                post(json);
-            }
+    /**
+     * Takes a class of a student's program, which {@link #beginProgram} runs together with the others.
+     *
+     * @param classFile what the compiler has made
+     */
+    @JSExport
+    public static void takeClass(Int8Array classFile) {
+        CLASSES.add(classFile.copyToJavaArray());
+    }
 
-            @Override
-            public void show(byte[] frame) {
-                post(Int8Array.copyFromJavaArray(frame));
+    /**
+     * Begins a world with the program whose classes were taken.
+     *
+     * @param seed start of all random numbers
+     * @return why the program cannot run here; empty if it runs
+     */
+    @JSExport
+    public static String beginProgram(int seed) {
+        List<byte[]> taken = List.copyOf(CLASSES);
+        CLASSES.clear();
+        StudentRun begun = new StudentRun();
+        try {
+            Program program = new Program(taken);
+            List<String> missing = program.missing();
+            if (!missing.isEmpty()) {
+                return "The page does not have " + String.join(", ", missing)
+                        + ". RoboNewbie on your computer has it.";
             }
-        });
+            run = begun;
+            world = new LiveWorld(program, begun, seed, new Page());
+            return "";
+        } catch (IllegalArgumentException refused) {
+            return String.valueOf(refused.getMessage());
+        } catch (RuntimeException | Error mistake) {
+            begun.fail(mistake);
+            return "";
+        }
+    }
+
+    /** {@return how the student's program runs: state, exit code and what it has printed, with tabs between them} */
+    @JSExport
+    public static String programRun() {
+        return run == null ? "NONE\t0\t" : run.text();
+    }
+
+    /** Stops the student's program; its robot leaves. */
+    @JSExport
+    public static void stopProgram() {
+        if (run != null) {
+            run.stop();
+        }
     }
 
     /**
@@ -86,6 +135,20 @@ public final class WebEdition {
     public static void turn(double seconds) {
         if (world != null) {
             world.turn(seconds);
+        }
+    }
+
+    /** The page behind this worker. */
+    private static final class Page implements PageFeed.Page {
+
+        @Override
+        public void tell(String json) {
+            post(json);
+        }
+
+        @Override
+        public void show(byte[] frame) {
+            post(Int8Array.copyFromJavaArray(frame));
         }
     }
 

@@ -1,0 +1,25 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+
+/** The scripts of the static page have the types that they say, together with those of the studio. */
+class PageScriptsTest {
+
+    @Test
+    void scriptsHaveTheTypesThatTheySay() throws IOException, InterruptedException {
+        Path compiler = NodeTool.require("typescript/bin/tsc");
+
+        Process process = new ProcessBuilder(
+                        Tool.NODE.orSkip().toString(), compiler.toString(), "--project", "jsconfig.json")
+                .redirectErrorStream(true)
+                .start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+
+        assertThat(process.waitFor()).as(said).isZero();
+    }
+}

@@ -1,0 +1,91 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Somebody programs in the static page: javac and the machine for its classes are there. */
+@InBrowser
+@Timeout(300)
+class ProgramInThePageTest {
+
+    private static final String ANGLE = "studio.state.frame?.robots[0]?.degrees[8]";
+    private static final String HEAD = "import org.robonewbie.agent.*;\nimport org.robonewbie.nao.Joint;\n";
+
+    private final Chromium browser;
+    private StaticServer server;
+
+    ProgramInThePageTest(Chromium browser) {
+        this.browser = browser;
+    }
+
+    @BeforeEach
+    void open() throws IOException {
+        server = new StaticServer(Path.of("target", "web").toAbsolutePath());
+        browser.visit(server.address() + "#program");
+        browser.await("studio.rooms.program?.files?.file !== undefined");
+    }
+
+    @AfterEach
+    void end() {
+        server.close();
+    }
+
+    @Test
+    void firstProgramRaisesTheArmTo31Degrees() {
+        browser.click("#program-run");
+
+        browser.await("document.querySelector('#program-room').innerText.includes('left shoulder 31.2 degrees')");
+
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void mistakeStandsAtItsLineInTheWordsOfJavac() {
+        type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        nao.sayy(\"x\");\n    }\n}\n");
+
+        browser.await("document.querySelector('#program-room').innerText.includes('cannot find symbol')");
+
+        assertThat(browser.evaluate("document.querySelector('#program-remarks').innerText").getAsString())
+                .contains("5");
+    }
+
+    @Test
+    void robotInTheHandWaitsInTheMiddleOfItsProgram() {
+        type("import org.robonewbie.agent.Nao;\npublic class MyAgent {\n    public static void main(String[] args) {\n"
+                + "        try (Nao nao = Nao.connect(args)) {\n            nao.perform(\"wave\");\n"
+                + "            System.out.println(\"waved until \" + nao.getTime());\n        }\n    }\n}\n");
+        browser.click("#program-run");
+
+        browser.await("document.querySelector('#program-room').innerText.includes('waved until')");
+    }
+
+    @Test
+    void endlessLoopIsStoppedAndNamed() {
+        type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        while (true) {\n"
+                + "        }\n    }\n}\n");
+        browser.click("#program-run");
+
+        browser.await("document.querySelector('#program-room').innerText.includes('Stopped at MyAgent.java:5')");
+    }
+
+    @Test
+    void exceptionIsNamedWithItsLineAndTheRobotGoesOn() {
+        type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n"
+                + "        int[] numbers = {1, 2};\n        log.info(\"\" + numbers[2]);\n    }\n}\n");
+        browser.click("#program-run");
+
+        browser.await("document.querySelector('#program-room').innerText.includes('MyAgent.java:6')");
+        assertThat(browser.evaluate("document.querySelector('#program-state').innerText").getAsString())
+                .contains("is running");
+    }
+
+    private void type(String text) {
+        browser.evaluate("studio.rooms.program.editor.replace(" + Chromium.quoted(text) + ")");
+    }
+}
