@@ -21,6 +21,15 @@ final class PageSystem {
         return switch (name) {
             case "exit" -> throw new ProgramEnd((Integer) Objects.requireNonNull(arguments[0]));
             case "getenv" -> null;
+            case "arraycopy" -> {
+                System.arraycopy(
+                        Objects.requireNonNull(arguments[0]),
+                        (Integer) Objects.requireNonNull(arguments[1]),
+                        Objects.requireNonNull(arguments[2]),
+                        (Integer) Objects.requireNonNull(arguments[3]),
+                        (Integer) Objects.requireNonNull(arguments[4]));
+                yield null;
+            }
             default -> SpecialCalls.UNKNOWN;
         };
     }

@@ -35,6 +35,7 @@ class SameRunInTheMachineTest {
             "Agent_KeyframeDeveloper", // needs files
             "Agent_PenaltyAttacker", // extends another example
             "Agent_TestSelfLocalisation", // wants a world that tells the truth
+            "Agent_TestLocalFieldView", // the same
             "Agent_SoccerTeam"); // several robots
     private static final int SECONDS = 12;
 
