@@ -12,6 +12,10 @@ public final class ProgramsCall extends SimpleReflectionPolicy {
     private static final Set<String> OTHERWISE = Set.of(
             "Nao.connect", "Agent.run", "Agent.runTogether", "Object.wait", "Object.notify", "Object.notifyAll");
 
+    /** All that programs may ask a class for; some of its other methods are translated wrongly by TeaVM 0.15.0. */
+    private static final Set<String> OF_CLASS =
+            Set.of("getName", "getSimpleName", "isInstance", "toString", "desiredAssertionStatus");
+
     /** Creates the policy; TeaVM finds it by its name. */
     public ProgramsCall() {}
 
@@ -23,7 +27,9 @@ public final class ProgramsCall extends SimpleReflectionPolicy {
     }
 
     private static boolean isCallable(IntrospectMember member) {
+        boolean isOfClass = member.declaringClass().name().equals("java.lang.Class");
         return PUBLIC.test(member)
+                && (!isOfClass || OF_CLASS.contains(member.name()))
                 && !Modifier.isNative(member.modifiers())
                 && !OTHERWISE.contains(member.declaringClass().simpleName() + "." + member.name());
     }
