@@ -35,8 +35,8 @@ final class HeadlessRun {
         long cycles = Math.round(seconds / Cycle.SECONDS);
         try (SteppedSimulator simulator = SteppedSimulator.start(settings, Console.silent())) {
             simulator.endAfter(seconds);
-            StudentProgram played = new StudentProgram(
-                    program, output, simulator::connect, simulator::cycle, TelemetrySink.NONE);
+            StudentProgram played =
+                    new StudentProgram(program, output, simulator::connect, simulator::cycle, TelemetrySink.NONE);
             boolean isOver = false;
             while (!isOver && simulator.cycles() < cycles) {
                 isOver = played.goOn();

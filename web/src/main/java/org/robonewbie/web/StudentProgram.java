@@ -113,8 +113,7 @@ final class StudentProgram {
         drivers.add(driver);
     }
 
-    private @Nullable Object special(
-            String owner, String name, @Nullable Object target, @Nullable Object[] arguments) {
+    private @Nullable Object special(String owner, String name, @Nullable Object target, @Nullable Object[] arguments) {
         if (target instanceof Nao nao) {
             return ofNao(name, nao, arguments);
         }
@@ -126,8 +125,7 @@ final class StudentProgram {
         }
         if (name.equals("runTogether")) {
             return play(
-                    (String[]) Objects.requireNonNull(arguments[0]),
-                    (Agent[]) Objects.requireNonNull(arguments[1]));
+                    (String[]) Objects.requireNonNull(arguments[0]), (Agent[]) Objects.requireNonNull(arguments[1]));
         }
         return owner.equals("java/lang/System") ? PageSystem.call(name, arguments) : SpecialCalls.UNKNOWN;
     }
@@ -138,15 +136,18 @@ final class StudentProgram {
         }
         List<AgentDriver> own = List.copyOf(drivers);
         drivers.clear();
-        return new Later(() -> {
-            own.forEach(AgentDriver::goOn);
-            return false;
-        }, () -> null, nextCycle);
+        return new Later(
+                () -> {
+                    own.forEach(AgentDriver::goOn);
+                    return false;
+                },
+                () -> null,
+                nextCycle);
     }
 
     private Nao connect(Object wanted) {
-        Options options = (wanted instanceof Options given ? given : Options.of((String[]) wanted))
-                .withSeconds(FOREVER_SECONDS);
+        Options options =
+                (wanted instanceof Options given ? given : Options.of((String[]) wanted)).withSeconds(FOREVER_SECONDS);
         PatientLink own = enter();
         try {
             NaoDriver driver = NaoDriver.enter(own, options, viewer);
@@ -164,10 +165,13 @@ final class StudentProgram {
         PatientLink own = Objects.requireNonNull(link);
         if (name.equals("sense")) {
             driver.complete();
-            return new Later(own::isMessageWaiting, () -> {
-                machine.newCycle();
-                return nao.sense() ? 1 : 0;
-            }, nextCycle);
+            return new Later(
+                    own::isMessageWaiting,
+                    () -> {
+                        machine.newCycle();
+                        return nao.sense() ? 1 : 0;
+                    },
+                    nextCycle);
         }
         if (name.equals("perform")) {
             driver.complete();

@@ -86,8 +86,7 @@ public final class WebEdition {
             Program program = new Program(taken);
             List<String> missing = program.missing();
             if (!missing.isEmpty()) {
-                return "The page does not have " + String.join(", ", missing)
-                        + ". RoboNewbie on your computer has it.";
+                return "The page does not have " + String.join(", ", missing) + ". RoboNewbie on your computer has it.";
             }
             run = begun;
             world = new LiveWorld(program, begun, seed, new Page());

@@ -47,11 +47,14 @@ class ProgramInThePageTest {
 
     @Test
     void mistakeStandsAtItsLineInTheWordsOfJavac() {
-        type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        nao.sayy(\"x\");\n    }\n}\n");
+        type(
+                HEAD
+                        + "public class MyAgent extends Agent {\n    protected void think() {\n        nao.sayy(\"x\");\n    }\n}\n");
 
         browser.await("document.querySelector('#program-room').innerText.includes('cannot find symbol')");
 
-        assertThat(browser.evaluate("document.querySelector('#program-remarks').innerText").getAsString())
+        assertThat(browser.evaluate("document.querySelector('#program-remarks').innerText")
+                        .getAsString())
                 .contains("5");
     }
 
@@ -81,7 +84,8 @@ class ProgramInThePageTest {
         browser.click("#program-run");
 
         browser.await("document.querySelector('#program-room').innerText.includes('MyAgent.java:6')");
-        assertThat(browser.evaluate("document.querySelector('#program-state').innerText").getAsString())
+        assertThat(browser.evaluate("document.querySelector('#program-state').innerText")
+                        .getAsString())
                 .contains("is running");
     }
 

@@ -48,7 +48,10 @@ class SameRunInTheMachineTest {
             files.sorted().map(SameRunInTheMachineTest::read).forEach(text -> add(text, texts));
         }
         try (Stream<Path> files = Files.list(ROOT.resolve("docs/tutorial"))) {
-            Stream.concat(Stream.of(ROOT.resolve("README.md")), files.filter(file -> file.toString().endsWith(".md")).sorted())
+            Stream.concat(
+                            Stream.of(ROOT.resolve("README.md")),
+                            files.filter(file -> file.toString().endsWith(".md"))
+                                    .sorted())
                     .flatMap(file -> BLOCK.matcher(read(file)).results())
                     .forEach(block -> add(block.group(1), texts));
         }
@@ -67,8 +70,8 @@ class SameRunInTheMachineTest {
     void programHasTheSameRecordingInTheMachineAndInJava(Text text) throws Exception {
         Map<String, byte[]> classes = JavaSource.compile(text.name(), text.text());
 
-        RunReport here =
-                HeadlessRun.of(new Program(classes.values()), new PrintStream(OutputStream.nullOutputStream()), 1, SECONDS);
+        RunReport here = HeadlessRun.of(
+                new Program(classes.values()), new PrintStream(OutputStream.nullOutputStream()), 1, SECONDS);
 
         assertThat(here.recordingSha256()).isEqualTo(recordingInJava(text.name(), classes));
     }
@@ -77,7 +80,10 @@ class SameRunInTheMachineTest {
     private String recordingInJava(String name, Map<String, byte[]> classes) throws Exception {
         Path report = folder.resolve("report.json");
         Class<?> type = new Loader(classes)
-                .loadClass(classes.keySet().stream().filter(one -> one.endsWith(name)).findFirst().orElseThrow());
+                .loadClass(classes.keySet().stream()
+                        .filter(one -> one.endsWith(name))
+                        .findFirst()
+                        .orElseThrow());
         Method main = type.getMethod("main", String[].class);
         main.invoke(null, (Object) new String[] {
             "--headless", "--fast", "--seed", "1", "--seconds", "" + SECONDS, "--report", report.toString()

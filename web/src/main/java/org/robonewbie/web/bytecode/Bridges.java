@@ -44,7 +44,8 @@ final class Bridges {
 
     /** A call of the interface's method. */
     private interface Call {
-        @Nullable Object of(String method, @Nullable Object... arguments);
+        @Nullable
+        Object of(String method, @Nullable Object... arguments);
     }
 
     private static final Map<Class<?>, Function<Call, Object>> MAKERS = new HashMap<>();
@@ -66,8 +67,8 @@ final class Bridges {
         MAKERS.put(ToIntFunction.class, call -> (ToIntFunction<Object>) a -> whole(call.of("applyAsInt", a)));
         MAKERS.put(ToLongFunction.class, call -> (ToLongFunction<Object>) a -> (Long) some(call.of("applyAsLong", a)));
         MAKERS.put(ToDoubleFunction.class, call -> (ToDoubleFunction<Object>) a -> real(call.of("applyAsDouble", a)));
-        MAKERS.put(ToDoubleBiFunction.class, call -> (ToDoubleBiFunction<Object, Object>)
-                (a, b) -> real(call.of("applyAsDouble", a, b)));
+        MAKERS.put(ToDoubleBiFunction.class, call ->
+                (ToDoubleBiFunction<Object, Object>) (a, b) -> real(call.of("applyAsDouble", a, b)));
         MAKERS.put(IntSupplier.class, call -> (IntSupplier) () -> whole(call.of("getAsInt")));
         MAKERS.put(IntConsumer.class, call -> (IntConsumer) a -> call.of("accept", a));
         MAKERS.put(IntFunction.class, call -> (IntFunction<Object>) a -> call.of("apply", a));
@@ -80,11 +81,11 @@ final class Bridges {
         MAKERS.put(DoubleFunction.class, call -> (DoubleFunction<Object>) a -> call.of("apply", a));
         MAKERS.put(DoublePredicate.class, call -> (DoublePredicate) a -> truth(call.of("test", a)));
         MAKERS.put(DoubleUnaryOperator.class, call -> (DoubleUnaryOperator) a -> real(call.of("applyAsDouble", a)));
-        MAKERS.put(DoubleBinaryOperator.class, call -> (DoubleBinaryOperator)
-                (a, b) -> real(call.of("applyAsDouble", a, b)));
+        MAKERS.put(DoubleBinaryOperator.class, call ->
+                (DoubleBinaryOperator) (a, b) -> real(call.of("applyAsDouble", a, b)));
         MAKERS.put(Iterable.class, call -> (Iterable<Object>) () -> iterator(some(call.of("iterator"))));
-        MAKERS.put(Interpolation.class, call -> (Interpolation)
-                (section, joint, fraction) -> real(call.of("degrees", section, joint, fraction)));
+        MAKERS.put(Interpolation.class, call ->
+                (Interpolation) (section, joint, fraction) -> real(call.of("degrees", section, joint, fraction)));
         MAKERS.put(Iterator.class, OwnIterator::new);
     }
 
@@ -110,8 +111,7 @@ final class Bridges {
         return maker.apply((method, arguments) -> call(value, method, arguments, machine));
     }
 
-    private static @Nullable Object call(
-            Object value, String method, @Nullable Object[] arguments, Machine machine) {
+    private static @Nullable Object call(Object value, String method, @Nullable Object[] arguments, Machine machine) {
         if (value instanceof Lambda lambda) {
             return lambda.call(arguments);
         }

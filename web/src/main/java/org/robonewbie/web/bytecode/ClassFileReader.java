@@ -46,13 +46,14 @@ final class ClassFileReader {
 
     private ClassFile read() throws IOException {
         if (input.readInt() != MAGIC) {
-            throw new IllegalArgumentException("This is no class file. Choose what javac has made, such as MyAgent.class.");
+            throw new IllegalArgumentException(
+                    "This is no class file. Choose what javac has made, such as MyAgent.class.");
         }
         input.readUnsignedShort();
         int version = input.readUnsignedShort();
         if (version > NEWEST_VERSION) {
-            throw new IllegalArgumentException(
-                    "This class file has version " + version + ", made by a newer Java. Compile it with \"javac --release 17\".");
+            throw new IllegalArgumentException("This class file has version " + version
+                    + ", made by a newer Java. Compile it with \"javac --release 17\".");
         }
         constants = ConstantReader.read(input);
         int access = input.readUnsignedShort();
@@ -94,8 +95,7 @@ final class ClassFileReader {
             Optional<Object> constant = Optional.empty();
             for (Map.Entry<String, DataInputStream> attribute : attributes()) {
                 if (attribute.getKey().equals("ConstantValue")) {
-                    constant = Optional.of(
-                            constants.get(attribute.getValue().readUnsignedShort()));
+                    constant = Optional.of(constants.get(attribute.getValue().readUnsignedShort()));
                 }
             }
             fields.add(new Field(name, descriptor, (access & ClassFile.STATIC) != 0, constant));

@@ -99,21 +99,25 @@ final class Compiled {
                 : findMethod(member, type).isPresent();
     }
 
-    @Nullable Object staticField(Member field) {
+    @Nullable
+    Object staticField(Member field) {
         return field(field, null);
     }
 
-    @Nullable Object field(Member field, @Nullable Object object) {
+    @Nullable
+    Object field(Member field, @Nullable Object object) {
         try {
             Object value = type(field.owner()).getField(field.name()).get(object);
             return field.descriptor().length() == 1 ? fromJava(value) : value;
         } catch (ReflectiveOperationException missing) {
-            throw new Missing("The field " + field.name() + " of " + field.owner().replace('/', '.') + " is not here");
+            throw new Missing(
+                    "The field " + field.name() + " of " + field.owner().replace('/', '.') + " is not here");
         }
     }
 
     /** Calls a method of a compiled class. */
-    @Nullable Object call(
+    @Nullable
+    Object call(
             Member member, Descriptor type, @Nullable Object target, @Nullable Object[] arguments, Machine machine) {
         Method method = methods.computeIfAbsent(member, wanted -> findMethod(wanted, type))
                 .orElseThrow(() -> missing(member));
@@ -201,8 +205,7 @@ final class Compiled {
         return all;
     }
 
-    private static @Nullable Object[] forJava(
-            Executable method, @Nullable Object[] arguments, Machine machine) {
+    private static @Nullable Object[] forJava(Executable method, @Nullable Object[] arguments, Machine machine) {
         Class<?>[] types = method.getParameterTypes();
         Object[] adapted = new Object[arguments.length];
         for (int i = 0; i < arguments.length; i++) {

@@ -21,7 +21,8 @@ final class DynamicCalls {
         this.machine = machine;
     }
 
-    @Nullable Object answer(DynamicCall call, Descriptor type, StudentClass home, @Nullable Object[] arguments) {
+    @Nullable
+    Object answer(DynamicCall call, Descriptor type, StudentClass home, @Nullable Object[] arguments) {
         Bootstrap bootstrap = home.file().bootstraps().get(call.bootstrap());
         String linker = bootstrap.handle().member().owner();
         return switch (linker) {
@@ -32,8 +33,7 @@ final class DynamicCalls {
         };
     }
 
-    private Lambda lambda(
-            DynamicCall call, Descriptor type, List<Object> constants, @Nullable Object[] remembered) {
+    private Lambda lambda(DynamicCall call, Descriptor type, List<Object> constants, @Nullable Object[] remembered) {
         String result = type.result();
         return new Lambda(
                 result.substring(1, result.length() - 1),
@@ -78,7 +78,8 @@ final class DynamicCalls {
             boolean isEqual = arguments[1] instanceof StudentObject other && other.type() == one.type();
             for (int i = 0; isEqual && i < parts; i++) {
                 isEqual = Objects.equals(
-                        part(one, constants, i), part((StudentObject) Objects.requireNonNull(arguments[1]), constants, i));
+                        part(one, constants, i),
+                        part((StudentObject) Objects.requireNonNull(arguments[1]), constants, i));
             }
             return isEqual ? 1 : 0;
         }
@@ -94,7 +95,8 @@ final class DynamicCalls {
 
     private static @Nullable Object part(StudentObject object, List<Object> constants, int index) {
         Handle reader = (Handle) constants.get(index + 2);
-        return object.fields().get(reader.member().owner() + "." + reader.member().name());
+        return object.fields()
+                .get(reader.member().owner() + "." + reader.member().name());
     }
 
     private static String type(List<Object> constants, int index) {

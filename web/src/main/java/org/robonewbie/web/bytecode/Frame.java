@@ -33,8 +33,7 @@ final class Frame {
         int parameter = method.code().isStatic() ? 0 : -1;
         for (Object argument : arguments) {
             locals[local++] = argument;
-            if (parameter >= 0
-                    && Descriptor.isWide(method.type().parameters().get(parameter))) {
+            if (parameter >= 0 && Descriptor.isWide(method.type().parameters().get(parameter))) {
                 local++;
             }
             parameter++;
@@ -75,7 +74,8 @@ final class Frame {
         stack[size++] = value;
     }
 
-    @Nullable Object pop() {
+    @Nullable
+    Object pop() {
         Object value = stack[--size];
         stack[size] = null;
         return value;
@@ -102,7 +102,8 @@ final class Frame {
         return (Double) popObject();
     }
 
-    @Nullable Object[] pop(int count) {
+    @Nullable
+    Object[] pop(int count) {
         Object[] values = new Object[count];
         for (int i = count - 1; i >= 0; i--) {
             values[i] = pop();

@@ -48,8 +48,7 @@ final class Instructions {
             case 14, 15 -> frame.push((double) (code - 14));
             case 16 -> frame.push(frame.s1());
             case 17 -> frame.push(frame.s2());
-            case 18 -> frame.push(loaded(
-                    frame.method.home().file().constants().get(frame.u1()), machine));
+            case 18 -> frame.push(loaded(frame.method.home().file().constants().get(frame.u1()), machine));
             default -> frame.push(loaded(frame.constant(), machine));
         }
     }

@@ -29,13 +29,7 @@ final class Lambda {
      * @param remembered the first arguments
      * @param machine carries it out
      */
-    Lambda(
-            String type,
-            String name,
-            Descriptor called,
-            Handle handle,
-            @Nullable Object[] remembered,
-            Machine machine) {
+    Lambda(String type, String name, Descriptor called, Handle handle, @Nullable Object[] remembered, Machine machine) {
         this.type = type;
         this.name = name;
         this.called = called;
@@ -63,16 +57,16 @@ final class Lambda {
                     .filter(home -> home.isInitialised)
                     .flatMap(home -> home.find(member.key()));
         }
-        Object target = Members.with(null, remembered).length > 1
-                ? remembered[0]
-                : arguments.length > 0 ? arguments[0] : null;
+        Object target =
+                Members.with(null, remembered).length > 1 ? remembered[0] : arguments.length > 0 ? arguments[0] : null;
         return target instanceof StudentObject own
                 ? own.type().find(member.key()).filter(found -> !found.code().isAbstract())
                 : Optional.empty();
     }
 
     /** {@return what its body gets} */
-    @Nullable Object[] allArguments(StudentMethod body, @Nullable Object[] arguments) {
+    @Nullable
+    Object[] allArguments(StudentMethod body, @Nullable Object[] arguments) {
         Object[] all = all(arguments);
         int first = body.code().isStatic() ? 0 : 1;
         for (int i = first; i < all.length; i++) {
@@ -94,7 +88,8 @@ final class Lambda {
      * @param arguments as the machine keeps them
      * @return its result, as the machine keeps it
      */
-    @Nullable Object call(@Nullable Object... arguments) {
+    @Nullable
+    Object call(@Nullable Object... arguments) {
         Member member = handle.member();
         Descriptor type = Descriptor.of(member.descriptor());
         Object[] all = all(arguments);
@@ -120,9 +115,8 @@ final class Lambda {
         }
         machine.initialiseNow(own.get());
         StudentObject object = StudentObjects.create(own.get(), machine);
-        StudentMethod constructor = own.get()
-                .own(member.key())
-                .orElseThrow(() -> new Missing(own.get() + " has no such constructor"));
+        StudentMethod constructor =
+                own.get().own(member.key()).orElseThrow(() -> new Missing(own.get() + " has no such constructor"));
         machine.call(constructor, Members.with(object, arguments));
         return object;
     }

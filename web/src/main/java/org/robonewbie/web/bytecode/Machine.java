@@ -82,12 +82,12 @@ public final class Machine {
      * @return the object
      */
     public Object create(String type) {
-        StudentClass home =
-                program.find(type).orElseThrow(() -> new Missing("The program has no class " + type));
+        StudentClass home = program.find(type).orElseThrow(() -> new Missing("The program has no class " + type));
         initialiseNow(home);
         StudentObject object = StudentObjects.create(home, this);
-        call(home.own("<init>()V")
-                .orElseThrow(() -> new Missing(home + " has no constructor without arguments")), object);
+        call(
+                home.own("<init>()V").orElseThrow(() -> new Missing(home + " has no constructor without arguments")),
+                object);
         return object;
     }
 
@@ -120,7 +120,8 @@ public final class Machine {
      * @param arguments the object, unless it is static, and its arguments
      * @return its result
      */
-    @Nullable Object call(StudentMethod method, @Nullable Object... arguments) {
+    @Nullable
+    Object call(StudentMethod method, @Nullable Object... arguments) {
         int base = frames.size();
         enter(method, arguments);
         carryOut(base);

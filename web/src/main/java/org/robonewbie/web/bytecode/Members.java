@@ -108,7 +108,8 @@ final class Members {
         Descriptor type = Descriptor.of(method.descriptor());
         Object[] arguments = frame.pop(type.parameters().size());
         Object target = Objects.requireNonNull(
-                frame.pop(), () -> "Cannot call \"" + method.name() + "()\", because what stands before the dot is null");
+                frame.pop(),
+                () -> "Cannot call \"" + method.name() + "()\", because what stands before the dot is null");
         call(frame, method, type, target, arguments);
     }
 
@@ -130,11 +131,11 @@ final class Members {
         Optional<StudentClass> home = target instanceof StudentObject own
                 ? Optional.of(own.type())
                 : target instanceof Lambda lambda ? program.find(lambda.type()) : Optional.empty();
-        return home.flatMap(type -> type.find(method.key())).filter(found -> !found.code().isAbstract());
+        return home.flatMap(type -> type.find(method.key()))
+                .filter(found -> !found.code().isAbstract());
     }
 
-    private @Nullable Object callCompiled(
-            Member method, Descriptor type, Object target, @Nullable Object[] arguments) {
+    private @Nullable Object callCompiled(Member method, Descriptor type, Object target, @Nullable Object[] arguments) {
         Object special = machine.specialCalls().call(method.owner(), method.name(), target, arguments);
         if (special != SpecialCalls.UNKNOWN) {
             return special;
@@ -151,7 +152,8 @@ final class Members {
         Object[] arguments = frame.pop(type.parameters().size());
         Object target = frame.popObject();
         Optional<StudentMethod> found = program.find(method.owner())
-                .flatMap(owner -> method.name().equals(CONSTRUCTOR) ? owner.own(method.key()) : owner.find(method.key()));
+                .flatMap(owner ->
+                        method.name().equals(CONSTRUCTOR) ? owner.own(method.key()) : owner.find(method.key()));
         if (found.isPresent()) {
             enter(frame, found.get(), with(target, arguments));
         } else if (target instanceof StudentObject own) {
@@ -211,8 +213,7 @@ final class Members {
     private void cast(Frame frame, String type) {
         Object value = frame.pop();
         if (value != null && !StudentObjects.isInstance(value, type, program)) {
-            throw new ClassCastException("A " + StudentObjects.className(value) + " is no "
-                    + type.replace('/', '.'));
+            throw new ClassCastException("A " + StudentObjects.className(value) + " is no " + type.replace('/', '.'));
         }
         frame.push(value);
     }
@@ -250,7 +251,8 @@ final class Members {
     }
 
     /** Calls any method from outside an instruction, and comes back with its result. */
-    @Nullable Object callAndWait(Member method, @Nullable Object target, @Nullable Object[] arguments) {
+    @Nullable
+    Object callAndWait(Member method, @Nullable Object target, @Nullable Object[] arguments) {
         Descriptor type = Descriptor.of(method.descriptor());
         Optional<StudentClass> owner = program.find(method.owner());
         if (target == null) {

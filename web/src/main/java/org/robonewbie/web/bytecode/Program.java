@@ -49,7 +49,8 @@ public final class Program {
     /** {@return the names of the agents that can be made without arguments, with slashes} */
     public List<String> agents() {
         return classes.values().stream()
-                .filter(type -> type.is("org/robonewbie/agent/Agent") && type.own("<init>()V").isPresent())
+                .filter(type -> type.is("org/robonewbie/agent/Agent")
+                        && type.own("<init>()V").isPresent())
                 .map(type -> type.file().name())
                 .toList();
     }
@@ -60,7 +61,8 @@ public final class Program {
                 .flatMap(type -> type.file().constants().stream())
                 .filter(constant -> constant instanceof ClassFile.Member)
                 .map(constant -> (ClassFile.Member) constant)
-                .filter(member -> !member.owner().startsWith("[") && find(member.owner()).isEmpty())
+                .filter(member ->
+                        !member.owner().startsWith("[") && find(member.owner()).isEmpty())
                 .filter(member -> !member.owner().startsWith("java/lang/invoke/")
                         && !member.owner().equals("java/lang/runtime/ObjectMethods"))
                 .filter(member -> !compiled.has(member))
@@ -71,7 +73,9 @@ public final class Program {
     }
 
     StudentMethod main(String type) {
-        return find(type).flatMap(home -> home.own(MAIN)).orElseThrow(() -> new IllegalArgumentException(
-                "The class " + type + " has no main method: add public static void main(String[] args)."));
+        return find(type)
+                .flatMap(home -> home.own(MAIN))
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "The class " + type + " has no main method: add public static void main(String[] args)."));
     }
 }

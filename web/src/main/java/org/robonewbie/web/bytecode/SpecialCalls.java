@@ -20,5 +20,6 @@ public interface SpecialCalls {
      * @param arguments the arguments
      * @return the result, a {@link Waiting} for one that comes later, or {@link #UNKNOWN}
      */
-    @Nullable Object call(String owner, String name, @Nullable Object target, @Nullable Object[] arguments);
+    @Nullable
+    Object call(String owner, String name, @Nullable Object target, @Nullable Object[] arguments);
 }

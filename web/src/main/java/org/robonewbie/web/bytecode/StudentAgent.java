@@ -40,9 +40,7 @@ final class StudentAgent extends Agent implements StudentObject {
     @Override
     protected Options defaults() {
         Optional<StudentMethod> own = type.find("defaults()Lorg/robonewbie/agent/Options;");
-        return own.isPresent()
-                ? (Options) Objects.requireNonNull(machine.call(own.get(), this))
-                : super.defaults();
+        return own.isPresent() ? (Options) Objects.requireNonNull(machine.call(own.get(), this)) : super.defaults();
     }
 
     @Override
@@ -92,7 +90,8 @@ final class StudentAgent extends Agent implements StudentObject {
     }
 
     /** Calls a method of {@code Agent} that programs inherit. */
-    @Nullable Object inherited(String name, @Nullable Object[] arguments) {
+    @Nullable
+    Object inherited(String name, @Nullable Object[] arguments) {
         switch (name) {
             case "number" -> {
                 return number(

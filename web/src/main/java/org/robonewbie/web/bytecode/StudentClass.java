@@ -48,11 +48,13 @@ final class StudentClass {
     /** {@return whether this is a class, one below it, or one that implements it} */
     boolean is(String name) {
         return file.name().equals(name)
-                || file.interfaces().stream().anyMatch(one -> one.equals(name)
-                        || program.find(one).map(type -> type.is(name)).orElseGet(() -> program.compiled()
-                                .isSubtype(one, name)))
-                || parent().map(type -> type.is(name)).orElseGet(() -> program.compiled()
-                        .isSubtype(file.superName(), name));
+                || file.interfaces().stream()
+                        .anyMatch(one -> one.equals(name)
+                                || program.find(one)
+                                        .map(type -> type.is(name))
+                                        .orElseGet(() -> program.compiled().isSubtype(one, name)))
+                || parent().map(type -> type.is(name))
+                        .orElseGet(() -> program.compiled().isSubtype(file.superName(), name));
     }
 
     /**

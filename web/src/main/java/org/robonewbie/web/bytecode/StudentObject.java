@@ -22,7 +22,8 @@ interface StudentObject {
      * @param arguments its arguments
      * @return its result
      */
-    @Nullable Object callSuper(ClassFile.Member member, @Nullable Object[] arguments);
+    @Nullable
+    Object callSuper(ClassFile.Member member, @Nullable Object[] arguments);
 
     /**
      * Reads a field of a compiled class above.

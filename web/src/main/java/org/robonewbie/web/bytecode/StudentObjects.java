@@ -55,8 +55,9 @@ final class StudentObjects {
         }
         if (value instanceof Lambda lambda) {
             return lambda.type().equals(name)
-                    || program.find(lambda.type()).map(type -> type.is(name)).orElseGet(() -> program.compiled()
-                            .isSubtype(lambda.type(), name));
+                    || program.find(lambda.type())
+                            .map(type -> type.is(name))
+                            .orElseGet(() -> program.compiled().isSubtype(lambda.type(), name));
         }
         if (value instanceof StudentClass) {
             return name.equals("java/lang/Class");
@@ -69,7 +70,9 @@ final class StudentObjects {
 
     /** {@return the name of the class of an object, for messages} */
     static String className(Object value) {
-        return value instanceof StudentObject own ? own.type().simpleName() : value.getClass().getSimpleName();
+        return value instanceof StudentObject own
+                ? own.type().simpleName()
+                : value.getClass().getSimpleName();
     }
 
     /** Calls what is no method of a class file: those of arrays, of enumerations, of classes as objects, and of agents. */
@@ -81,7 +84,8 @@ final class StudentObjects {
                 return answer;
             }
         }
-        if (target instanceof StudentInstance instance && instance.type().compiledParent().equals("java/lang/Enum")) {
+        if (target instanceof StudentInstance instance
+                && instance.type().compiledParent().equals("java/lang/Enum")) {
             Object answer = ofEnumeration(method.name(), instance);
             if (answer != SpecialCalls.UNKNOWN) {
                 return answer;
@@ -91,8 +95,7 @@ final class StudentObjects {
             return ofClass(method.name(), type);
         }
         return switch (method.name()) {
-            case "getClass" ->
-                target instanceof StudentObject own ? own.type() : (Object) target.getClass();
+            case "getClass" -> target instanceof StudentObject own ? own.type() : (Object) target.getClass();
             case "clone" -> target.getClass().isArray() ? copy(target) : SpecialCalls.UNKNOWN;
             case "desiredAssertionStatus" -> 0;
             case "printStackTrace" -> {

@@ -12,5 +12,6 @@ public interface Waiting {
     void hurry();
 
     /** {@return the result} */
-    @Nullable Object result();
+    @Nullable
+    Object result();
 }

@@ -8,17 +8,19 @@ import java.util.stream.Stream;
 /** Which compiled classes students' programs may use in the page. */
 public final class ProgramLibrary {
 
-    private static final String LANGUAGE = "Object String StringBuilder AbstractStringBuilder Math Integer Long Double Float Boolean Character Byte Short"
-            + " Number Comparable CharSequence Iterable Runnable AutoCloseable Cloneable Class System Enum Record Throwable Exception"
-            + " RuntimeException Error ArithmeticException ArrayIndexOutOfBoundsException AssertionError ClassCastException"
-            + " IllegalArgumentException IllegalStateException IndexOutOfBoundsException NegativeArraySizeException"
-            + " NullPointerException NumberFormatException StackOverflowError StringIndexOutOfBoundsException"
-            + " UnsupportedOperationException InterruptedException CloneNotSupportedException NoSuchFieldError";
-    private static final String UTILITIES = "AbstractCollection AbstractList AbstractMap AbstractQueue AbstractSequentialList AbstractSet ArrayDeque ArrayList Arrays Collection"
-            + " Collections Comparator ConcurrentModificationException Deque HashMap HashSet Iterator LinkedHashMap LinkedHashSet"
-            + " LinkedList List ListIterator Locale Map Map$Entry NavigableMap NavigableSet NoSuchElementException Objects Optional"
-            + " OptionalDouble OptionalInt OptionalLong PrimitiveIterator$OfInt PriorityQueue Queue Random Set SortedMap SortedSet"
-            + " StringJoiner TreeMap TreeSet";
+    private static final String LANGUAGE =
+            "Object String StringBuilder AbstractStringBuilder Math Integer Long Double Float Boolean Character Byte Short"
+                    + " Number Comparable CharSequence Iterable Runnable AutoCloseable Cloneable Class System Enum Record Throwable Exception"
+                    + " RuntimeException Error ArithmeticException ArrayIndexOutOfBoundsException AssertionError ClassCastException"
+                    + " IllegalArgumentException IllegalStateException IndexOutOfBoundsException NegativeArraySizeException"
+                    + " NullPointerException NumberFormatException StackOverflowError StringIndexOutOfBoundsException"
+                    + " UnsupportedOperationException InterruptedException CloneNotSupportedException NoSuchFieldError";
+    private static final String UTILITIES =
+            "AbstractCollection AbstractList AbstractMap AbstractQueue AbstractSequentialList AbstractSet ArrayDeque ArrayList Arrays Collection"
+                    + " Collections Comparator ConcurrentModificationException Deque HashMap HashSet Iterator LinkedHashMap LinkedHashSet"
+                    + " LinkedList List ListIterator Locale Map Map$Entry NavigableMap NavigableSet NoSuchElementException Objects Optional"
+                    + " OptionalDouble OptionalInt OptionalLong PrimitiveIterator$OfInt PriorityQueue Queue Random Set SortedMap SortedSet"
+                    + " StringJoiner TreeMap TreeSet";
     private static final String STREAMS = "BaseStream Collector Collectors DoubleStream IntStream LongStream Stream";
     private static final Set<String> JAVA = Stream.of(
                     named("java.lang.", LANGUAGE),
@@ -30,8 +32,10 @@ public final class ProgramLibrary {
             .collect(Collectors.toUnmodifiableSet());
     private static final String ROBONEWBIE = "org.robonewbie.";
     private static final Set<String> PACKAGES = named(
-            ROBONEWBIE, "agent.log agent.motion agent.perception agent.walk agent.localisation nao nao.kinematics nao.motion");
-    private static final Set<String> AGENT = named(ROBONEWBIE + "agent.", "Robot Nao Options Option Agent StartPose StartUpException Values");
+            ROBONEWBIE,
+            "agent.log agent.motion agent.perception agent.walk agent.localisation nao nao.kinematics nao.motion");
+    private static final Set<String> AGENT =
+            named(ROBONEWBIE + "agent.", "Robot Nao Options Option Agent StartPose StartUpException Values");
 
     private ProgramLibrary() {}
 

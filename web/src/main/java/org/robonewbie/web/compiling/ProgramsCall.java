@@ -9,8 +9,8 @@ import org.teavm.extension.spi.reflection.SimpleReflectionPolicy;
 public final class ProgramsCall extends SimpleReflectionPolicy {
 
     /** What begins a simulator, which the page carries out in another way, and what makes threads wait for each other. */
-    private static final Set<String> OTHERWISE = Set.of(
-            "Nao.connect", "Agent.run", "Agent.runTogether", "Object.wait", "Object.notify", "Object.notifyAll");
+    private static final Set<String> OTHERWISE =
+            Set.of("Nao.connect", "Agent.run", "Agent.runTogether", "Object.wait", "Object.notify", "Object.notifyAll");
 
     /** All that programs may ask a class for; some of its other methods are translated wrongly by TeaVM 0.15.0. */
     private static final Set<String> OF_CLASS =

@@ -37,7 +37,13 @@ public final class JavaSource {
                         null,
                         new MemoryManager(files, classes),
                         remarks,
-                        List.of("-g", "--release", "17", "-proc:none", "-classpath", System.getProperty("java.class.path")),
+                        List.of(
+                                "-g",
+                                "--release",
+                                "17",
+                                "-proc:none",
+                                "-classpath",
+                                System.getProperty("java.class.path")),
                         null,
                         List.of(new Text(className, text)))
                 .call();

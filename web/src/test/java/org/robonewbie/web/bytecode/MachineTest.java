@@ -12,8 +12,10 @@ class MachineTest {
 
     @Test
     void calculatesAsJavaDoes() {
-        assertThat(said("System.out.println((7 / 2) + \" \" + (-7 % 3) + \" \" + (7 >>> 1) + \" \" + (char) ('a' + 1) + \" \" + 1e10"
-                        + " + \" \" + (int) 3.99 + \" \" + (long) 1e18 + \" \" + (float) 0.1 + \" \" + (byte) 200 + \" \" + (5L << 40));"))
+        assertThat(
+                        said(
+                                "System.out.println((7 / 2) + \" \" + (-7 % 3) + \" \" + (7 >>> 1) + \" \" + (char) ('a' + 1) + \" \" + 1e10"
+                                        + " + \" \" + (int) 3.99 + \" \" + (long) 1e18 + \" \" + (float) 0.1 + \" \" + (byte) 200 + \" \" + (5L << 40));"))
                 .isEqualTo("3 -1 3 b 1.0E10 3 1000000000000000000 0.1 -56 5497558138880");
     }
 
@@ -29,8 +31,10 @@ class MachineTest {
 
     @Test
     void recordsEnumerationsAndInterfacesOfTheProgramWork() {
-        assertThat(said("System.out.println(new Point(1, 2) + \" \" + new Point(1, 2).equals(new Point(1, 2)) + \" \" + Mood.valueOf(\"GLAD\")"
-                        + ".ordinal() + \" \" + Mood.values().length + \" \" + Mood.GLAD.hello() + \" \" + new Circle(2).area());"))
+        assertThat(
+                        said(
+                                "System.out.println(new Point(1, 2) + \" \" + new Point(1, 2).equals(new Point(1, 2)) + \" \" + Mood.valueOf(\"GLAD\")"
+                                        + ".ordinal() + \" \" + Mood.values().length + \" \" + Mood.GLAD.hello() + \" \" + new Circle(2).area());"))
                 .isEqualTo("Point[x=1.0, y=2.0] true 1 2 glad! 4.0");
     }
 
@@ -55,11 +59,13 @@ class MachineTest {
 
     @Test
     void exceptionsAreCaughtWhereTheyBelong() {
-        assertThat(said("try { Object o = \"x\"; Integer i = (Integer) o; } catch (ClassCastException e) { System.out.print(\"cast \"); }"
-                        + " try { int[] a = {}; a[0] = 1; } catch (RuntimeException e) { System.out.print(e.getMessage() + \" \"); }"
-                        + " finally { System.out.print(\"finally \"); }"
-                        + " try { List.of().get(0); } catch (IndexOutOfBoundsException e) { System.out.print(\"list \"); }"
-                        + " try { throw new Tired(\"so\"); } catch (IllegalStateException e) { System.out.println(e.getMessage()); }"))
+        assertThat(
+                        said(
+                                "try { Object o = \"x\"; Integer i = (Integer) o; } catch (ClassCastException e) { System.out.print(\"cast \"); }"
+                                        + " try { int[] a = {}; a[0] = 1; } catch (RuntimeException e) { System.out.print(e.getMessage() + \" \"); }"
+                                        + " finally { System.out.print(\"finally \"); }"
+                                        + " try { List.of().get(0); } catch (IndexOutOfBoundsException e) { System.out.print(\"list \"); }"
+                                        + " try { throw new Tired(\"so\"); } catch (IllegalStateException e) { System.out.println(e.getMessage()); }"))
                 .isEqualTo("cast Index 0 out of bounds for length 0 finally list so");
     }
 
@@ -67,8 +73,7 @@ class MachineTest {
     void uncaughtExceptionTellsTheLine() {
         assertThatThrownBy(() -> said("int zero = 0;\nint one = 1 / zero;"))
                 .isInstanceOf(ArithmeticException.class)
-                .satisfies(mistake -> assertThat(mistake.getStackTrace()[0])
-                        .hasToString("Try.main(Try.java:11)"));
+                .satisfies(mistake -> assertThat(mistake.getStackTrace()[0]).hasToString("Try.main(Try.java:11)"));
     }
 
     @Test
