@@ -35,7 +35,8 @@ final class PackLibrary {
         "java.lang.invoke.LambdaMetafactory", "java.lang.invoke.StringConcatFactory", "java.lang.invoke.MethodHandles$Lookup",
         "java.lang.invoke.MethodHandles", "java.lang.invoke.MethodHandle", "java.lang.invoke.MethodType",
         "java.lang.invoke.CallSite", "java.lang.invoke.VarHandle", "java.lang.invoke.TypeDescriptor",
-        "java.lang.runtime.ObjectMethods", "java.lang.LinkageError", "java.lang.IncompatibleClassChangeError"
+        "java.lang.Enum$EnumDesc", "java.lang.runtime.ObjectMethods", "java.lang.LinkageError",
+        "java.lang.IncompatibleClassChangeError"
     };
 
     private PackLibrary() {}

@@ -115,6 +115,7 @@ record ClassFile(
      * @param lines line by first byte of its code
      * @param source name of the file with its text
      */
+    @SuppressWarnings("ArrayRecordComponent") // of this package, and never compared
     record MethodCode(
             String name,
             String descriptor,
