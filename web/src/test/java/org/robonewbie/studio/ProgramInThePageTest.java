@@ -14,7 +14,6 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(300)
 class ProgramInThePageTest {
 
-    private static final String ANGLE = "studio.state.frame?.robots[0]?.degrees[8]";
     private static final String HEAD = "import org.robonewbie.agent.*;\nimport org.robonewbie.nao.Joint;\n";
 
     private final Chromium browser;
@@ -60,9 +59,17 @@ class ProgramInThePageTest {
 
     @Test
     void robotInTheHandWaitsInTheMiddleOfItsProgram() {
-        type("import org.robonewbie.agent.Nao;\npublic class MyAgent {\n    public static void main(String[] args) {\n"
-                + "        try (Nao nao = Nao.connect(args)) {\n            nao.perform(\"wave\");\n"
-                + "            System.out.println(\"waved until \" + nao.getTime());\n        }\n    }\n}\n");
+        type("""
+                import org.robonewbie.agent.Nao;
+                public class MyAgent {
+                    public static void main(String[] args) {
+                        try (Nao nao = Nao.connect(args)) {
+                            nao.perform("wave");
+                            System.out.println("waved until " + nao.getTime());
+                        }
+                    }
+                }
+                """);
         browser.click("#program-run");
 
         browser.await("document.querySelector('#program-room').innerText.includes('waved until')");
@@ -75,6 +82,23 @@ class ProgramInThePageTest {
         browser.click("#program-run");
 
         browser.await("document.querySelector('#program-room').innerText.includes('Stopped at MyAgent.java:5')");
+    }
+
+    @Test
+    void enumerationsAndRecordsOfTheProgramWork() {
+        type("""
+                import org.robonewbie.agent.Agent;
+                public class MyAgent extends Agent {
+                    enum Mood { GLAD }
+                    record Pair(int one, Mood other) {}
+                    protected void think() {
+                        System.out.println(new Pair(1, Mood.GLAD));
+                    }
+                }
+                """);
+        browser.click("#program-run");
+
+        browser.await("document.querySelector('#program-room').innerText.includes('Pair[one=1, other=GLAD]')");
     }
 
     @Test

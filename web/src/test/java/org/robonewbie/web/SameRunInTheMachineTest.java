@@ -26,7 +26,7 @@ import org.robonewbie.web.bytecode.Program;
 /** Programs do the same in the machine of the page as in Java: each recording is the same to the last bit. */
 class SameRunInTheMachineTest {
 
-    private static final Path ROOT = Path.of("").toAbsolutePath().getParent();
+    private static final Path ROOT = Path.of("").toAbsolutePath().resolveSibling("");
     private static final Path EXAMPLES = ROOT.resolve("examples/src/main/java/org/robonewbie/examples");
     private static final Pattern BLOCK = Pattern.compile("(?ms)^```java\\R(.*?)^```");
     private static final Pattern CLASS = Pattern.compile("public (?:final )?class (\\w+)");

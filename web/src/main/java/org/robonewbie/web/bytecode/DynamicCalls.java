@@ -72,7 +72,7 @@ final class DynamicCalls {
     /** equals, hashCode and toString of a record; constants are its class, the names of its parts, and who reads them. */
     private Object ofRecord(String name, List<Object> constants, @Nullable Object[] arguments) {
         StudentObject one = (StudentObject) Objects.requireNonNull(arguments[0]);
-        String[] names = constants.get(1).toString().split(";");
+        String[] names = constants.get(1).toString().split(";", -1);
         int parts = constants.size() - 2;
         if (name.equals("equals")) {
             boolean isEqual = arguments[1] instanceof StudentObject other && other.type() == one.type();

@@ -26,7 +26,8 @@ final class Jumping {
             return (frame.pop() == null) == (code == 198);
         }
         if (code >= 165) {
-            return (frame.pop() == frame.pop()) == (code == 165);
+            Object other = frame.pop();
+            return (frame.pop() == other) == (code == 165);
         }
         int right = code >= 159 ? frame.popInt() : 0;
         int left = frame.popInt();

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /** An object of a class that extends no compiled class, of a record, or one of an enumeration. */
+@SuppressWarnings("ComparableType") // whether it is one of an enumeration is known when the program runs
 final class StudentInstance implements StudentObject, Comparable<Object> {
 
     private final StudentClass type;

@@ -40,7 +40,7 @@ public final class ProgramLibrary {
     private ProgramLibrary() {}
 
     private static Set<String> named(String prefix, String names) {
-        return Arrays.stream(names.split(" ")).map(name -> prefix + name).collect(Collectors.toUnmodifiableSet());
+        return Arrays.stream(names.split(" ", -1)).map(name -> prefix + name).collect(Collectors.toUnmodifiableSet());
     }
 
     /**
