@@ -53,9 +53,7 @@ final class PoseFilter {
         forget(X, pose.x(), deviationMetres);
         forget(Y, pose.y(), deviationMetres);
         forget(HEADING, pose.headingDegrees(), deviationDegrees);
-        forget(HEIGHT, USUAL_HEIGHT, FIRST_METRES);
-        forget(LEAN, 0, FIRST_DEGREES);
-        forget(ROLL, 0, FIRST_DEGREES);
+        standUpright();
     }
 
     /**
@@ -89,9 +87,7 @@ final class PoseFilter {
         doubt(X, LYING_METRES);
         doubt(Y, LYING_METRES);
         doubt(HEADING, LYING_DEGREES);
-        forget(HEIGHT, USUAL_HEIGHT, FIRST_METRES);
-        forget(LEAN, 0, FIRST_DEGREES);
-        forget(ROLL, 0, FIRST_DEGREES);
+        standUpright();
     }
 
     /** Feels where gravity pulls; shocks of the feet make that rough. */
@@ -163,6 +159,12 @@ final class PoseFilter {
 
     double rollDegrees() {
         return state[ROLL];
+    }
+
+    private void standUpright() {
+        forget(HEIGHT, USUAL_HEIGHT, FIRST_METRES);
+        forget(LEAN, 0, FIRST_DEGREES);
+        forget(ROLL, 0, FIRST_DEGREES);
     }
 
     /** Takes a new value for a dimension that has nothing to do with what was before. */

@@ -37,7 +37,7 @@ public final class FastWalk {
      * @return the style
      */
     public static WalkStyle style(double... x) {
-        double[] more = Arrays.copyOfRange(x, PARAMETERS - 8, PARAMETERS);
+        double[] more = Arrays.copyOfRange(x, WalkParameter.values().length, PARAMETERS);
         WalkVelocity most = new WalkVelocity(0.75 + 0.1 * more[0], 0.22 + 0.03 * more[2], 90 + 20 * more[1]);
         WalkVelocity slip = new WalkVelocity(1.12 + 0.03 * more[3], 1.25, 1.2 + 0.05 * more[4]);
         WalkStyle style = WalkStyle.of(STEP_MILLIS, slip, most, x);

@@ -146,25 +146,7 @@ public record Gait(
      * @return the same gait with other arms
      */
     public Gait withArmSwing(double degreesPerMetre) {
-        return new Gait(
-                stepMillis,
-                keyframesPerStep,
-                torsoHeight,
-                leanDegrees,
-                ankleOffset,
-                footSpread,
-                swayAmplitude,
-                swayPhase,
-                rollDegrees,
-                liftHeight,
-                liftSkew,
-                doubleSupport,
-                swingHipDegrees,
-                toeDegrees,
-                bounceAmplitude,
-                bouncePhase,
-                degreesPerMetre,
-                swingEasing);
+        return with(degreesPerMetre, swingEasing);
     }
 
     /**
@@ -174,6 +156,10 @@ public record Gait(
      * @return the same gait with another swing
      */
     public Gait withSwingEasing(double easing) {
+        return with(armSwing, easing);
+    }
+
+    private Gait with(double otherArmSwing, double otherEasing) {
         return new Gait(
                 stepMillis,
                 keyframesPerStep,
@@ -191,7 +177,7 @@ public record Gait(
                 toeDegrees,
                 bounceAmplitude,
                 bouncePhase,
-                armSwing,
-                easing);
+                otherArmSwing,
+                otherEasing);
     }
 }

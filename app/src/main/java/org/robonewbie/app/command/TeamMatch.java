@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.function.IntFunction;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.StartPose;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
@@ -105,7 +106,7 @@ final class TeamMatch {
     private Result watch(OptionalDouble most) {
         while (now.playMode() != PlayMode.GAME_OVER && (most.isEmpty() || playOnSeconds < most.getAsDouble())) {
             now = trial.step();
-            playOnSeconds += now.playMode() == PlayMode.PLAY_ON ? 0.02 : 0;
+            playOnSeconds += now.playMode() == PlayMode.PLAY_ON ? Cycle.SECONDS : 0;
             countFalls();
             countPasses();
         }

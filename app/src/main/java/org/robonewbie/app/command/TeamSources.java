@@ -1,18 +1,14 @@
 package org.robonewbie.app.command;
 
 import java.io.IOException;
-import java.net.URI;
-import java.net.URISyntaxException;
 import java.net.URL;
-import java.nio.file.FileSystem;
-import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Stream;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.ResourceFolder;
 
 /** The texts of the example team, as the beginning of a student's own: in the student's package, with the student's agent. */
 final class TeamSources {
@@ -47,21 +43,7 @@ final class TeamSources {
             throw new CalledWronglyException(
                     "The texts of the example team are not in this program. Build it: ./robonewbie --help does so.");
         }
-        try {
-            write(sources.toURI(), folder);
-        } catch (URISyntaxException impossible) {
-            throw new IllegalStateException("The class path cannot be read", impossible);
-        }
-    }
-
-    private void write(URI place, Path folder) throws IOException {
-        if (place.getScheme().equals("jar")) {
-            try (FileSystem jar = FileSystems.newFileSystem(place, Map.of())) {
-                copy(jar.getPath(FOLDER), folder);
-            }
-        } else {
-            copy(Path.of(place), folder);
-        }
+        ResourceFolder.read(sources, FOLDER, from -> copy(from, folder));
     }
 
     private void copy(Path from, Path folder) throws IOException {

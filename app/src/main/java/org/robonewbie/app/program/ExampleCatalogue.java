@@ -2,14 +2,9 @@ package org.robonewbie.app.program;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.URI;
-import java.net.URISyntaxException;
-import java.nio.file.FileSystem;
-import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -40,13 +35,11 @@ public final class ExampleCatalogue {
         try {
             for (String each : PACKAGES) {
                 for (var places = loader().getResources(folder(each)); places.hasMoreElements(); ) {
-                    catalogue.addAll(each, places.nextElement().toURI());
+                    ResourceFolder.read(places.nextElement(), folder(each), path -> catalogue.addAll(each, path));
                 }
             }
         } catch (IOException unreadable) {
             throw new UncheckedIOException("The examples cannot be read", unreadable);
-        } catch (URISyntaxException impossible) {
-            throw new IllegalStateException("The class path cannot be read", impossible);
         }
         return catalogue;
     }
@@ -68,16 +61,6 @@ public final class ExampleCatalogue {
 
     private static String folder(String packageName) {
         return packageName.replace('.', '/');
-    }
-
-    private void addAll(String packageName, URI place) throws IOException {
-        if (place.getScheme().equals("jar")) {
-            try (FileSystem jar = FileSystems.newFileSystem(place, Map.of())) {
-                addAll(packageName, jar.getPath(folder(packageName)));
-            }
-        } else {
-            addAll(packageName, Path.of(place));
-        }
     }
 
     private void addAll(String packageName, Path folder) throws IOException {

@@ -102,12 +102,7 @@ final class GymMatch extends GymTask {
 
     @Override
     public void begin(Trial trial) {
-        trial.placeBall(trial.ball()
-                .position()
-                .plus(new Vector3(
-                        chance().between(-SPREAD_METRES, SPREAD_METRES),
-                        chance().between(-SPREAD_METRES, SPREAD_METRES),
-                        0)));
+        scatterBall(trial, SPREAD_METRES);
     }
 
     @Override

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
@@ -12,6 +13,7 @@ import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.measure.MeasureFromStart;
 
 /**
@@ -66,6 +68,17 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
     /** {@return what differs from episode to episode} */
     protected final Chance chance() {
         return chance;
+    }
+
+    /**
+     * Moves the ball a little, so that episodes differ.
+     *
+     * @param trial the episode, at its beginning
+     * @param metres how far at most along each axis
+     */
+    protected final void scatterBall(Trial trial, double metres) {
+        Vector3 way = new Vector3(chance.between(-metres, metres), chance.between(-metres, metres), 0);
+        trial.placeBall(trial.ball().position().plus(way));
     }
 
     /**
