@@ -1,5 +1,8 @@
 package org.robonewbie.nao;
 
+import java.util.Arrays;
+import java.util.Optional;
+
 /**
  * The 22 hinge joints of the NAO, in the order in which a motion file lists their angles.
  *
@@ -101,6 +104,18 @@ public enum Joint {
     /** {@return the name of the joint's motor in SimSpark's messages, such as {@code lle4}} */
     public String effectorName() {
         return effectorName;
+    }
+
+    /**
+     * Finds the joint that a motor moves.
+     *
+     * @param effectorName the motor's name in SimSpark's messages, such as {@code lle4}
+     * @return the joint, or empty if it is no motor of robot type 0, such as that of a toe
+     */
+    public static Optional<Joint> ofEffector(String effectorName) {
+        return Arrays.stream(values())
+                .filter(joint -> joint.effectorName.equals(effectorName))
+                .findFirst();
     }
 
     /** {@return the smallest angle of the joint's range in degrees} */

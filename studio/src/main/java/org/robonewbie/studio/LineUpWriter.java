@@ -4,7 +4,6 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.util.Arrays;
 import java.util.Locale;
-import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
@@ -188,7 +187,7 @@ final class LineUpWriter {
 
     private static JsonObject hinge(Hinge hinge, NaoModel model) {
         JsonObject json = new JsonObject();
-        json.addProperty("joint", jointName(hinge));
+        json.addProperty("joint", hinge.jointName());
         json.addProperty("child", model.linkIndex(hinge.child()));
         json.addProperty("parent", model.linkIndex(hinge.parent()));
         json.add("anchor", vector(hinge.anchor()));
@@ -198,14 +197,6 @@ final class LineUpWriter {
         json.addProperty("effector", hinge.effectorName());
         json.addProperty("maxSpeed", Math.toDegrees(hinge.maxRadiansPerSecond()));
         return json;
-    }
-
-    private static String jointName(Hinge hinge) {
-        return Arrays.stream(Joint.values())
-                .filter(joint -> joint.effectorName().equals(hinge.effectorName()))
-                .map(Joint::name)
-                .findFirst()
-                .orElse(hinge.effectorName());
     }
 
     private static JsonArray vector(Vector3 vector) {

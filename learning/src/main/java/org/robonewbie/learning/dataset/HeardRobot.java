@@ -1,8 +1,6 @@
 package org.robonewbie.learning.dataset;
 
 import java.nio.charset.StandardCharsets;
-import java.util.HashMap;
-import java.util.Map;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorCommand.Say;
@@ -15,14 +13,6 @@ import org.robonewbie.simulator.AgentMessages;
 
 /** What one robot and its program have said to each other: the last messages, and the commands that still hold. */
 final class HeardRobot {
-
-    private static final Map<String, Joint> JOINTS = new HashMap<>();
-
-    static {
-        for (Joint joint : Joint.values()) {
-            JOINTS.put(joint.effectorName(), joint);
-        }
-    }
 
     private final PerceptorMessageReader perceptorReader = new PerceptorMessageReader();
     private final EffectorMessageReader effectorReader = new EffectorMessageReader();
@@ -42,8 +32,9 @@ final class HeardRobot {
     }
 
     private void command(EffectorCommand command) {
-        if (command instanceof SetHingeSpeed speed && JOINTS.containsKey(speed.effectorName())) {
-            degreesPerSecond[JOINTS.get(speed.effectorName()).ordinal()] = Math.toDegrees(speed.radiansPerSecond());
+        if (command instanceof SetHingeSpeed speed) {
+            Joint.ofEffector(speed.effectorName())
+                    .ifPresent(joint -> degreesPerSecond[joint.ordinal()] = Math.toDegrees(speed.radiansPerSecond()));
         } else if (command instanceof Say say) {
             said = say.text();
         }

@@ -1,5 +1,6 @@
 package org.robonewbie.nao.model;
 
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 
 /**
@@ -25,4 +26,10 @@ public record Hinge(
         Vector3 axis,
         double minDegrees,
         double maxDegrees,
-        double maxRadiansPerSecond) {}
+        double maxRadiansPerSecond) {
+
+    /** {@return the name of the joint's constant, such as {@code LEFT_KNEE_PITCH}; of a toe SimSpark's name of its motor} */
+    public String jointName() {
+        return Joint.ofEffector(effectorName).map(Joint::name).orElse(effectorName);
+    }
+}

@@ -3,12 +3,10 @@ package org.robonewbie.simulator.recording;
 import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Hinge;
@@ -124,13 +122,7 @@ public record RunReport(
         Map<String, Double> joints = new LinkedHashMap<>();
         List<Hinge> hinges = model.hinges();
         for (int i = 0; i < hinges.size(); i++) {
-            String effector = hinges.get(i).effectorName();
-            String name = Arrays.stream(Joint.values())
-                    .filter(joint -> joint.effectorName().equals(effector))
-                    .map(Joint::name)
-                    .findFirst()
-                    .orElse(effector);
-            joints.put(name, degrees[i]);
+            joints.put(hinges.get(i).jointName(), degrees[i]);
         }
         return joints;
     }

@@ -4,14 +4,13 @@ import com.google.gson.Gson;
 import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.net.URLDecoder;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
+import org.robonewbie.studio.file.Answer;
 
 /**
  * Serves the exercises to the pages.
@@ -55,11 +54,11 @@ public final class CourseApi extends Handler.Abstract {
         }
         try {
             String answer = course.isPresent() ? answer(course.get(), request, path) : "{\"lessons\":[]}";
-            send(response, callback, 200, "application/json", answer);
+            Answer.json(answer).send(response, callback);
         } catch (IllegalArgumentException refused) {
-            send(response, callback, 409, "text/plain;charset=utf-8", String.valueOf(refused.getMessage()));
+            Answer.refused(409, refused.getMessage()).send(response, callback);
         } catch (IOException problem) {
-            send(response, callback, 500, "text/plain;charset=utf-8", "It did not work: " + problem.getMessage());
+            Answer.refused(500, "It did not work: " + problem.getMessage()).send(response, callback);
         }
         return true;
     }
@@ -123,11 +122,5 @@ public final class CourseApi extends Handler.Abstract {
             throw new IllegalArgumentException(
                     "How many trials? Choose a number from 1 to " + MOST_TRIALS + ".", noNumber);
         }
-    }
-
-    private static void send(Response response, Callback callback, int status, String type, String content) {
-        response.setStatus(status);
-        response.getHeaders().put(HttpHeader.CONTENT_TYPE, type).put(HttpHeader.CACHE_CONTROL, "no-store");
-        response.write(true, ByteBuffer.wrap(content.getBytes(StandardCharsets.UTF_8)), callback);
     }
 }

@@ -6,7 +6,6 @@ import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URLDecoder;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -15,7 +14,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.io.Content;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
@@ -24,7 +22,7 @@ import org.eclipse.jetty.util.Callback;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.MotionFormatException;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.studio.file.FileVersion;
+import org.robonewbie.studio.file.Answer;
 import org.robonewbie.studio.file.PageFolder;
 import org.robonewbie.studio.file.RefusedException;
 
@@ -74,37 +72,20 @@ public final class MotionApi extends Handler.Abstract {
         if (!path.startsWith(PATH)) {
             return false;
         }
-        try {
-            answer(request, path).send(response, callback);
-        } catch (RefusedException refusal) {
-            new Answer(refusal.status(), "text/plain;charset=utf-8", bytes(String.valueOf(refusal.getMessage())), "")
-                    .send(response, callback);
-        } catch (IOException e) {
-            String problem = "The file cannot be used: " + e.getMessage() + ". Is the folder " + motions.folder()
-                    + " writable, and is there room on the disk?";
-            new Answer(500, "text/plain;charset=utf-8", bytes(problem), "").send(response, callback);
-        }
+        replyTo(request, path).send(response, callback);
         return true;
     }
 
-    @SuppressWarnings("ArrayRecordComponent")
-    private record Answer(int status, String type, byte[] content, String version) {
-
-        static Answer json(String text) {
-            return new Answer(200, "application/json", bytes(text), "");
-        }
-
-        static Answer file(byte[] content) {
-            return new Answer(200, "application/octet-stream", content, FileVersion.of(content));
-        }
-
-        void send(Response response, Callback callback) {
-            response.setStatus(status);
-            response.getHeaders()
-                    .put(HttpHeader.CONTENT_TYPE, type)
-                    .put(HttpHeader.CACHE_CONTROL, "no-store")
-                    .put("Version", version);
-            response.write(true, ByteBuffer.wrap(content), callback);
+    private Answer replyTo(Request request, String path) {
+        try {
+            return answer(request, path);
+        } catch (RefusedException refusal) {
+            return Answer.refused(refusal.status(), refusal.getMessage());
+        } catch (IOException problem) {
+            return Answer.refused(
+                    500,
+                    "The file cannot be used: " + problem.getMessage() + ". Is the folder " + motions.folder()
+                            + " writable, and is there room on the disk?");
         }
     }
 
@@ -121,7 +102,7 @@ public final class MotionApi extends Handler.Abstract {
             case "GET /api/poses" -> Answer.file(own.read(POSES).orElse(new byte[0]));
             case "PUT /api/poses" -> {
                 own.overwrite(POSES, body(request));
-                yield done();
+                yield Answer.done();
             }
             case "POST /api/trial" -> Answer.json(trial(request));
             default -> throw new RefusedException(404, "The studio does not know " + order + ". Load the page again.");
@@ -137,15 +118,15 @@ public final class MotionApi extends Handler.Abstract {
                 String known = Optional.ofNullable(request.getHeaders().get("Known-Version"))
                         .orElse("");
                 String version = motions.write(name, body(request), known);
-                yield new Answer(200, "text/plain", new byte[0], version);
+                yield Answer.written(version);
             }
             case "PUT drafts" -> {
                 drafts.overwrite(name, body(request));
-                yield done();
+                yield Answer.done();
             }
             case "DELETE drafts" -> {
                 drafts.remove(name);
-                yield done();
+                yield Answer.done();
             }
             default -> throw new RefusedException(405, "The studio cannot do " + order + ".");
         };
@@ -158,10 +139,6 @@ public final class MotionApi extends Handler.Abstract {
 
     private static byte[] found(Optional<byte[]> content, String name) {
         return content.orElseThrow(() -> new RefusedException(404, "There is no motion \"" + name + "\"."));
-    }
-
-    private static Answer done() {
-        return new Answer(200, "text/plain", new byte[0], "");
     }
 
     private static byte[] body(Request request) throws IOException {
@@ -215,9 +192,5 @@ public final class MotionApi extends Handler.Abstract {
         trial.fallSeconds().ifPresent(seconds -> json.addProperty("fallSeconds", seconds));
         json.add("frames", new Gson().toJsonTree(trial.frames()));
         return json.toString();
-    }
-
-    private static byte[] bytes(String text) {
-        return text.getBytes(StandardCharsets.UTF_8);
     }
 }

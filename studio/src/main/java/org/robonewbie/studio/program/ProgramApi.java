@@ -5,20 +5,18 @@ import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URLDecoder;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.io.Content;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
-import org.robonewbie.studio.file.FileVersion;
+import org.robonewbie.studio.file.Answer;
 import org.robonewbie.studio.file.RefusedException;
 
 /**
@@ -41,30 +39,12 @@ public final class ProgramApi extends Handler.Abstract {
     private static final String PROGRAMS = "/api/programs";
     private static final Pattern PLACE = Pattern.compile("/(\\w+)(?:/(.*))?");
     private static final int MOST_BYTES = 1_000_000;
-    private static final String JSON = "application/json";
-    private static final String TEXT = "text/plain;charset=utf-8";
     private static final Gson GSON = new Gson();
 
     private final ProgramFolder folder;
     private final ProgramFolder drafts;
     private final Optional<Workshop> workshop;
     private final Optional<ProgramDesk> desk;
-
-    @SuppressWarnings("ArrayRecordComponent")
-    private record Answer(int status, String type, byte[] content, String version) {
-
-        static Answer json(Object written) {
-            return new Answer(200, JSON, GSON.toJson(written).getBytes(StandardCharsets.UTF_8), "");
-        }
-
-        static Answer text(int status, String text) {
-            return new Answer(status, TEXT, text.getBytes(StandardCharsets.UTF_8), "");
-        }
-
-        static Answer file(byte[] content) {
-            return new Answer(200, TEXT, content, FileVersion.of(content));
-        }
-    }
 
     /**
      * Opens the room.
@@ -91,31 +71,28 @@ public final class ProgramApi extends Handler.Abstract {
         if (!path.equals(PROGRAMS) && !path.startsWith(PROGRAMS + "/")) {
             return false;
         }
-        Answer answer;
+        replyTo(request, path.substring(PROGRAMS.length())).send(response, callback);
+        return true;
+    }
+
+    private Answer replyTo(Request request, String place) {
         try {
-            answer = answer(request, path.substring(PROGRAMS.length()));
+            return answer(request, place);
         } catch (RefusedException refusal) {
-            answer = Answer.text(refusal.status(), String.valueOf(refusal.getMessage()));
+            return Answer.refused(refusal.status(), refusal.getMessage());
         } catch (IllegalArgumentException | IllegalStateException refused) {
-            answer = Answer.text(409, String.valueOf(refused.getMessage()));
+            return Answer.refused(409, refused.getMessage());
         } catch (IOException problem) {
-            answer = Answer.text(
+            return Answer.refused(
                     500,
                     "The file cannot be used: " + problem.getMessage() + ". Is the folder " + folder.folder()
                             + " writable, and is there room on the disk?");
         }
-        response.setStatus(answer.status());
-        response.getHeaders()
-                .put(HttpHeader.CONTENT_TYPE, answer.type())
-                .put(HttpHeader.CACHE_CONTROL, "no-store")
-                .put("Version", answer.version());
-        response.write(true, ByteBuffer.wrap(answer.content()), callback);
-        return true;
     }
 
     private Answer answer(Request request, String place) throws IOException {
         if (place.isEmpty()) {
-            return Answer.json(list());
+            return Answer.json(GSON.toJson(list()));
         }
         Matcher matcher = PLACE.matcher(place);
         if (workshop.isEmpty() || !matcher.matches()) {
@@ -144,15 +121,15 @@ public final class ProgramApi extends Handler.Abstract {
                         .orElse("");
                 String version = folder.write(path, body(request), known);
                 drafts.remove(path);
-                yield new Answer(200, TEXT, new byte[0], version);
+                yield Answer.written(version);
             }
             case "PUT draft" -> {
                 drafts.overwrite(path, body(request));
-                yield Answer.text(200, "");
+                yield Answer.done();
             }
             case "DELETE draft" -> {
                 drafts.remove(path);
-                yield Answer.text(200, "");
+                yield Answer.done();
             }
             default -> throw unknown(request, path);
         };
@@ -161,12 +138,12 @@ public final class ProgramApi extends Handler.Abstract {
     private Answer runAnswer(Request request, String order, String path) throws IOException {
         ProgramDesk runs = desk.orElseThrow();
         return switch (order) {
-            case "GET run" -> Answer.json(runs.state());
-            case "DELETE run" -> Answer.json(runs.stop());
+            case "GET run" -> Answer.json(GSON.toJson(runs.state()));
+            case "DELETE run" -> Answer.json(GSON.toJson(runs.stop()));
             case "POST run" -> {
                 found(folder.read(path), path);
                 boolean fromTheStart = !"keep".equals(parameter(request, "world"));
-                yield Answer.json(runs.run(path, folder.file(path), fromTheStart));
+                yield Answer.json(GSON.toJson(runs.run(path, folder.file(path), fromTheStart)));
             }
             default -> throw unknown(request, path);
         };
@@ -174,17 +151,17 @@ public final class ProgramApi extends Handler.Abstract {
 
     private Answer workshopAnswer(Workshop open, Request request, String order, String name) throws IOException {
         return switch (order) {
-            case "GET example" -> Answer.text(200, found(open.example(name), name));
+            case "GET example" -> Answer.text(found(open.example(name), name));
             case "GET new" -> {
                 Optional<String> example = Optional.of(parameter(request, "example"))
                         .filter(given -> !given.isEmpty())
                         .map(given -> found(open.example(given), given));
-                yield Answer.text(200, open.newProgram(folder.file(name), example));
+                yield Answer.text(open.newProgram(folder.file(name), example));
             }
-            case "POST check" -> Answer.json(open.check(folder.file(name), text(request)));
+            case "POST check" -> Answer.json(GSON.toJson(open.check(folder.file(name), text(request))));
             case "POST complete" -> {
                 String text = text(request);
-                yield Answer.json(open.complete(folder.file(name), text, at(request, text)));
+                yield Answer.json(GSON.toJson(open.complete(folder.file(name), text, at(request, text))));
             }
             default -> throw unknown(request, name);
         };

@@ -6,7 +6,6 @@ import com.google.gson.JsonObject;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.net.URLDecoder;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -16,7 +15,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.zip.GZIPOutputStream;
-import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
@@ -26,6 +24,7 @@ import org.robonewbie.simulator.file.RecordingAbout;
 import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.DamagedRecordingException;
+import org.robonewbie.studio.file.Answer;
 
 /**
  * Serves recordings to the pages, and does with them what people want.
@@ -53,8 +52,6 @@ public final class ReplayApi extends Handler.Abstract {
             List.of("recordings", "cards", "index", "pieces", "log", "notes", "models");
     private static final List<String> CHANGED = List.of("recordings", "stars", "bookmarks");
     private static final List<String> METHODS = List.of("GET", "PUT", "DELETE");
-    private static final String JSON = "application/json";
-    private static final String TEXT = "text/plain;charset=utf-8";
     private static final String BYTES = "application/octet-stream";
     private static final long PATIENCE_MILLIS = 250;
     private static final String GONE = "There is no such recording any more. Choose another one.";
@@ -63,14 +60,6 @@ public final class ReplayApi extends Handler.Abstract {
     private final RecordingDesk desk;
     private final RecordingIndexes indexes = new RecordingIndexes();
     private final String models;
-
-    @SuppressWarnings("ArrayRecordComponent")
-    private record Answer(int status, String type, byte[] content) {
-
-        static Answer of(String type, String text) {
-            return new Answer(200, type, text.getBytes(StandardCharsets.UTF_8));
-        }
-    }
 
     /**
      * Opens the room.
@@ -103,40 +92,37 @@ public final class ReplayApi extends Handler.Abstract {
         try {
             answer = isRead ? read(path[2], name, parameters) : change(method, path[2], name, parameters);
         } catch (NoSuchFileException gone) {
-            answer = new Answer(404, TEXT, GONE.getBytes(StandardCharsets.UTF_8));
+            answer = Answer.refused(404, GONE);
         } catch (IllegalArgumentException | DamagedRecordingException refused) {
-            answer = new Answer(409, TEXT, String.valueOf(refused.getMessage()).getBytes(StandardCharsets.UTF_8));
+            answer = Answer.refused(409, refused.getMessage());
         } catch (IOException problem) {
             String text = "This cannot be done with the recording: " + problem.getMessage()
                     + ". Is its folder writable, and is there room on the disk?";
-            answer = new Answer(500, TEXT, text.getBytes(StandardCharsets.UTF_8));
+            answer = Answer.refused(500, text);
         }
-        response.setStatus(answer.status());
-        response.getHeaders().put(HttpHeader.CONTENT_TYPE, answer.type()).put(HttpHeader.CACHE_CONTROL, "no-store");
-        response.write(true, ByteBuffer.wrap(answer.content()), callback);
+        answer.send(response, callback);
         return true;
     }
 
     private Answer read(String kind, String name, Fields parameters) throws IOException {
         if (kind.equals("models")) {
-            return Answer.of(JSON, models);
+            return Answer.json(models);
         }
         if (kind.equals("recordings") && name.isEmpty()) {
-            return Answer.of(JSON, list());
+            return Answer.json(list());
         }
         Path file = places.find(name).orElseThrow(() -> new NoSuchFileException(name));
         return switch (kind) {
-            case "cards" -> Answer.of(JSON, card(file));
-            case "index" -> Answer.of(JSON, index(file, parameters));
+            case "cards" -> Answer.json(card(file));
+            case "index" -> Answer.json(index(file, parameters));
             case "pieces" ->
-                new Answer(
-                        200,
+                Answer.of(
                         BYTES,
                         indexes.of(file).piece(file, (int) number(parameters, "piece"), number(parameters, "skip")));
-            case "log" -> new Answer(200, "application/gzip", log(file));
+            case "log" -> Answer.of("application/gzip", log(file));
             case "notes" ->
-                new Answer(200, "application/x-ndjson;charset=utf-8", RunNotes.read(file, number(parameters, "skip")));
-            default -> new Answer(404, TEXT, GONE.getBytes(StandardCharsets.UTF_8));
+                Answer.of("application/x-ndjson;charset=utf-8", RunNotes.read(file, number(parameters, "skip")));
+            default -> Answer.refused(404, GONE);
         };
     }
 
@@ -151,7 +137,7 @@ public final class ReplayApi extends Handler.Abstract {
             }
             default -> changeFile(isPut, name, parameters);
         }
-        return Answer.of(JSON, "{}");
+        return Answer.json("{}");
     }
 
     private static RecordingAbout mark(RecordingAbout about, boolean isPut, double seconds, String note) {

@@ -4,13 +4,11 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.net.URLDecoder;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
@@ -18,6 +16,7 @@ import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.Fields;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.simulator.recording.DamagedRecordingException;
+import org.robonewbie.studio.file.Answer;
 
 /**
  * Stores scenes and starts from them, and from any moment of a recording.
@@ -65,13 +64,13 @@ public final class SceneApi extends Handler.Abstract {
             return false;
         }
         try {
-            send(response, callback, 200, "application/json", answer(request, path));
+            Answer.json(answer(request, path)).send(response, callback);
         } catch (IllegalArgumentException | IllegalStateException | DamagedRecordingException refused) {
-            send(response, callback, 409, "text/plain;charset=utf-8", String.valueOf(refused.getMessage()));
+            Answer.refused(409, refused.getMessage()).send(response, callback);
         } catch (IOException problem) {
             String text = "The scene cannot be used: " + problem.getMessage() + ". Is the folder " + folder.folder()
                     + " writable, and is there room on the disk?";
-            send(response, callback, 500, "text/plain;charset=utf-8", text);
+            Answer.refused(500, text).send(response, callback);
         }
         return true;
     }
@@ -145,11 +144,5 @@ public final class SceneApi extends Handler.Abstract {
 
     private static String decoded(String text) {
         return URLDecoder.decode(text, StandardCharsets.UTF_8);
-    }
-
-    private static void send(Response response, Callback callback, int status, String type, String content) {
-        response.setStatus(status);
-        response.getHeaders().put(HttpHeader.CONTENT_TYPE, type).put(HttpHeader.CACHE_CONTROL, "no-store");
-        response.write(true, ByteBuffer.wrap(content.getBytes(StandardCharsets.UTF_8)), callback);
     }
 }
