@@ -19,6 +19,7 @@ class VecEnv(_VecEnv):
     def __init__(self, task="Walk", num_envs=8, reward="", render_mode=None, **options):
         self.render_mode = checked_render_mode(render_mode)
         self._connection = Connection(task, num_envs, reward, options)
+        self.description = self._connection.description
         self._episodes = EpisodeSeeds(num_envs)
         self.studio_address = show(self._connection) if render_mode == "human" else None
         super().__init__(num_envs, *spaces_of(self._connection.description))

@@ -88,7 +88,7 @@ public final class Clockwork {
         if (commands.isBeaming() && senses.isBeamAllowed()) {
             loseOrientation();
         }
-        walk.update(senses.torso());
+        walk.update(senses.torso(), senses.leftFoot(), senses.rightFoot());
         telemetry.publishActions(walk);
         return commands.take();
     }

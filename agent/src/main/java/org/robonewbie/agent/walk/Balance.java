@@ -21,6 +21,7 @@ final class Balance {
     private double rollDegrees;
     private double pitchRate;
     private double rollRate;
+    private double turnRate;
 
     /** Takes in the readings of a cycle. */
     void feel(TorsoMotion torso) {
@@ -28,6 +29,7 @@ final class Balance {
         rollDegrees += torso.gyro().x() * Cycle.SECONDS;
         pitchRate += RATE_SMOOTHING * (torso.gyro().y() - pitchRate);
         rollRate += RATE_SMOOTHING * (torso.gyro().x() - rollRate);
+        turnRate += RATE_SMOOTHING * (torso.gyro().z() - turnRate);
         Vector3 up = torso.acceleration();
         double strength = up.length();
         if (strength > WEAKEST && strength < STRONGEST) {
@@ -43,6 +45,7 @@ final class Balance {
         rollDegrees = 0;
         pitchRate = 0;
         rollRate = 0;
+        turnRate = 0;
     }
 
     /** How far the torso bows forward, degrees. */
@@ -63,6 +66,11 @@ final class Balance {
     /** How fast the torso leans to the right, degrees per second. */
     double rollRate() {
         return rollRate;
+    }
+
+    /** How fast the torso turns to the left, degrees per second. */
+    double turnRate() {
+        return turnRate;
     }
 
     private static double degrees(double aside, double up) {

@@ -37,10 +37,21 @@ public final class FastWalk {
      * @return the style
      */
     public static WalkStyle style(double... x) {
+        return style(STEP_MILLIS, x);
+    }
+
+    /**
+     * Makes a style with another time of a step.
+     *
+     * @param stepMillis time of one step in milliseconds, a multiple of 20
+     * @param x {@link #PARAMETERS} coordinates
+     * @return the style
+     */
+    public static WalkStyle style(int stepMillis, double... x) {
         double[] more = Arrays.copyOfRange(x, WalkParameter.values().length, PARAMETERS);
         WalkVelocity most = new WalkVelocity(0.75 + 0.1 * more[0], 0.22 + 0.03 * more[2], 90 + 20 * more[1]);
         WalkVelocity slip = new WalkVelocity(1.12 + 0.03 * more[3], 1.25, 1.2 + 0.05 * more[4]);
-        WalkStyle style = WalkStyle.of(STEP_MILLIS, slip, most, x);
+        WalkStyle style = WalkStyle.of(stepMillis, slip, most, x);
         double turnChange = Math.max(10, 25 + 3 * more[5]);
         double easing = Math.max(0, Math.min(1, 0.3 + 0.1 * more[6]));
         return new WalkStyle(

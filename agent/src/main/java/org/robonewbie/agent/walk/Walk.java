@@ -53,6 +53,18 @@ public interface Walk {
      */
     void setStyle(WalkStyle style);
 
+    /**
+     * Walks as a robot has learned it, from the next time on that the robot begins to walk; {@link #setStyle} ends it.
+     *
+     * <pre>{@code
+     * walk.setPolicy(new PolicyWalk(PolicyFile.shipped("walk")));
+     * walk.towards(0.8, 0, 0);
+     * }</pre>
+     *
+     * @param policy what was learned
+     */
+    void setPolicy(PolicyWalk policy);
+
     /** {@return whether the robot walks or has not yet come to a stand} */
     boolean isWalking();
 }

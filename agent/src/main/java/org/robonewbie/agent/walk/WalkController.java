@@ -6,6 +6,7 @@ import java.util.stream.Stream;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.motion.MotionSequencer;
 import org.robonewbie.agent.perception.BodyPosition;
+import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Motors;
@@ -15,14 +16,15 @@ import org.robonewbie.nao.motion.PostureFollower;
 public final class WalkController implements Walk {
 
     private static final double NEAR_DEGREES = 8;
+    private static final PolicyWalk STANDARD = new PolicyWalk(WalkStyle.STANDARD, WalkReflex.NONE);
 
     private final Motors motors;
     private final MotionSequencer motions;
     private final Mistakes mistakes;
     private final Supplier<BodyPosition> bodyPosition;
     private WalkEngine engine = new WalkEngine(WalkStyle.STANDARD);
-    private WalkStyle style = WalkStyle.STANDARD;
-    private WalkStyle walked = WalkStyle.STANDARD;
+    private PolicyWalk manner = STANDARD;
+    private PolicyWalk walked = STANDARD;
     private final PostureFollower follower;
     private WalkVelocity wanted = WalkVelocity.ZERO;
     private boolean walking;
@@ -63,8 +65,13 @@ public final class WalkController implements Walk {
     }
 
     @Override
-    public void setStyle(WalkStyle newStyle) {
-        style = newStyle;
+    public void setStyle(WalkStyle style) {
+        manner = new PolicyWalk(style, WalkReflex.NONE);
+    }
+
+    @Override
+    public void setPolicy(PolicyWalk policy) {
+        manner = policy;
     }
 
     @Override
@@ -94,9 +101,12 @@ public final class WalkController implements Walk {
      * Plays one cycle of walking, or of a motion.
      *
      * @param torso what gyroscope and accelerometer feel
+     * @param leftFoot what the left sole feels
+     * @param rightFoot what the right sole feels
      */
-    public void update(TorsoMotion torso) {
+    public void update(TorsoMotion torso, FootPressure leftFoot, FootPressure rightFoot) {
         engine.feel(torso);
+        engine.feel(leftFoot, rightFoot);
         if (!motions.isFinished() && !preparing) {
             wanted = WalkVelocity.ZERO;
         }
@@ -118,16 +128,16 @@ public final class WalkController implements Walk {
         preparing = !preparing && !isNearStance() && motions.start("stand");
         if (!preparing) {
             walking = true;
-            changeStyle();
+            changeManner();
             follower.begin();
         }
     }
 
-    /** A new engine has felt nothing yet, so the old one stays while the style is the same. */
-    private void changeStyle() {
-        if (!style.equals(walked)) {
-            engine = new WalkEngine(style);
-            walked = style;
+    /** A new engine has felt nothing yet, so the old one stays while the manner is the same. */
+    private void changeManner() {
+        if (!manner.equals(walked)) {
+            engine = new WalkEngine(manner.style(), manner.reflex());
+            walked = manner;
         }
     }
 

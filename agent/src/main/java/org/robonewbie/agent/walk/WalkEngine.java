@@ -1,5 +1,6 @@
 package org.robonewbie.agent.walk;
 
+import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
@@ -46,6 +47,7 @@ public final class WalkEngine {
     private static final int CYCLE_MILLIS = 20;
 
     private final WalkStyle style;
+    private final WalkReflex reflex;
     private final InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
     private final Balance balance = new Balance();
     private final int cyclesPerStep;
@@ -60,6 +62,8 @@ public final class WalkEngine {
     private boolean standing = true;
     private boolean feetSideBySide = true;
     private int cycle;
+    private FootPressure leftSole = FootPressure.NONE;
+    private FootPressure rightSole = FootPressure.NONE;
 
     /**
      * Prepares a walk.
@@ -67,7 +71,18 @@ public final class WalkEngine {
      * @param style its numbers
      */
     public WalkEngine(WalkStyle style) {
+        this(style, WalkReflex.NONE);
+    }
+
+    /**
+     * Prepares a walk whose postures are changed by what the robot feels.
+     *
+     * @param style its numbers
+     * @param reflex changes each posture
+     */
+    public WalkEngine(WalkStyle style, WalkReflex reflex) {
         this.style = style;
+        this.reflex = reflex;
         this.cyclesPerStep = style.gait().stepMillis() / CYCLE_MILLIS;
         this.torso = TorsoPosture.of(style.gait(), 0);
         this.step = stepTo(left, torso);
@@ -109,6 +124,17 @@ public final class WalkEngine {
     }
 
     /**
+     * Takes in what the feet feel; only a reflex needs it.
+     *
+     * @param left what the left sole feels
+     * @param right what the right sole feels
+     */
+    public void feel(FootPressure left, FootPressure right) {
+        leftSole = left;
+        rightSole = right;
+    }
+
+    /**
      * Goes on by one cycle of 20 ms.
      *
      * @return the posture at the end of the cycle
@@ -124,10 +150,28 @@ public final class WalkEngine {
         StepPhase moment = step.at((double) cycle / cyclesPerStep);
         Correction correction = correction(moment);
         walking = step.posture(kinematics, walking, moment, correction);
+        WalkMoment felt = felt(moment);
         if (cycle == cyclesPerStep) {
             setDown(step.swingFoot(moment, correction));
         }
-        return Stance.POSTURE.towards(walking, smooth(moment.torso().amplitude()));
+        return reflex.corrected(
+                Stance.POSTURE.towards(walking, smooth(moment.torso().amplitude())), felt);
+    }
+
+    private WalkMoment felt(StepPhase moment) {
+        return new WalkMoment(
+                swing,
+                moment.phase(),
+                moment.torso().amplitude(),
+                wanted,
+                velocity,
+                balance.pitchDegrees() - moment.torso().leanDegrees(),
+                balance.pitchRate(),
+                balance.rollDegrees() - moment.rollDegrees(),
+                balance.rollRate(),
+                balance.turnRate(),
+                leftSole,
+                rightSole);
     }
 
     /** Plans the next step. */

@@ -100,4 +100,16 @@ public record WalkStyle(
                 WalkParameter.LEAN_PER_CHANGE.value(x),
                 slip);
     }
+
+    /**
+     * Changes the largest speeds.
+     *
+     * @param newMost the largest speeds
+     * @param newBackward the largest speed backward, metres per second
+     * @return the same walk with other limits
+     */
+    public WalkStyle withMost(WalkVelocity newMost, double newBackward) {
+        return new WalkStyle(
+                gait, gains, newMost, newBackward, change, leanPerSpeed, ankleOffsetPerSpeed, leanPerChange, slip);
+    }
 }

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.motion.MotionSequencer;
 import org.robonewbie.agent.perception.BodyPosition;
+import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
@@ -117,7 +118,7 @@ class WalkTest {
     /** Cycles of a robot whose joints do what they are told at once. */
     private void cycles(int count) {
         for (int i = 0; i < count; i++) {
-            walk.update(TorsoMotion.AT_REST);
+            walk.update(TorsoMotion.AT_REST, FootPressure.NONE, FootPressure.NONE);
             motors.endCycle();
             for (Joint joint : Joint.values()) {
                 double turned = motors.sentDegreesPerSecond(joint) * Cycle.SECONDS;

@@ -40,6 +40,7 @@ import picocli.CommandLine.TypeConversionException;
             CourseCommand.class,
             EvaluationCommand.class,
             ExperimentCommand.class,
+            LearnCommand.class,
             GymCommand.class,
             DoctorCommand.class
         },

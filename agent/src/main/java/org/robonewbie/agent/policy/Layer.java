@@ -1,0 +1,68 @@
+package org.robonewbie.agent.policy;
+
+import java.util.Arrays;
+import org.robonewbie.nao.math.PortableMath;
+
+/**
+ * A layer of a neural network: each output is a weighted sum of all inputs and a bias, pressed between -1 and 1.
+ *
+ * @param inputs how many numbers go in
+ * @param outputs how many numbers come out
+ * @param bend how sums are pressed between -1 and 1
+ * @param numbers for each output its bias and then the weight of each input
+ */
+@SuppressWarnings("ArrayRecordComponent")
+record Layer(int inputs, int outputs, Bend bend, double[] numbers) {
+
+    /** How a sum is pressed between -1 and 1. */
+    enum Bend {
+        /** By the hyperbolic tangent. */
+        TANH {
+            @Override
+            double of(double sum) {
+                return 1 - 2 / (PortableMath.exp(2 * sum) + 1);
+            }
+        },
+        /** By cutting off what is beyond. */
+        CUT {
+            @Override
+            double of(double sum) {
+                return Math.max(-1, Math.min(1, sum));
+            }
+        };
+
+        abstract double of(double sum);
+    }
+
+    /** Copies the numbers and counts them. */
+    Layer {
+        numbers = numbers.clone();
+        if (numbers.length != size(inputs, outputs)) {
+            throw new IllegalArgumentException("A layer with " + inputs + " inputs and " + outputs + " outputs needs "
+                    + size(inputs, outputs) + " numbers, not " + numbers.length + ".");
+        }
+    }
+
+    /** How many numbers a layer needs. */
+    static int size(int inputs, int outputs) {
+        return outputs * (inputs + 1);
+    }
+
+    double[] apply(double... input) {
+        double[] output = new double[outputs];
+        for (int i = 0; i < outputs; i++) {
+            int first = i * (inputs + 1);
+            double sum = numbers[first];
+            for (int j = 0; j < inputs; j++) {
+                sum += numbers[first + 1 + j] * input[j];
+            }
+            output[i] = bend.of(sum);
+        }
+        return output;
+    }
+
+    /** The bias and the weights of one output. */
+    double[] row(int output) {
+        return Arrays.copyOfRange(numbers, output * (inputs + 1), (output + 1) * (inputs + 1));
+    }
+}

@@ -1,0 +1,62 @@
+package org.robonewbie.agent.policy.file;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.policy.PolicyText;
+
+/**
+ * Policies in files, as {@link PolicyText} writes them.
+ *
+ * <pre>{@code
+ * walk.setPolicy(new PolicyWalk(PolicyFile.shipped("walk")));
+ * walk.setPolicy(new PolicyWalk(PolicyFile.read(Path.of("my-walk.policy"))));
+ * }</pre>
+ */
+public final class PolicyFile {
+
+    private static final String FOLDER = "/policies/";
+    private static final String ENDING = ".policy";
+
+    private PolicyFile() {}
+
+    /**
+     * Loads a policy of the framework.
+     *
+     * @param name {@code walk} or {@code run}
+     * @return the policy
+     * @throws IllegalArgumentException if none of the shipped policies has this name
+     */
+    public static Policy shipped(String name) {
+        try (InputStream stream = PolicyFile.class.getResourceAsStream(FOLDER + name + ENDING)) {
+            if (stream == null) {
+                throw new IllegalArgumentException("There is no shipped policy \"" + name + "\".");
+            }
+            return PolicyText.parse(new String(stream.readAllBytes(), StandardCharsets.UTF_8));
+        } catch (IOException e) {
+            throw new UncheckedIOException("The shipped policy " + name + " cannot be read.", e);
+        }
+    }
+
+    /**
+     * Reads a policy of your own.
+     *
+     * @param file the file
+     * @return the policy
+     * @throws UncheckedIOException if the file cannot be read
+     * @throws IllegalArgumentException if it contains no policy
+     */
+    public static Policy read(Path file) {
+        try {
+            return PolicyText.parse(Files.readString(file));
+        } catch (IOException e) {
+            throw new UncheckedIOException("The policy " + file + " cannot be read.", e);
+        } catch (IllegalArgumentException wrong) {
+            throw new IllegalArgumentException(file + ": " + wrong.getMessage(), wrong);
+        }
+    }
+}

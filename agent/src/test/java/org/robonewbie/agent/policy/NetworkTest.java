@@ -1,0 +1,50 @@
+package org.robonewbie.agent.policy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class NetworkTest {
+
+    @Test
+    void calculatesLayerAfterLayer() {
+        Network network = Network.of(new int[] {2, 1, 1}, 0.5, 1, -2, 0.1, 3);
+
+        double answer = network.apply(0.3, 0.2)[0];
+
+        assertThat(answer).isCloseTo(Math.tanh(0.1 + 3 * Math.tanh(0.5 + 0.3 - 0.4)), within(1e-12));
+    }
+
+    @Test
+    void pressesTheLargestSumsBetweenOneAndMinusOne() {
+        Network network = Network.of(new int[] {1, 1}, 0, 1);
+
+        assertThat(network.apply(1e6)[0]).isEqualTo(1);
+        assertThat(network.apply(-1e6)[0]).isEqualTo(-1);
+    }
+
+    @Test
+    void cutsOffWhatIsBeyondOne() {
+        Network network = new Network(List.of(new Layer(1, 1, Layer.Bend.CUT, new double[] {0.25, 1})));
+
+        assertThat(network.apply(0.5)[0]).isEqualTo(0.75);
+        assertThat(network.apply(5)[0]).isEqualTo(1);
+    }
+
+    @Test
+    void refusesTooFewNumbers() {
+        assertThatThrownBy(() -> Network.of(new int[] {2, 3}, 1, 2))
+                .hasMessage("A network with layers of [2, 3] needs 9 numbers, not 2.");
+    }
+
+    @Test
+    void refusesLayersThatDoNotFit() {
+        Layer layer = new Layer(1, 2, Layer.Bend.TANH, new double[4]);
+
+        assertThatThrownBy(() -> new Network(List.of(layer, layer)))
+                .hasMessage("Layer 2 takes 1 numbers, but the one before gives 2.");
+    }
+}

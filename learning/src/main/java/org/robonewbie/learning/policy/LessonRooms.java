@@ -1,0 +1,65 @@
+package org.robonewbie.learning.policy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import org.robonewbie.trial.Trial;
+
+/** Worlds in which lessons are given side by side; results come back in the order of the lessons. */
+final class LessonRooms implements AutoCloseable {
+
+    private final ExecutorService threads;
+    private final Queue<Trial> free = new ConcurrentLinkedQueue<>();
+
+    LessonRooms(int count) {
+        threads = Executors.newFixedThreadPool(count, work -> {
+            Thread thread = new Thread(work, "lesson");
+            thread.setDaemon(true);
+            return thread;
+        });
+        IntStream.range(0, count).forEach(i -> free.add(WalkLesson.room()));
+    }
+
+    /** A lesson in some room. */
+    interface Lesson extends Function<Trial, WalkFigures> {}
+
+    List<WalkFigures> give(List<Lesson> lessons) {
+        List<Future<WalkFigures>> results = lessons.stream()
+                .map(lesson -> threads.submit(() -> give(lesson)))
+                .toList();
+        List<WalkFigures> figures = new ArrayList<>();
+        try {
+            for (Future<WalkFigures> result : results) {
+                figures.add(result.get());
+            }
+            return figures;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("The training was interrupted.", e);
+        } catch (ExecutionException e) {
+            throw new IllegalStateException("A lesson failed: " + e.getCause(), e);
+        }
+    }
+
+    private WalkFigures give(Lesson lesson) {
+        Trial room = free.remove();
+        try {
+            return lesson.apply(room);
+        } finally {
+            free.add(room);
+        }
+    }
+
+    @Override
+    public void close() {
+        threads.shutdownNow();
+        free.forEach(Trial::close);
+    }
+}

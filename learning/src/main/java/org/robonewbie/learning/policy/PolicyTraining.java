@@ -1,0 +1,178 @@
+package org.robonewbie.learning.policy;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.policy.PolicyText;
+import org.robonewbie.agent.walk.PolicyWalk;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.file.AtomicFile;
+
+/**
+ * Learns a walk by an {@link EvolutionStrategy}, lesson by lesson. After each generation it writes the policy so far, a line of
+ * the curve as CSV, and all that is needed to go on.
+ *
+ * <pre>{@code
+ * PolicyTraining training = new PolicyTraining(WalkCourse.WALK, plan, Path.of("walk.policy"));
+ * training.run(training.begin(), line -> System.out.println(line));
+ * }</pre>
+ *
+ * @param course what is learned
+ * @param plan how
+ * @param output where the policy goes; curve and checkpoint are written beside it
+ */
+public record PolicyTraining(WalkCourse course, TrainingPlan plan, Path output) {
+
+    private static final String CURVE = "generation,lessons,cycles,reward,falls,speedError,turnError\n";
+
+    /** {@return the curve, a CSV file beside the policy} */
+    public Path curve() {
+        return beside(".csv");
+    }
+
+    /** {@return all that is needed to go on, a file beside the policy} */
+    public Path checkpoint() {
+        return beside(".checkpoint");
+    }
+
+    private Path beside(String ending) {
+        return output.resolveSibling(output.getFileName() + ending);
+    }
+
+    /** {@return where a training starts that knows nothing} */
+    public EvolutionStrategy.State begin() {
+        return EvolutionStrategy.State.begin(course.start(plan.seed()), course.units());
+    }
+
+    /**
+     * Starts from a policy.
+     *
+     * @param policy what was learned before, of the same task
+     * @return where the training starts
+     */
+    public EvolutionStrategy.State begin(Policy policy) {
+        return EvolutionStrategy.State.begin(course.start(policy), course.units());
+    }
+
+    /**
+     * Goes on where a training was interrupted.
+     *
+     * @return where it was
+     * @throws IOException if there is no checkpoint or it cannot be read
+     * @throws IllegalArgumentException if it belongs to another training
+     */
+    public EvolutionStrategy.State resume() throws IOException {
+        return TrainingState.read(checkpoint(), question(), course.units()).state();
+    }
+
+    private String question() {
+        return course.task() + " " + plan.words();
+    }
+
+    /**
+     * Learns until the plan is done.
+     *
+     * @param start where the training is
+     * @param progress gets a line after each generation
+     * @return what was learned
+     * @throws IOException if a file cannot be written
+     */
+    public Policy run(EvolutionStrategy.State start, Consumer<String> progress) throws IOException {
+        EvolutionStrategy.State state = start;
+        beginCurve(start.generation());
+        try (LessonRooms rooms = new LessonRooms(plan.threads())) {
+            while (state.generation() < plan.generations()) {
+                List<WalkFigures> figures = generation(rooms, state);
+                state = plan.strategy()
+                        .tell(
+                                state,
+                                figures.stream()
+                                        .mapToDouble(WalkFigures::reward)
+                                        .toArray());
+                keep(state, figures, progress);
+            }
+        }
+        return policy(state);
+    }
+
+    /** Keeps what belongs to the generations that are known: a program that was killed may have written one line more. */
+    private void beginCurve(int generations) throws IOException {
+        List<String> lines = generations == 0 ? List.of() : Files.readAllLines(curve());
+        String known = lines.stream()
+                .skip(1)
+                .limit(generations)
+                .map(line -> line + "\n")
+                .collect(Collectors.joining());
+        AtomicFile.write(curve(), CURVE + known);
+    }
+
+    private List<WalkFigures> generation(LessonRooms rooms, EvolutionStrategy.State state) {
+        EvolutionStrategy strategy = plan.strategy();
+        List<double[]> candidates = strategy.ask(state);
+        int cycles = (int) Math.round(plan.seconds() / Cycle.SECONDS);
+        return rooms.give(IntStream.range(0, candidates.size())
+                .mapToObj(i -> (LessonRooms.Lesson) room -> {
+                    PolicyWalk walk = course.walk(candidates.get(i));
+                    long seed = strategy.seedOfTrial(state, i);
+                    return WalkLesson.give(room, course, walk, seed, plan.newtons(), cycles);
+                })
+                .toList());
+    }
+
+    private void keep(EvolutionStrategy.State state, List<WalkFigures> figures, Consumer<String> progress)
+            throws IOException {
+        WalkFigures all = new WalkFigures();
+        figures.forEach(all::add);
+        String line = String.format(
+                Locale.ROOT,
+                "%d,%d,%d,%.4f,%d,%.4f,%.3f%n",
+                state.generation(),
+                figures.size(),
+                Math.round(all.seconds() / Cycle.SECONDS),
+                all.reward(),
+                all.falls(),
+                all.error(),
+                all.turnError());
+        Files.writeString(curve(), line, StandardCharsets.UTF_8, StandardOpenOption.APPEND);
+        AtomicFile.write(output, PolicyText.format(policy(state)));
+        new TrainingState(question(), state).write(checkpoint());
+        progress.accept(String.format(Locale.ROOT, "%4d/%d: %s", state.generation(), plan.generations(), all));
+    }
+
+    private Policy policy(EvolutionStrategy.State state) {
+        return course.policy(
+                List.of("learned by: robonewbie learn " + question() + " --generations " + state.generation()),
+                state.mean());
+    }
+
+    /**
+     * Examines a walk in lessons that no training has, without pushes.
+     *
+     * @param course what is commanded
+     * @param walk the walk
+     * @param lessons how many
+     * @param seconds length of each
+     * @param threads how many at the same time; the result does not depend on it
+     * @return how it did
+     */
+    public static WalkFigures examine(WalkCourse course, PolicyWalk walk, int lessons, double seconds, int threads) {
+        int cycles = (int) Math.round(seconds / Cycle.SECONDS);
+        WalkFigures all = new WalkFigures();
+        try (LessonRooms rooms = new LessonRooms(threads)) {
+            rooms.give(IntStream.range(0, lessons)
+                            .mapToObj(i -> (LessonRooms.Lesson)
+                                    room -> WalkLesson.give(room, course, walk, -1L - i, 0, cycles))
+                            .toList())
+                    .forEach(all::add);
+        }
+        return all;
+    }
+}

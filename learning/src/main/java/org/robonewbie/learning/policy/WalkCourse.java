@@ -1,0 +1,129 @@
+package org.robonewbie.learning.policy;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Random;
+import org.robonewbie.agent.policy.Network;
+import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.walk.FastWalk;
+import org.robonewbie.agent.walk.LearnedReflex;
+import org.robonewbie.agent.walk.PolicyWalk;
+import org.robonewbie.agent.walk.WalkStyle;
+import org.robonewbie.agent.walk.WalkVelocity;
+
+/**
+ * What is learned in lessons: to follow velocities that change every 3 s. What is changed are the coordinates of a gait and the
+ * weights of a network that corrects it.
+ *
+ * @param task its name
+ * @param most the largest speeds
+ * @param backward the largest speed backward, metres per second
+ * @param stepMillis time of one step
+ * @param straightShare which part of the commands leads straight ahead with at least {@code leastAhead}
+ * @param leastAhead which part of the largest speed forward that is at least
+ * @param toleratedMetresPerSecond which error of the velocity leaves nothing of the reward
+ */
+public record WalkCourse(
+        String task,
+        WalkVelocity most,
+        double backward,
+        int stepMillis,
+        double straightShare,
+        double leastAhead,
+        double toleratedMetresPerSecond) {
+
+    /** Walks into any direction: forward with up to 0.8 m/s. */
+    public static final WalkCourse WALK =
+            new WalkCourse("walk", new WalkVelocity(0.8, 0.2, 90), 0.3, 200, 0.35, 0.3, 0.3);
+
+    /** Runs straight ahead with 0.7 to 1.3 m/s, with short steps. */
+    public static final WalkCourse RUN = new WalkCourse("run", new WalkVelocity(1.3, 0.2, 60), 0.3, 160, 1, 0.55, 0.6);
+
+    private static final int HIDDEN = 16;
+    private static final int[] LAYERS = {LearnedReflex.INPUTS.size(), HIDDEN, LearnedReflex.OUTPUTS.size()};
+    private static final int WEIGHTS = Network.size(LAYERS);
+    private static final int GAIT = FastWalk.PARAMETERS;
+    private static final double GAIT_UNIT = 3;
+    private static final double USUAL_EASING = 4;
+
+    /**
+     * Looks a course up.
+     *
+     * @param task {@code walk} or {@code run}
+     * @return the course
+     * @throws IllegalArgumentException if there is none
+     */
+    public static WalkCourse of(String task) {
+        return List.of(WALK, RUN).stream()
+                .filter(course -> course.task().equals(task.toLowerCase(Locale.ROOT)))
+                .findAny()
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "There is nothing to learn called \"" + task + "\". There are: walk, run."));
+    }
+
+    /** The first guess: the standard gait, and a network that corrects nothing yet. */
+    double[] start(long seed) {
+        Random random = new Random(seed);
+        random.nextLong();
+        double[] start = Arrays.copyOf(WalkStyle.coordinates(), GAIT + WEIGHTS);
+        start[GAIT - 2] = USUAL_EASING;
+        int hidden = Network.size(LAYERS[0], LAYERS[1]);
+        for (int i = 0; i < hidden; i++) {
+            start[GAIT + i] = random.nextGaussian() / Math.sqrt(LAYERS[0]);
+        }
+        return start;
+    }
+
+    /** The numbers of a policy that is to be improved. */
+    double[] start(Policy policy) {
+        double[] start = Arrays.copyOf(policy.numbers("gait", GAIT), GAIT + WEIGHTS);
+        System.arraycopy(policy.network().numbers(), 0, start, GAIT, WEIGHTS);
+        return start;
+    }
+
+    /** By how much the numbers are usually changed. */
+    double[] units() {
+        double[] units = new double[GAIT + WEIGHTS];
+        Arrays.fill(units, 1);
+        Arrays.fill(units, 0, GAIT, GAIT_UNIT);
+        return units;
+    }
+
+    /** The walk of a candidate. */
+    PolicyWalk walk(double... numbers) {
+        WalkStyle style =
+                FastWalk.style(stepMillis, Arrays.copyOf(numbers, GAIT)).withMost(most, backward);
+        return new PolicyWalk(style, new LearnedReflex(network(numbers)));
+    }
+
+    /** The policy of a candidate. */
+    Policy policy(List<String> about, double... numbers) {
+        return PolicyWalk.policy(
+                task, about, stepMillis, most, backward, Arrays.copyOf(numbers, GAIT), network(numbers));
+    }
+
+    private static Network network(double... numbers) {
+        return Network.of(LAYERS, Arrays.copyOfRange(numbers, GAIT, GAIT + WEIGHTS));
+    }
+
+    /** Draws a velocity: ahead, back, aside, around, nothing, or all at once within what is possible. */
+    WalkVelocity command(Random random) {
+        double kind = random.nextDouble();
+        double forward = random.nextDouble();
+        double left = most.left() * (2 * random.nextDouble() - 1);
+        double turn = most.turn() * (2 * random.nextDouble() - 1);
+        if (kind < straightShare) {
+            return new WalkVelocity(most.forward() * (leastAhead + (1 - leastAhead) * forward), 0, 0);
+        } else if (kind < 0.5) {
+            return new WalkVelocity(-backward * forward, 0, 0);
+        } else if (kind < 0.62) {
+            return new WalkVelocity(0, left, 0);
+        } else if (kind < 0.74) {
+            return new WalkVelocity(0, 0, turn);
+        } else if (kind < 0.78) {
+            return WalkVelocity.ZERO;
+        }
+        return new WalkVelocity(-backward + (most.forward() + backward) * forward, left, turn).within(most, backward);
+    }
+}

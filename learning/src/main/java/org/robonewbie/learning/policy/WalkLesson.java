@@ -1,0 +1,117 @@
+package org.robonewbie.learning.policy;
+
+import java.util.List;
+import java.util.Random;
+import org.robonewbie.agent.walk.PolicyWalk;
+import org.robonewbie.agent.walk.Stance;
+import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/**
+ * One lesson: from the stance a robot follows velocities that change every 3 s, with noise, while a hand pushes it once per second
+ * into any direction. Each 0.4 s pay 1, less the error of the velocity (1 for 0.3 m/s, 0.6 m/s of a run, or 90°/s, together 1.5 at most) and a
+ * little for a torso that leans. A fall ends the lesson; it costs 4, and 1 for each 0.4 s that are lost, so it never pays.
+ */
+final class WalkLesson {
+
+    private static final int COMMAND_CYCLES = 150;
+    private static final int WINDOW = 20;
+    private static final int CYCLES_TO_SETTLE = 60;
+    private static final int CYCLES_BETWEEN_PUSHES = 50;
+    private static final int CYCLES_OF_PUSH = 5;
+    private static final double DEGREES_PER_SECOND = 90;
+    private static final double MOST_ERROR = 1.5;
+    private static final double FOR_A_DEGREE = 0.002;
+    private static final double FOR_A_FALL = 4;
+    private static final Scene SCENE = Scene.of(RobotStart.at(0, 0)
+                    .after(new Motion(
+                            "stance", List.of(new Keyframe(600, Stance.POSTURE), new Keyframe(300, Stance.POSTURE)))))
+            .withParameters(SoccerParameters.league())
+            .withBall(0, -9);
+
+    private final WalkCourse course;
+    private final Random random;
+    private final double newtons;
+    private final WalkFigures figures = new WalkFigures();
+    private WalkVelocity wanted = WalkVelocity.ZERO;
+    private Vector3 push = Vector3.ZERO;
+
+    private WalkLesson(WalkCourse course, long seed, double newtons) {
+        this.course = course;
+        this.random = new Random(31 * seed + 7);
+        this.newtons = newtons;
+        random.nextLong();
+    }
+
+    /** A world for lessons, one after the other. */
+    static Trial room() {
+        return Trial.direct(SCENE, 0, Performer.ofSpeeds());
+    }
+
+    /** Gives a lesson and tells what came of it. */
+    static WalkFigures give(Trial room, WalkCourse course, PolicyWalk walk, long seed, double newtons, int cycles) {
+        WalkStudent student = new WalkStudent(walk);
+        room.reset(seed, student.performer());
+        return new WalkLesson(course, seed, newtons).run(room, student, cycles);
+    }
+
+    private WalkFigures run(Trial room, WalkStudent student, int most) {
+        Moment before = room.now();
+        for (int cycle = 0; cycle < most; cycle++) {
+            if (cycle % COMMAND_CYCLES == 0) {
+                wanted = course.command(random);
+                student.walk(wanted);
+            }
+            push(room, cycle % CYCLES_BETWEEN_PUSHES);
+            Moment now = room.step();
+            if (now.robot().isFallen()) {
+                figures.fall(cycle + 1, FOR_A_FALL + (most - cycle) / (double) WINDOW);
+                return figures;
+            }
+            if ((cycle + 1) % WINDOW == 0) {
+                see(before, now, cycle % COMMAND_CYCLES >= CYCLES_TO_SETTLE + WINDOW - 1);
+                before = now;
+            }
+        }
+        figures.end(most);
+        return figures;
+    }
+
+    private void push(Trial room, int phase) {
+        if (phase == 0) {
+            Place centre = new Place(0, 0, random.nextDouble() * 360);
+            push = centre.point(newtons * random.nextDouble(), 0, 0);
+        }
+        if (phase >= CYCLES_BETWEEN_PUSHES - CYCLES_OF_PUSH && newtons > 0) {
+            room.robot(0).push(push);
+        }
+    }
+
+    /** Compares how the robot has moved with what was wanted, seen from half-way between its headings. */
+    private void see(Moment before, Moment now, boolean settled) {
+        double seconds = WINDOW * Cycle.SECONDS;
+        Place place = before.place();
+        double turned = PortableMath.IEEEremainder(now.place().degrees() - place.degrees(), 360);
+        Place middle = new Place(place.x(), place.y(), place.degrees() + turned / 2);
+        double error = PortableMath.hypot(
+                middle.ahead(now.robot().position()) / seconds - wanted.forward(),
+                middle.left(now.robot().position()) / seconds - wanted.left());
+        double turnError = Math.abs(turned / seconds - wanted.turn());
+        double lost = Math.min(MOST_ERROR, error / course.toleratedMetresPerSecond() + turnError / DEGREES_PER_SECOND);
+        figures.window(1 - lost - FOR_A_DEGREE * now.robot().tiltDegrees());
+        if (settled) {
+            figures.settled(error, turnError);
+        }
+    }
+}

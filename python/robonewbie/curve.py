@@ -1,0 +1,71 @@
+"""Draws learning curves as a picture (SVG): python -m robonewbie.curve walk.policy.csv run.policy.csv > curves.svg"""
+
+import csv
+import sys
+from pathlib import Path
+from xml.sax.saxutils import escape
+
+WIDTH, HEIGHT, LEFT, BELOW = 640, 300, 56, 40
+COLOURS = ["#0b6bcb", "#c2410c", "#15803d", "#7e22ce"]
+
+
+def read(path):
+    """Gives what each line of a curve has learned from, in millions of cycles, and what it was paid."""
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    cycles, reward, total = [], [], 0
+    for row in rows:
+        total = int(row["steps"]) if "steps" in row else total + int(row["cycles"])
+        cycles.append(total / 1e6)
+        reward.append(float(row["reward"]))
+    return cycles, reward
+
+
+def smoothed(values, window):
+    """Averages each value with those before it."""
+    return [sum(values[max(0, i - window + 1) : i + 1]) / len(values[max(0, i - window + 1) : i + 1]) for i in range(len(values))]
+
+
+def svg(curves):
+    """Draws curves: a name, cycles in millions, and rewards; thin as they are, thick averaged over a twentieth."""
+    most = max(x for _, xs, _ in curves for x in xs) or 1
+    low = min(0, *(y for _, _, ys in curves for y in ys))
+    high = max(y for _, _, ys in curves for y in ys)
+    high = high if high > low else low + 1
+
+    def points(xs, ys):
+        return " ".join(
+            f"{LEFT + (WIDTH - LEFT - 10) * x / most:.1f},{10 + (HEIGHT - BELOW - 10) * (high - y) / (high - low):.1f}"
+            for x, y in zip(xs, ys)
+        )
+
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="13">',
+        f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>',
+    ]
+    for i in range(5):
+        y, x = low + (high - low) * i / 4, most * i / 4
+        parts.append(f'<polyline points="{points([0, most], [y, y])}" stroke="#ddd" fill="none"/>')
+        parts.append(f'<text x="{LEFT - 6}" y="{points([0], [y]).split(",")[1]}" text-anchor="end">{y:.1f}</text>')
+        parts.append(f'<text x="{points([x], [0]).split(",")[0]}" y="{HEIGHT - 22}" text-anchor="middle">{x:.1f}</text>')
+    for i, (name, xs, ys) in enumerate(curves):
+        colour = COLOURS[i % len(COLOURS)]
+        parts.append(f'<polyline points="{points(xs, ys)}" stroke="{colour}" stroke-opacity="0.25" fill="none"/>')
+        parts.append(
+            f'<polyline points="{points(xs, smoothed(ys, max(1, len(ys) // 20)))}" stroke="{colour}" stroke-width="2" fill="none"/>'
+        )
+        parts.append(f'<text x="{WIDTH - 16}" y="{HEIGHT - BELOW - 10 - 18 * i}" fill="{colour}" text-anchor="end">{escape(name)}</text>')
+    parts.append(f'<text x="{WIDTH / 2}" y="{HEIGHT - 6}" text-anchor="middle">millions of cycles (20 ms each)</text></svg>')
+    return "\n".join(parts)
+
+
+def main(files=None):
+    """Draws the files that the command line names."""
+    files = sys.argv[1:] if files is None else files
+    if not files:
+        sys.exit("Name the curves: python -m robonewbie.curve walk.policy.csv > curves.svg")
+    print(svg([(Path(file).name.removesuffix(".policy.csv"), *read(file)) for file in files]))
+
+
+if __name__ == "__main__":
+    main()
