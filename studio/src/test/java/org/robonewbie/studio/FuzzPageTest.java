@@ -64,7 +64,7 @@ class FuzzPageTest {
 
     @Tag("slow")
     @ParameterizedTest
-    @ValueSource(strings = {"#field", "#program", "#robot", "#motion/mine", "#replay/game"})
+    @ValueSource(strings = {"#field", "#field/exercises", "#program", "#robot", "#motion/mine", "#replay/game"})
     void tenThousandStepsLeaveNoErrorAndLoseNoFile(String room) throws IOException {
         fuzz(room, 10_000);
     }
