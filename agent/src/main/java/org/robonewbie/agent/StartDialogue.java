@@ -70,7 +70,8 @@ final class StartDialogue {
         }
         throw new StartUpException("The simulator has refused number " + options.number() + " of team "
                 + options.team() + ": choose a number that is free (--number 0 takes any), or the name of a team that"
-                + " plays already (--team).");
+                + " plays already (--team). A league's team has at most 7 robots of one type: choose another one"
+                + " (--type) for the others.");
     }
 
     private void receive() throws IOException {

@@ -65,7 +65,8 @@ class StartDialogueTest {
             assertThatThrownBy(() -> Nao.connect(options))
                     .isInstanceOf(StartUpException.class)
                     .hasMessage("The simulator has refused number 4 of team Blue: choose a number that is free"
-                            + " (--number 0 takes any), or the name of a team that plays already (--team).");
+                            + " (--number 0 takes any), or the name of a team that plays already (--team). A league's team"
+                            + " has at most 7 robots of one type: choose another one (--type) for the others.");
         }
     }
 
