@@ -33,7 +33,7 @@ def tearDownModule():
 
 
 README = Path(__file__).parents[1] / "README.md"
-TASKS = ["Stand", "Walk", "Kick", "Reach"]
+TASKS = ["Stand", "Walk", "Follow", "GetUp", "Kick", "Reach"]
 
 
 class EnvironmentTest(unittest.TestCase):

@@ -2,6 +2,7 @@ package org.robonewbie.agent.policy;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
@@ -30,15 +31,22 @@ record FeltQuantity(Quantity quantity, ToDoubleFunction<Robot> reading) {
      * @throws IllegalArgumentException if robots feel nothing of this name, or in another unit
      */
     static FeltQuantity of(Quantity wanted) {
-        FeltQuantity felt = ALL.get(wanted.name());
-        if (felt == null || !felt.quantity().equals(wanted)) {
-            throw new IllegalArgumentException("A robot does not feel " + wanted.name() + " in " + wanted.unit() + "."
-                    + Spelling.nearest(wanted.name(), ALL.keySet())
-                            .map(name -> " Do you mean " + name + " in "
-                                    + ALL.get(name).quantity().unit() + "?")
-                            .orElse(""));
-        }
-        return felt;
+        return named(wanted.name())
+                .filter(felt -> felt.quantity().equals(wanted))
+                .orElseThrow(() -> new IllegalArgumentException("A robot does not feel " + wanted.name() + " in "
+                        + wanted.unit() + "." + advice(wanted.name())));
+    }
+
+    private static String advice(String name) {
+        return Spelling.nearest(name, ALL.keySet())
+                .flatMap(FeltQuantity::named)
+                .map(felt -> " Do you mean " + felt.quantity().name() + " in "
+                        + felt.quantity().unit() + "?")
+                .orElse("");
+    }
+
+    private static Optional<FeltQuantity> named(String name) {
+        return Optional.ofNullable(ALL.get(name));
     }
 
     private static Stream<FeltQuantity> all() {

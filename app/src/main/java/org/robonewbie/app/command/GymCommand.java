@@ -44,7 +44,8 @@ final class GymCommand implements Callable<Integer> {
             arity = "0..1",
             paramLabel = "TASK",
             defaultValue = "Walk",
-            description = "Task of programs that name none: Stand, Walk, Kick, Reach, or a class of yours (Walk).")
+            description =
+                    "Task of programs that name none: Stand, Walk, Follow, GetUp, Kick, Reach, or a class of yours (Walk).")
     private String task = "Walk";
 
     @Option(

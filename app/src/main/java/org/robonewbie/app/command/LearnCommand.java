@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -16,6 +17,7 @@ import org.robonewbie.learning.policy.EvolutionStrategy;
 import org.robonewbie.learning.policy.PolicyTraining;
 import org.robonewbie.learning.policy.TrainingPlan;
 import org.robonewbie.learning.policy.WalkCourse;
+import org.robonewbie.learning.policy.WalkDash;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -92,6 +94,12 @@ final class LearnCommand implements Callable<Integer> {
     @Option(names = "--lessons", paramLabel = "N", description = "Lessons of the exam (100).")
     private int lessons = 100;
 
+    @Option(
+            names = "--dash",
+            paramLabel = "METRES",
+            description = "With --exam: straight ahead this far, as fast as it can, instead of lessons.")
+    private double dash;
+
     @Override
     public Integer call() throws IOException {
         try {
@@ -131,13 +139,28 @@ final class LearnCommand implements Callable<Integer> {
             throw new CalledWronglyException("--lessons, --threads and --seconds have to be greater than 0.");
         }
         PolicyWalk walk = examined(course, what);
+        if (dash > 0) {
+            return dash(walk);
+        }
         System.out.printf(
                 Locale.ROOT,
                 "%s, %d lessons of %.0f s: %s%n",
                 what,
                 lessons,
                 seconds,
-                PolicyTraining.examine(course, walk, lessons, seconds, threads));
+                PolicyTraining.examine(course, walk, lessons, seconds, push, threads));
+        return ExitCode.OK;
+    }
+
+    private int dash(PolicyWalk walk) {
+        List<WalkDash> dashes = PolicyTraining.dash(walk, dash, push, lessons, threads);
+        dashes.forEach(System.out::println);
+        System.out.printf(
+                Locale.ROOT,
+                "%d of %d without a fall; median %.3f m/s%n",
+                dashes.stream().filter(one -> !one.fallen()).count(),
+                lessons,
+                dashes.stream().map(WalkDash::speed).sorted().toList().get(lessons / 2));
         return ExitCode.OK;
     }
 

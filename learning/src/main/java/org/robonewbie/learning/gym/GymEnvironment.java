@@ -99,6 +99,7 @@ final class GymEnvironment implements AutoCloseable {
         learners.forEach(learner -> learner.stand(first));
         drawn.apply(trial);
         GymTask task = task();
+        drawn.command().ifPresent(task::takeCommand);
         task.begin(trial);
         Script pushes = pushes(drawn.pushNewtons().orElse(task.pushNewtons()), seed);
         trial.with(world -> {

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.robonewbie.agent.log.Spelling;
+import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
@@ -28,6 +29,12 @@ final class GymOptions {
     private static final String RANGE = "..";
     private static final double MOST = 1e6;
 
+    /** The largest speed that can be commanded, metres per second. */
+    static final double MOST_SPEED = 3;
+
+    /** The fastest turn that can be commanded, degrees per second. */
+    static final double MOST_TURN = 360;
+
     /** What can be changed. */
     private enum Name {
         X,
@@ -40,7 +47,10 @@ final class GymOptions {
         CYCLES(1, 1000),
         NOISE(0, 1000),
         FRICTION(0.01, 100),
-        MASS(0.1, 10);
+        MASS(0.1, 10),
+        FORWARD(-MOST_SPEED, MOST_SPEED),
+        LEFT(-MOST_SPEED, MOST_SPEED),
+        TURN(-MOST_TURN, MOST_TURN);
 
         private final double least;
         private final double most;
@@ -166,6 +176,13 @@ final class GymOptions {
                 Vector3 usual = now.ball();
                 trial.placeBall(new Vector3(of(Name.BALL_X, usual.x()), of(Name.BALL_Y, usual.y()), 0));
             }
+        }
+
+        /** The velocity that a robot is to follow; empty if the task decides. */
+        Optional<WalkVelocity> command() {
+            return isAny(Name.FORWARD, Name.LEFT, Name.TURN)
+                    ? Optional.of(new WalkVelocity(of(Name.FORWARD, 0), of(Name.LEFT, 0), of(Name.TURN, 0)))
+                    : Optional.empty();
         }
 
         /** By how much the pushes of an episode get harder each time, in newtons; empty if the task decides. */

@@ -24,6 +24,8 @@ public record GymOrder(String task, String reward) {
             GymTask.class,
             Map.of(
                     "Stand", GymStand::new,
+                    "Follow", GymFollow::new,
+                    "GetUp", GymGetUp::new,
                     "Walk", GymWalk::new,
                     "Kick", GymKick::new,
                     "Reach", GymReach::new,

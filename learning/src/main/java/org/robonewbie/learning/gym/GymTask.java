@@ -3,6 +3,7 @@ package org.robonewbie.learning.gym;
 import java.util.Arrays;
 import java.util.List;
 import org.robonewbie.agent.walk.Stance;
+import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
@@ -129,6 +130,17 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
     /** {@return the present values of the {@link #extraQuantities}} */
     public double[] extras() {
         return new double[0];
+    }
+
+    /**
+     * Takes a velocity to follow in the whole episode, which the options {@code forward}, {@code left} and {@code turn} have set.
+     *
+     * @param command the velocity
+     * @throws IllegalArgumentException if the task follows no command, as most
+     */
+    protected void takeCommand(WalkVelocity command) {
+        throw new IllegalArgumentException(
+                "This task follows no command. Leave out forward, left and turn, or choose the task Follow.");
     }
 
     /** {@return by how much pushes that come once per second get harder each time, in newtons; 0 for none} */

@@ -27,16 +27,14 @@ final class LessonRooms implements AutoCloseable {
         IntStream.range(0, count).forEach(i -> free.add(WalkLesson.room()));
     }
 
-    /** A lesson in some room. */
-    interface Lesson extends Function<Trial, WalkFigures> {}
-
-    List<WalkFigures> give(List<Lesson> lessons) {
-        List<Future<WalkFigures>> results = lessons.stream()
+    /** Gives lessons, each in a room that is free. */
+    <T> List<T> give(List<? extends Function<Trial, T>> lessons) {
+        List<Future<T>> results = lessons.stream()
                 .map(lesson -> threads.submit(() -> give(lesson)))
                 .toList();
-        List<WalkFigures> figures = new ArrayList<>();
+        List<T> figures = new ArrayList<>();
         try {
-            for (Future<WalkFigures> result : results) {
+            for (Future<T> result : results) {
                 figures.add(result.get());
             }
             return figures;
@@ -48,7 +46,7 @@ final class LessonRooms implements AutoCloseable {
         }
     }
 
-    private WalkFigures give(Lesson lesson) {
+    private <T> T give(Function<Trial, T> lesson) {
         Trial room = free.remove();
         try {
             return lesson.apply(room);

@@ -8,6 +8,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.robonewbie.agent.policy.Policy;
@@ -15,6 +16,7 @@ import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.trial.Trial;
 
 /**
  * Learns a walk by an {@link EvolutionStrategy}, lesson by lesson. After each generation it writes the policy so far, a line of
@@ -30,6 +32,9 @@ import org.robonewbie.nao.file.AtomicFile;
  * @param output where the policy goes; curve and checkpoint are written beside it
  */
 public record PolicyTraining(WalkCourse course, TrainingPlan plan, Path output) {
+
+    /** In which part of the lessons of a training the command stays the same. */
+    private static final double LONG_SHARE = 0.4;
 
     private static final String CURVE = "generation,lessons,cycles,reward,falls,speedError,turnError\n";
 
@@ -119,10 +124,10 @@ public record PolicyTraining(WalkCourse course, TrainingPlan plan, Path output) 
         List<double[]> candidates = strategy.ask(state);
         int cycles = (int) Math.round(plan.seconds() / Cycle.SECONDS);
         return rooms.give(IntStream.range(0, candidates.size())
-                .mapToObj(i -> (LessonRooms.Lesson) room -> {
+                .mapToObj(i -> (Function<Trial, WalkFigures>) room -> {
                     PolicyWalk walk = course.walk(candidates.get(i));
                     long seed = strategy.seedOfTrial(state, i);
-                    return WalkLesson.give(room, course, walk, seed, plan.newtons(), cycles);
+                    return WalkLesson.give(room, course, walk, seed, plan.newtons(), LONG_SHARE, cycles);
                 })
                 .toList());
     }
@@ -154,25 +159,46 @@ public record PolicyTraining(WalkCourse course, TrainingPlan plan, Path output) 
     }
 
     /**
-     * Examines a walk in lessons that no training has, without pushes.
+     * Examines a walk in lessons that no training has.
      *
      * @param course what is commanded
      * @param walk the walk
      * @param lessons how many
      * @param seconds length of each
+     * @param newtons strength of the hardest pushes
      * @param threads how many at the same time; the result does not depend on it
      * @return how it did
      */
-    public static WalkFigures examine(WalkCourse course, PolicyWalk walk, int lessons, double seconds, int threads) {
+    public static WalkFigures examine(
+            WalkCourse course, PolicyWalk walk, int lessons, double seconds, double newtons, int threads) {
         int cycles = (int) Math.round(seconds / Cycle.SECONDS);
         WalkFigures all = new WalkFigures();
         try (LessonRooms rooms = new LessonRooms(threads)) {
             rooms.give(IntStream.range(0, lessons)
-                            .mapToObj(i -> (LessonRooms.Lesson)
-                                    room -> WalkLesson.give(room, course, walk, -1L - i, 0, cycles))
+                            .mapToObj(i -> (Function<Trial, WalkFigures>)
+                                    room -> WalkLesson.give(room, course, walk, -1L - i, newtons, 0, cycles))
                             .toList())
                     .forEach(all::add);
         }
         return all;
+    }
+
+    /**
+     * Lets a walk dash straight ahead with its largest speed, from the stance.
+     *
+     * @param walk the walk
+     * @param metres how far
+     * @param newtons strength of the hardest pushes
+     * @param times how often, each time with another seed that no training has
+     * @param threads how many at the same time; the result does not depend on it
+     * @return the dashes
+     */
+    public static List<WalkDash> dash(PolicyWalk walk, double metres, double newtons, int times, int threads) {
+        try (LessonRooms rooms = new LessonRooms(threads)) {
+            return rooms.give(IntStream.range(0, times)
+                    .mapToObj(
+                            i -> (Function<Trial, WalkDash>) room -> WalkDash.run(room, walk, -1L - i, newtons, metres))
+                    .toList());
+        }
     }
 }

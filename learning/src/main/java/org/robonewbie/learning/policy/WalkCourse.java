@@ -126,4 +126,9 @@ public record WalkCourse(
         }
         return new WalkVelocity(-backward + (most.forward() + backward) * forward, left, turn).within(most, backward);
     }
+
+    /** Draws a velocity for a whole lesson: in half of them straight ahead as fast as possible. */
+    WalkVelocity longCommand(Random random) {
+        return random.nextDouble() < 0.5 ? new WalkVelocity(most.forward(), 0, 0) : command(random);
+    }
 }

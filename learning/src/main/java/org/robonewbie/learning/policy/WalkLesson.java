@@ -6,7 +6,6 @@ import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
-import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
@@ -20,7 +19,7 @@ import org.robonewbie.trial.Trial;
 
 /**
  * One lesson: from the stance a robot follows velocities that change every 3 s, with noise, while a hand pushes it once per second
- * into any direction. Each 0.4 s pay 1, less the error of the velocity (1 for 0.3 m/s, 0.6 m/s of a run, or 90°/s, together 1.5 at most) and a
+ * into any direction. Each 0.4 s pay 1, less the error of the velocity (1 for 0.3 m/s, 0.6 m/s of a run, or 30°/s, together 1.5 at most) and a
  * little for a torso that leans. A fall ends the lesson; it costs 4, and 1 for each 0.4 s that are lost, so it never pays.
  */
 final class WalkLesson {
@@ -28,9 +27,7 @@ final class WalkLesson {
     private static final int COMMAND_CYCLES = 150;
     private static final int WINDOW = 20;
     private static final int CYCLES_TO_SETTLE = 60;
-    private static final int CYCLES_BETWEEN_PUSHES = 50;
-    private static final int CYCLES_OF_PUSH = 5;
-    private static final double DEGREES_PER_SECOND = 90;
+    private static final double DEGREES_PER_SECOND = 30;
     private static final double MOST_ERROR = 1.5;
     private static final double FOR_A_DEGREE = 0.002;
     private static final double FOR_A_FALL = 4;
@@ -42,16 +39,17 @@ final class WalkLesson {
 
     private final WalkCourse course;
     private final Random random;
-    private final double newtons;
+    private final HandPushes pushes;
+    private final boolean isLong;
     private final WalkFigures figures = new WalkFigures();
     private WalkVelocity wanted = WalkVelocity.ZERO;
-    private Vector3 push = Vector3.ZERO;
 
-    private WalkLesson(WalkCourse course, long seed, double newtons) {
+    private WalkLesson(WalkCourse course, long seed, double newtons, double longShare) {
         this.course = course;
         this.random = new Random(31 * seed + 7);
-        this.newtons = newtons;
+        this.pushes = new HandPushes(random, newtons);
         random.nextLong();
+        isLong = random.nextDouble() < longShare;
     }
 
     /** A world for lessons, one after the other. */
@@ -60,20 +58,21 @@ final class WalkLesson {
     }
 
     /** Gives a lesson and tells what came of it. */
-    static WalkFigures give(Trial room, WalkCourse course, PolicyWalk walk, long seed, double newtons, int cycles) {
+    static WalkFigures give(
+            Trial room, WalkCourse course, PolicyWalk walk, long seed, double newtons, double longShare, int cycles) {
         WalkStudent student = new WalkStudent(walk);
         room.reset(seed, student.performer());
-        return new WalkLesson(course, seed, newtons).run(room, student, cycles);
+        return new WalkLesson(course, seed, newtons, longShare).run(room, student, cycles);
     }
 
     private WalkFigures run(Trial room, WalkStudent student, int most) {
         Moment before = room.now();
         for (int cycle = 0; cycle < most; cycle++) {
-            if (cycle % COMMAND_CYCLES == 0) {
-                wanted = course.command(random);
+            if (cycle == 0 || (cycle % COMMAND_CYCLES == 0 && !isLong)) {
+                wanted = isLong ? course.longCommand(random) : course.command(random);
                 student.walk(wanted);
             }
-            push(room, cycle % CYCLES_BETWEEN_PUSHES);
+            pushes.act(room, cycle);
             Moment now = room.step();
             if (now.robot().isFallen()) {
                 figures.fall(cycle + 1, FOR_A_FALL + (most - cycle) / (double) WINDOW);
@@ -86,16 +85,6 @@ final class WalkLesson {
         }
         figures.end(most);
         return figures;
-    }
-
-    private void push(Trial room, int phase) {
-        if (phase == 0) {
-            Place centre = new Place(0, 0, random.nextDouble() * 360);
-            push = centre.point(newtons * random.nextDouble(), 0, 0);
-        }
-        if (phase >= CYCLES_BETWEEN_PUSHES - CYCLES_OF_PUSH && newtons > 0) {
-            room.robot(0).push(push);
-        }
     }
 
     /** Compares how the robot has moved with what was wanted, seen from half-way between its headings. */

@@ -7,11 +7,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.Moment;
@@ -24,7 +26,7 @@ class GymEnvironmentTest {
     private static final double[] NOTHING = new double[12];
 
     @ParameterizedTest
-    @ValueSource(strings = {"Stand", "Walk", "Kick", "Reach"})
+    @ValueSource(strings = {"Stand", "Walk", "Follow", "GetUp", "Kick", "Reach"})
     void equalSeedsGiveEqualEpisodesAndOthersOthers(String task) {
         GymEnvironment used = environment(task);
         track(used, 3);
@@ -159,6 +161,66 @@ class GymEnvironmentTest {
 
         assertThat(second).isCloseTo(-2, within(0.05));
         assertThat(wandering.now().place().x()).isCloseTo(-1, within(0.05));
+    }
+
+    @Test
+    void commandIsObservedAndErrorsOfTheVelocityCost() {
+        GymEnvironment still = following("0");
+        GymEnvironment slow = following("0.15");
+
+        double atRest = IntStream.range(0, 100).mapToDouble(i -> reward(still)).sum();
+        double tooSlow = IntStream.range(0, 100).mapToDouble(i -> reward(slow)).sum();
+
+        assertThat(value(slow, slow.observation(), "command.forward")).isEqualTo(0.15);
+        assertThat(atRest).isCloseTo(80 * 0.02, within(0.1));
+        assertThat(atRest - tooSlow).isCloseTo(80 * 0.02 * 0.15 / 0.3, within(0.1));
+    }
+
+    private static GymEnvironment following(String metresPerSecond) {
+        GymEnvironment follow = new GymEnvironment(
+                new GymOrder("Follow", "").episodes(GymEnvironmentTest.class.getClassLoader()),
+                GymOptions.NONE.with("forward", metresPerSecond));
+        follow.reset(1);
+        return follow;
+    }
+
+    private static double reward(GymEnvironment environment) {
+        environment.step(NOTHING);
+        return environment.reward();
+    }
+
+    @Test
+    void commandChangesEachThreeSeconds() {
+        GymEnvironment follow = environment("Follow");
+        follow.reset(2);
+        double first = value(follow, follow.observation(), "command.forward");
+
+        IntStream.range(0, 149).forEach(i -> follow.step(NOTHING));
+        double same = value(follow, follow.observation(), "command.forward");
+        follow.step(NOTHING);
+
+        assertThat(same).isEqualTo(first);
+        assertThat(value(follow, follow.observation(), "command.forward")).isNotEqualTo(first);
+    }
+
+    @Test
+    void robotThatIsToGetUpLiesOnItsFrontAndIsPaidForStandingOnly() {
+        GymEnvironment getUp = environment("GetUp");
+        getUp.reset(3);
+
+        IntStream.range(0, 50).forEach(i -> getUp.step(new double[20]));
+
+        assertThat(getUp.now().robot().isFallen()).isTrue();
+        assertThat(getUp.now()
+                        .robot()
+                        .torso()
+                        .rotation()
+                        .apply(new Vector3(1, 0, 0))
+                        .z())
+                .isLessThan(-0.7);
+        assertThat(getUp.task().isDone()).isFalse();
+        assertThat(getUp.isOver()).isFalse();
+        assertThat(getUp.task().value()).isBetween(0.0, 0.2);
     }
 
     private static List<Joint> legs() {

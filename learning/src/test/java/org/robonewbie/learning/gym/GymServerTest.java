@@ -74,8 +74,11 @@ class GymServerTest {
 
         assertThat(text(make("Fly", 1)))
                 .startsWith(
-                        "\1There is no task \"Fly\". There are: KeeperAgainstAttacker, Kick, Match11v11, Match1v1, Match2v2, Reach, Stand,"
+                        "\1There is no task \"Fly\". There are: Follow, GetUp, KeeperAgainstAttacker, Kick, Match11v11, Match1v1, Match2v2, Reach, Stand,"
                                 + " Walk. A class of your own must extend");
+        assertThat(text(make("Walk\nforward=0.5", 1)))
+                .isEqualTo(
+                        "\1This task follows no command. Leave out forward, left and turn, or choose the task Follow.");
         assertThat(text(make("Walk", 0))).isEqualTo("\1" + "0 environments were asked for; there can be 1 to 1024.");
         assertThat(act(order(2, 1, 0, 0, 0, 0)).get(0)).isZero();
     }
@@ -92,7 +95,8 @@ class GymServerTest {
         assertThat(text(make("Reach\nreward=joy", 1))).startsWith("\1There is no measure \"joy\". There are: ");
         assertThat(text(make("Reach\nspeed=9", 1)))
                 .isEqualTo(
-                        "\1There is no option \"speed\". There are: reward, x, y, heading, ball_x, ball_y, push, delay, cycles, noise, friction, mass.");
+                        "\1There is no option \"speed\". There are: reward, x, y, heading, ball_x, ball_y, push, delay, cycles, noise, friction, mass,"
+                                + " forward, left, turn.");
     }
 
     @Test

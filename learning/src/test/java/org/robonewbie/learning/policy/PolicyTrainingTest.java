@@ -81,7 +81,7 @@ class PolicyTrainingTest {
     }
 
     private static WalkFigures examine(PolicyWalk walk) {
-        return PolicyTraining.examine(WalkCourse.WALK, walk, 100, 12, 2);
+        return PolicyTraining.examine(WalkCourse.WALK, walk, 100, 12, 6, 2);
     }
 
     private PolicyTraining training(String file, int generations, int threads) {

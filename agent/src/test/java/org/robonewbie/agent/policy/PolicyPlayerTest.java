@@ -1,0 +1,39 @@
+package org.robonewbie.agent.policy;
+
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class PolicyPlayerTest {
+
+    @ParameterizedTest
+    @CsvSource({"joint.LEFT_KNEE_PITCH, degrees", "gyro.forward, degrees/s", "rightFoot.force.up, N"})
+    void takesWhatARobotFeels(String input, String unit) {
+        assertThatCode(() -> player(input, unit, "joint.LEFT_KNEE_PITCH")).doesNotThrowAnyException();
+    }
+
+    @Test
+    void saysWhatARobotDoesNotFeelOrMove() {
+        assertThatThrownBy(() -> player("gyro.forwards", "degrees/s", "joint.LEFT_KNEE_PITCH"))
+                .hasMessage("A robot does not feel gyro.forwards in degrees/s. Do you mean gyro.forward in degrees/s?");
+        assertThatThrownBy(() -> player("gyro.forward", "rad/s", "joint.LEFT_KNEE_PITCH"))
+                .hasMessageStartingWith("A robot does not feel gyro.forward in rad/s.");
+        assertThatThrownBy(() -> player("gyro.forward", "degrees/s", "wing"))
+                .hasMessageStartingWith("The policy moves wing, which is no joint.");
+    }
+
+    private static PolicyPlayer player(String input, String unit, String output) {
+        return new PolicyPlayer(new Policy(
+                "test",
+                List.of(),
+                Map.of("range-degrees", List.of(30.0)),
+                List.of(new Quantity(input, unit)),
+                List.of(new Quantity(output, "30 degrees")),
+                Network.of(new int[] {1, 1}, 0, 1)));
+    }
+}

@@ -1,0 +1,104 @@
+package org.robonewbie.learning.gym;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.Trial;
+
+/**
+ * Follow a commanded velocity, another one every 3 s. Each second pays 1, less the error of the velocity in the last 0.4 s (1 for 0.3
+ * m/s or 90°/s, together 1.5 at most); a fall costs 5, so that a dive never pays. The options {@code forward}, {@code left}
+ * and {@code turn} set one command for the whole episode.
+ */
+final class GymFollow extends GymTask {
+
+    private static final WalkVelocity MOST = new WalkVelocity(0.8, 0.2, 90);
+    private static final double BACKWARD = 0.3;
+    private static final int CYCLES_OF_COMMAND = 150;
+    private static final int WINDOW = 20;
+    private static final double METRES_PER_SECOND = 0.3;
+    private static final double DEGREES_PER_SECOND = 90;
+    private static final double MOST_ERROR = 1.5;
+    private static final double FOR_A_FALL = 5;
+
+    private final Deque<Place> places = new ArrayDeque<>();
+    private Optional<WalkVelocity> fixed = Optional.empty();
+    private WalkVelocity wanted = WalkVelocity.ZERO;
+    private double earned;
+    private int cycle;
+
+    @Override
+    protected void takeCommand(WalkVelocity command) {
+        fixed = Optional.of(command);
+    }
+
+    @Override
+    public void begin(Trial trial) {
+        choose();
+    }
+
+    @Override
+    public void act(Trial trial) {
+        cycle++;
+        if (cycle % CYCLES_OF_COMMAND == 0) {
+            choose();
+        }
+    }
+
+    private void choose() {
+        wanted = fixed.orElseGet(() -> new WalkVelocity(
+                        chance().between(-BACKWARD, MOST.forward()),
+                        chance().between(-MOST.left(), MOST.left()),
+                        chance().between(-MOST.turn(), MOST.turn()))
+                .within(MOST, BACKWARD));
+    }
+
+    @Override
+    public double rangeDegrees() {
+        return 40;
+    }
+
+    @Override
+    public List<ObservedQuantity> extraQuantities() {
+        return List.of(
+                new ObservedQuantity("command.forward", "m/s", -GymOptions.MOST_SPEED, GymOptions.MOST_SPEED),
+                new ObservedQuantity("command.left", "m/s", -GymOptions.MOST_SPEED, GymOptions.MOST_SPEED),
+                new ObservedQuantity("command.turn", "degrees/s", -GymOptions.MOST_TURN, GymOptions.MOST_TURN));
+    }
+
+    @Override
+    public double[] extras() {
+        return new double[] {wanted.forward(), wanted.left(), wanted.turn()};
+    }
+
+    @Override
+    protected void see(Moment first, Moment now) {
+        places.addLast(now.place(robot()));
+        if (places.size() > WINDOW) {
+            earned += Cycle.SECONDS * (1 - lost(places.removeFirst(), places.getLast()));
+        }
+    }
+
+    /** The error between two places, seen from half-way between their headings. */
+    private double lost(Place before, Place now) {
+        double seconds = WINDOW * Cycle.SECONDS;
+        double turned = PortableMath.IEEEremainder(now.degrees() - before.degrees(), 360);
+        Place middle = new Place(before.x(), before.y(), before.degrees() + turned / 2);
+        double error = PortableMath.hypot(
+                middle.ahead(now.point(0, 0, 0)) / seconds - wanted.forward(),
+                middle.left(now.point(0, 0, 0)) / seconds - wanted.left());
+        double turnError = Math.abs(turned / seconds - wanted.turn());
+        return Math.min(MOST_ERROR, error / METRES_PER_SECOND + turnError / DEGREES_PER_SECOND);
+    }
+
+    @Override
+    public double value() {
+        return earned - (hasFallen() ? FOR_A_FALL : 0);
+    }
+}
