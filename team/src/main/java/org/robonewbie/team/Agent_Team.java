@@ -10,11 +10,13 @@ import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.team.skill.Dribble;
 import org.robonewbie.team.skill.Footwork;
 import org.robonewbie.team.skill.Gaze;
+import org.robonewbie.team.skill.GetUp;
 import org.robonewbie.team.skill.Goalkeeping;
 import org.robonewbie.team.skill.Kick;
 import org.robonewbie.team.skill.Limbs;
 import org.robonewbie.team.tactics.KickOffPlaces;
 import org.robonewbie.team.tactics.Plan;
+import org.robonewbie.team.tactics.Roles;
 import org.robonewbie.team.tactics.Strategy;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
@@ -42,6 +44,7 @@ public class Agent_Team extends Agent {
     private final Footwork feet = new Footwork(walk);
     private final Dribble dribble = new Dribble(walk, feet);
     private final Kick kick = new Kick(body, feet);
+    private final GetUp getUp = new GetUp(body);
     private final Goalkeeping keeping = new Goalkeeping(body);
     private final Gaze gaze = new Gaze(body);
     private final Board board = new Board(nao, world);
@@ -61,6 +64,7 @@ public class Agent_Team extends Agent {
     public Agent_Team(int number) {
         this.number = number;
         fieldView.setTransformation(CameraTransformation.KINEMATICS);
+        walk.setStyle(Footwork.STYLE);
     }
 
     /**
@@ -102,7 +106,7 @@ public class Agent_Team extends Agent {
         if (isToLineUp()) {
             lineUp();
         } else if (nao.isFallen()) {
-            motions.startGetUp();
+            getUp.start();
         } else if (motions.isFinished()) {
             play(strategy.plan());
         }
@@ -119,7 +123,8 @@ public class Agent_Team extends Agent {
 
     /** Goes to its place before a kick-off: by beam, and again if the referee has moved it. */
     private void lineUp() {
-        GroundPose place = KickOffPlaces.place(world.number(), !world.hasScored(), world.field());
+        boolean small = !Roles.isKeeper(world, 1);
+        GroundPose place = KickOffPlaces.place(world.number(), !world.hasScored(), small, world.field());
         boolean away = world.place().distanceTo(Spot.of(place)) > 0.3 || nao.isFallen();
         boolean free = motions.isFinished() || nao.isFallen();
         if (away && free && world.seconds() - beamedSeconds > BEAM_AGAIN_SECONDS) {
@@ -129,7 +134,7 @@ public class Agent_Team extends Agent {
             world.beamed(place);
             beamedSeconds = world.seconds();
         } else if (nao.isFallen()) {
-            motions.startGetUp();
+            getUp.start();
         } else {
             walk.stop();
         }

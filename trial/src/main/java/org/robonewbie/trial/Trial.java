@@ -210,6 +210,14 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
+     * Lets robots beam themselves where the referee permits it, as in a match. At first beams are ignored: the scene says where robots
+     * stand.
+     */
+    public void allowBeams() {
+        bodies.forEach(TrialBody::allowBeams);
+    }
+
+    /**
      * Runs all performers and the world for one cycle.
      *
      * @return the true state afterwards

@@ -25,6 +25,7 @@ final class TrialBody {
     private Performer performer;
     private SensorReadings readings = new TextReadings(received);
     private List<EffectorCommand> commands = List.of();
+    private boolean mayBeam;
 
     /** Takes over a connection whose robot has just appeared. */
     TrialBody(AgentLink link, RobotStart start, Robot robot, Performer performer) {
@@ -77,11 +78,16 @@ final class TrialBody {
         return commands;
     }
 
-    /** Sends the performer's answer to the last readings; beams are ignored in a trial. */
+    /** Lets the robot beam itself from now on. */
+    void allowBeams() {
+        mayBeam = true;
+    }
+
+    /** Sends the performer's answer to the last readings; beams are ignored unless the trial allows them. */
     void perform() {
         commands = performer.respond(readings).stream()
                 .filter(command -> !(command instanceof EffectorCommand.Synchronise))
-                .filter(command -> !(command instanceof EffectorCommand.Beam))
+                .filter(command -> mayBeam || !(command instanceof EffectorCommand.Beam))
                 .toList();
     }
 

@@ -73,6 +73,26 @@ public record WalkStyle(
     }
 
     /**
+     * Returns the same walk with other limits, for a player that wants to be steadier than fast.
+     *
+     * @param newMost the largest speeds
+     * @param newChange how much each speed changes from one step to the next
+     * @return the changed walk
+     */
+    public WalkStyle within(WalkVelocity newMost, WalkVelocity newChange) {
+        return new WalkStyle(
+                gait,
+                gains,
+                newMost,
+                Math.min(backward, newMost.forward()),
+                newChange,
+                leanPerSpeed,
+                ankleOffsetPerSpeed,
+                leanPerChange,
+                slip);
+    }
+
+    /**
      * Makes a style from the coordinates of a search, see {@link WalkParameter}.
      *
      * @param stepMillis time of one step in milliseconds

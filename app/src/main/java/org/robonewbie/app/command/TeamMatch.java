@@ -91,6 +91,7 @@ final class TeamMatch {
                 .with(SoccerParameter.RULE_HALF_TIME, halfSeconds);
         Scene scene = new Scene(rules, true, robots, Optional.of(Vector3.ZERO));
         try (Trial trial = Trial.served(scene, seed, performers.toArray(Performer[]::new))) {
+            trial.allowBeams();
             trial.order(new Order.SetTime(0));
             trial.order(new Order.ChangePlayMode(PlayMode.BEFORE_KICK_OFF));
             return new TeamMatch(home, trial).watch(playOnSeconds);

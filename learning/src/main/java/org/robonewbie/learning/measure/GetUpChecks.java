@@ -19,6 +19,8 @@ final class GetUpChecks {
         return List.of(
                 getUp("stand-up-from-back", Lying.ON_BACK),
                 getUp("stand-up-from-front", Lying.ON_FRONT),
+                getUp("quick-stand-up-from-back", Lying.ON_BACK),
+                getUp("quick-stand-up-from-front", Lying.ON_FRONT),
                 getUp("stand-up-from-left-side", Lying.ON_LEFT),
                 getUp("stand-up-from-right-side", Lying.ON_RIGHT));
     }

@@ -5,11 +5,16 @@ import java.util.stream.Stream;
 import org.robonewbie.learning.rehearsal.KickTrial;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.ShippedMotions;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.measure.MeasureFromStart;
 
 /** Checks of kicks and passes. */
 final class KickChecks {
 
     private static final double STRONG_METRES = 4;
+    private static final double QUICK_METRES = 3;
+    private static final double QUICK_SECONDS = 0.8;
+    private static final double ROLLING_METRES_PER_SECOND = 1;
     private static final double SHORTEST_PASS_METRES = 1;
     private static final double LONGEST_PASS_METRES = 2;
 
@@ -17,8 +22,11 @@ final class KickChecks {
 
     static List<MotionCheck> all() {
         return Stream.of("left", "right")
-                .flatMap(side ->
-                        Stream.of(kick(CheckStart.KICKER, "kick-" + side), pass(CheckStart.KICKER, "pass-" + side)))
+                .flatMap(side -> Stream.of(
+                        kick(CheckStart.KICKER, "kick-" + side),
+                        pass(CheckStart.KICKER, "pass-" + side),
+                        quickKick(CheckStart.KICKER, "quick-kick-" + side),
+                        quickStart(CheckStart.KICKER, "quick-kick-" + side)))
                 .toList();
     }
 
@@ -31,6 +39,22 @@ final class KickChecks {
         return kick(start, name, rule, SHORTEST_PASS_METRES, LONGEST_PASS_METRES);
     }
 
+    private static MotionCheck quickKick(CheckStart start, String name) {
+        return kick(start, name, "the ball rolls at least 3 m, the robot ends in the stance", QUICK_METRES, 99);
+    }
+
+    private static MotionCheck quickStart(CheckStart start, String name) {
+        String rule = "the ball is faster than 1 m/s after at most 0.8 s";
+        return start.check(name + ", soon", rule, "s until the ball is faster than 1 m/s", (robot, seed) -> {
+            MotionFile file = ShippedMotions.file(name);
+            robot.placeBall(file.ball().orElseThrow(), seed);
+            FirstRoll roll = new FirstRoll();
+            robot.watch(roll);
+            robot.play(file.motion());
+            return new Outcome(roll.value() <= QUICK_SECONDS, roll.value());
+        });
+    }
+
     private static MotionCheck kick(CheckStart start, String name, String rule, double least, double most) {
         return start.check(name, rule, "m", (robot, seed) -> {
             MotionFile file = ShippedMotions.file(name);
@@ -39,5 +63,23 @@ final class KickChecks {
             boolean far = trial.metres() >= least && trial.metres() <= most;
             return new Outcome(far && trial.standing(), trial.metres());
         });
+    }
+
+    /** When the ball was first faster than 1 m/s, seconds since the kick began. */
+    private static final class FirstRoll extends MeasureFromStart {
+
+        private double seconds = Double.POSITIVE_INFINITY;
+
+        @Override
+        protected void see(Moment first, Moment now) {
+            if (now.ballVelocity().length() > ROLLING_METRES_PER_SECOND) {
+                seconds = Math.min(seconds, now.seconds() - first.seconds());
+            }
+        }
+
+        @Override
+        public double value() {
+            return seconds;
+        }
     }
 }

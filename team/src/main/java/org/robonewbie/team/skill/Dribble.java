@@ -14,6 +14,9 @@ import org.robonewbie.team.world.WorldModel;
  */
 public final class Dribble {
 
+    private static final double CONTESTED_METRES = 1;
+    private static final double CHARGE_DEGREES = 45;
+    private static final double CHARGE_METRES = 0.5;
     private static final double BEHIND_METRES = 0.25;
     private static final double AROUND_METRES = 0.35;
     private static final double CONE_METRES = 0.07;
@@ -47,19 +50,41 @@ public final class Dribble {
         Spot ball = world.ballIn(AHEAD_SECONDS).seenFrom(world.pose());
         Spot way = target.minus(world.ball());
         double turn = PortableMath.IEEEremainder(way.degrees() - world.pose().headingDegrees(), 360);
+        if (isContested(world) && isAhead(ball) && Math.abs(turn) < CHARGE_DEGREES) {
+            charge(world, ball, turn);
+        } else {
+            push(world, ball, turn);
+        }
+    }
+
+    private static boolean isAhead(Spot ball) {
+        return ball.length() < CHARGE_METRES && Math.abs(ball.degrees()) < CHARGE_DEGREES;
+    }
+
+    private static boolean isContested(WorldModel world) {
+        return world.opponentDistance(world.ball()) < CONTESTED_METRES;
+    }
+
+    /** Runs through the ball without getting behind it first, since an opponent would take it meanwhile. */
+    private void charge(WorldModel world, Spot ball, double turn) {
+        walk.towards(Footwork.speed(world), 0, (ball.degrees() + turn) / 2);
+    }
+
+    private void push(WorldModel world, Spot ball, double turn) {
         Spot direction = Spot.polar(turn, 1);
         Spot aside = Spot.polar(turn + 90, 1);
         double ahead = ball.dot(direction);
         double left = -ball.dot(aside);
         if (ahead < 0.1) {
             double side = left >= 0 ? 1 : -1;
-            feet.step(ball.minus(direction.times(BEHIND_METRES)).plus(aside.times(side * AROUND_METRES)), turn, true);
+            feet.step(world, ball.minus(direction.times(BEHIND_METRES)).plus(aside.times(side * AROUND_METRES)), turn);
         } else if (Math.abs(left) > CONE_METRES + CONE_SLOPE * Math.max(0, ahead - BEHIND_METRES)
                 || Math.abs(turn) > MOST_TURN) {
-            feet.step(ball.minus(direction.times(BEHIND_METRES)), turn, true);
+            feet.step(world, ball.minus(direction.times(BEHIND_METRES)), turn);
         } else {
-            double seconds = Math.max(0.5, (ahead - BEHIND_METRES) / Walk.MOST_FORWARD);
-            walk.towards(Walk.MOST_FORWARD, -beyond(left, CALM_METRES) / seconds, 1.5 * beyond(turn, CALM_DEGREES));
+            double speed = Footwork.speed(world);
+            double seconds = Math.max(0.5, (ahead - BEHIND_METRES) / speed);
+            walk.towards(speed, -beyond(left, CALM_METRES) / seconds, 1.5 * beyond(turn, CALM_DEGREES));
         }
     }
 

@@ -2,7 +2,10 @@ package org.robonewbie.team.skill;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.robonewbie.agent.walk.Walk;
+import org.robonewbie.agent.walk.WalkStyle;
+import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.skill.PathPlanner.Obstacle;
 import org.robonewbie.team.world.Mate;
@@ -15,7 +18,17 @@ import org.robonewbie.team.world.WorldModel;
  */
 public final class Footwork {
 
-    private static final double FAR_METRES = 0.9;
+    /** How the players walk: fast ahead, but with turns and changes of speed that do not make them fall. */
+    public static final WalkStyle STYLE =
+            WalkStyle.FAST.within(new WalkVelocity(0.69, 0.2, 120), new WalkVelocity(0.1, 0.05, 15));
+
+    private static final double FAST = STYLE.most().forward();
+    private static final double AROUND_DEGREES_PER_SECOND = 25;
+    private static final double NEAR_METRES = 0.7;
+    private static final double SLOW = 0.3;
+    private static final double CLOSE_METRES = 0.8;
+    private static final double CLOSE_DEGREES = 40;
+    private static final double FAR_METRES = 0.55;
     private static final double ARRIVED_METRES = 0.12;
     private static final double ARRIVED_DEGREES = 12;
     private static final double LEFT_METRES = 0.4;
@@ -53,26 +66,64 @@ public final class Footwork {
         if (standing) {
             walk.stop();
         } else {
-            step(next, turn, way.size() == 1);
+            step(world, next, turn, way.size() == 1);
         }
         return way;
     }
 
     /**
-     * Walks towards a place without stopping there.
+     * Walks towards a place near the ball without stopping there; to a far one around all other robots.
      *
+     * @param world where the others are
      * @param place where to, seen from the robot
      * @param turnDegrees how far to turn meanwhile, if the place is near
-     * @param last whether the way ends there
      */
-    public void step(Spot place, double turnDegrees, boolean last) {
+    public void step(WorldModel world, Spot place, double turnDegrees) {
+        if (place.length() > FAR_METRES) {
+            List<Spot> way = PathPlanner.way(world.place(), place.onMap(world.pose()), others(world));
+            step(world, way.get(0).seenFrom(world.pose()), turnDegrees, false);
+        } else {
+            step(world, place, turnDegrees, true);
+        }
+    }
+
+    private void step(WorldModel world, Spot place, double turnDegrees, boolean last) {
         double bearing = place.degrees();
         if (!last || place.length() > FAR_METRES) {
             boolean ahead = Math.abs(bearing) < AHEAD_DEGREES;
-            walk.towards(ahead ? Walk.MOST_FORWARD : 0, 0, 1.5 * bearing);
+            walk.towards(ahead ? speed(world) : 0, 0, 2 * bearing);
         } else {
-            walk.towards(1.5 * place.x(), 1.5 * place.y(), 1.5 * turnDegrees);
+            walk.towards(Math.min(speed(world), 2 * place.x()), 2 * place.y(), 1.5 * turnDegrees);
         }
+    }
+
+    /**
+     * Returns how fast the robot may walk ahead: slowly towards a robot close before it. Who runs into an opponent commits a foul, and
+     * both fall.
+     *
+     * @param world where the others are
+     * @return metres per second
+     */
+    public static double speed(WorldModel world) {
+        boolean blocked = Stream.concat(
+                        world.opponents().stream(), world.mates().stream().map(Mate::place))
+                .map(place -> place.seenFrom(world.pose()))
+                .anyMatch(place -> place.length() < CLOSE_METRES && Math.abs(place.degrees()) < CLOSE_DEGREES);
+        return blocked ? SLOW : FAST;
+    }
+
+    /**
+     * Estimates how long it takes to get behind the ball, seen from where it has to go. From far away it costs little, since it is on the
+     * way.
+     *
+     * @param world where the ball is
+     * @param directionDegrees where the ball has to go, in the coordinates of the team
+     * @return seconds, without the way to the ball
+     */
+    public static double aroundSeconds(WorldModel world, double directionDegrees) {
+        Spot way = world.ball().minus(world.place());
+        double around = Math.abs(PortableMath.IEEEremainder(directionDegrees - way.degrees(), 360));
+        return around / AROUND_DEGREES_PER_SECOND * Math.min(1, NEAR_METRES / Math.max(0.1, way.length()));
     }
 
     /**

@@ -13,21 +13,22 @@ public final class Kick {
     /** How far the ball usually rolls, metres. */
     public static final double METRES = 6;
 
-    private static final double QUICKEST_SECONDS = 1.2;
-    private static final double LONGEST_SECONDS = 4;
-    private static final double SECONDS_PER_METRE = 8;
-    private static final double DEGREES_PER_SECOND = 60;
-    private static final double HURRY_METRES = 0.8;
+    private static final double USUAL_SECONDS = 1.4;
+    private static final double HURRY_METRES = 1;
+    private static final double HURRY = 1.4;
 
-    private static final Spot BEFORE_LEFT_FOOT = new Spot(0.205, 0.036);
-    private static final double AHEAD_TOLERANCE = 0.02;
-    private static final double LEFT_TOLERANCE = 0.017;
-    private static final double TURN_TOLERANCE = 7;
+    private static final Spot BEFORE_LEFT_FOOT = new Spot(0.195, 0.06);
+    private static final double AHEAD_TOLERANCE = 0.04;
+    private static final double MOST_AHEAD_TOLERANCE = 0.052;
+    private static final double CLOSER_METRES = 0.025;
+    private static final double DRIFT = 1.4;
+    private static final double LEFT_TOLERANCE = 0.022;
+    private static final double TURN_TOLERANCE = 8;
     private static final double FAR_METRES = 0.9;
     private static final double BEHIND_METRES = 0.12;
     private static final double AROUND_METRES = 0.4;
-    private static final double REACTION_SECONDS = 0.7;
-    private static final double MOST_SPEED = 0.4;
+    private static final double REACTION_SECONDS = 0.5;
+    private static final double MOST_SPEED = 0.5;
 
     private final Limbs body;
     private final Footwork feet;
@@ -52,10 +53,7 @@ public final class Kick {
      * @return seconds, without the way to the ball
      */
     public static double seconds(WorldModel world, double directionDegrees) {
-        double turn = PortableMath.IEEEremainder(directionDegrees - world.pose().headingDegrees(), 360);
-        double miss = world.ballFromHere().minus(before(world.ballFromHere())).length();
-        return Math.min(LONGEST_SECONDS, QUICKEST_SECONDS + SECONDS_PER_METRE * miss)
-                + Math.abs(turn) / DEGREES_PER_SECOND;
+        return USUAL_SECONDS + Footwork.aroundSeconds(world, directionDegrees);
     }
 
     /** Where the ball has to lie for a kick with the foot that is nearer to it. */
@@ -72,54 +70,52 @@ public final class Kick {
     public void kick(WorldModel world, double directionDegrees) {
         Spot ball = world.ballFromHere();
         double turn = PortableMath.IEEEremainder(directionDegrees - world.pose().headingDegrees(), 360);
-        boolean left = ball.y() > 0;
-        Spot foot = before(ball);
-        double patience = world.opponentDistance(world.ball()) < HURRY_METRES ? 2 : 1;
-        boolean ready = isThere(ball, foot, turn, patience);
+        double patience = world.opponentDistance(world.ball()) < HURRY_METRES ? HURRY : 1;
         if (waiting) {
-            waitForTheStance(left, ready, isThere(ball, foot, turn, 1.5 * patience));
-        } else if (ready) {
+            waitForTheStance(ball, turn, patience);
+        } else if (isThere(ball, turn, patience)) {
             body.walk().stop();
             waiting = true;
         } else {
-            approach(ball, foot, turn);
+            approach(world, ball, turn);
         }
     }
 
-    private void waitForTheStance(boolean left, boolean ready, boolean almost) {
+    /** Kicks as soon as the robot stands, if the ball is within reach then. */
+    private void waitForTheStance(Spot ball, double turn, double patience) {
         if (body.walk().isWalking()) {
             body.walk().stop();
-            waiting = almost;
-        } else {
-            waiting = false;
-            if (ready) {
-                body.motions().start(left ? "kick-left" : "kick-right");
-            }
+            return;
+        }
+        waiting = false;
+        if (isThere(ball, turn, DRIFT * patience)) {
+            body.motions().start(ball.y() > 0 ? "quick-kick-left" : "quick-kick-right");
         }
     }
 
-    private static boolean isThere(Spot ball, Spot foot, double turn, double factor) {
-        return Math.abs(ball.x() - foot.x()) < factor * AHEAD_TOLERANCE
-                && Math.abs(ball.y() - foot.y()) < factor * LEFT_TOLERANCE
-                && Math.abs(turn) < factor * TURN_TOLERANCE;
+    private static boolean isThere(Spot ball, double turn, double factor) {
+        return Math.abs(ball.x() - BEFORE_LEFT_FOOT.x()) < Math.min(MOST_AHEAD_TOLERANCE, factor * AHEAD_TOLERANCE)
+                && Math.abs(ball.y() - before(ball).y()) < factor * LEFT_TOLERANCE
+                && Math.abs(turn) < factor * factor * TURN_TOLERANCE;
     }
 
     /** Walks to the place from which the ball lies before the foot; from the wrong side of the ball around it. */
-    private void approach(Spot ball, Spot foot, double turn) {
+    private void approach(WorldModel world, Spot ball, double turn) {
+        Spot foot = before(ball);
         Spot direction = Spot.polar(turn, 1);
         Spot aside = Spot.polar(turn + 90, 1);
         Spot place = ball.minus(direction.times(foot.x())).minus(aside.times(foot.y()));
         double ahead = ball.dot(direction);
         double miss = place.dot(aside);
         if (place.length() > FAR_METRES) {
-            feet.step(place.minus(direction.times(BEHIND_METRES)), turn, false);
+            feet.step(world, place.minus(direction.times(BEHIND_METRES)), turn);
         } else if (ahead < 0.1) {
             double side = ball.dot(aside) <= 0 ? 1 : -1;
-            feet.step(ball.minus(direction.times(foot.x())).plus(aside.times(side * AROUND_METRES)), turn, true);
+            feet.step(world, ball.minus(direction.times(foot.x())).plus(aside.times(side * AROUND_METRES)), turn);
         } else if (Math.abs(miss) > 0.06 || Math.abs(turn) > 2 * TURN_TOLERANCE) {
-            feet.step(place.minus(direction.times(BEHIND_METRES)), turn, true);
+            feet.step(world, place.minus(direction.times(BEHIND_METRES)), turn);
         } else {
-            body.walk().towards(gentle(place.x()), gentle(place.y()), turn);
+            body.walk().towards(gentle(place.x() + CLOSER_METRES), gentle(place.y()), turn);
         }
     }
 

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.team.skill.Footwork;
 import org.robonewbie.team.skill.Kick;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Spot;
@@ -21,16 +22,18 @@ public final class KickChoice {
 
     private static final double STEP_DEGREES = 15;
     private static final double DRIBBLE_METRES = 2;
-    private static final double DRIBBLE_SPEED = 0.55;
+    private static final double DRIBBLE_SPEED = 0.45;
     private static final double RUN_SPEED = 0.5;
-    private static final double TURN_SPEED = 60;
     private static final double OPPONENT_SPEED = 0.5;
-    private static final double LOSS = 0.25;
+    private static final double DISTURBED = 0.3;
+    private static final double ALONE_METRES = 4;
+    private static final double SHARE_OF_RUN = 0.33;
+    private static final double LOSS = 0.03;
     private static final double VALUE_METRES = 8;
-    private static final double LANE_METRES = 0.5;
+    private static final double LANE_METRES = 0.3;
     private static final double SHOT_DEVIATION_DEGREES = 6;
     private static final double PASS_METRES = 3;
-    private static final double LOYALTY = 0.3;
+    private static final double LOYALTY = 0.6;
     private static final double SAME_DEGREES = 20;
 
     private final WorldModel world;
@@ -92,39 +95,45 @@ public final class KickChoice {
 
     private Option dribble(double degrees) {
         Spot end = world.ball().plus(Spot.polar(degrees, DRIBBLE_METRES));
-        double seconds = DRIBBLE_METRES / DRIBBLE_SPEED + turnSeconds(degrees);
+        double seconds = DRIBBLE_METRES / DRIBBLE_SPEED + Footwork.aroundSeconds(world, degrees);
         double keeps = 1;
         for (Spot opponent : world.opponents()) {
             double near = opponent.distanceToWay(world.ball(), end);
             keeps *= 1 - 0.5 * PortableMath.exp(-near * near);
         }
-        return new Option(new Plan(TeamRole.STRIKER, Plan.Action.DRIBBLE, end, degrees, 0), gain(end, keeps, seconds));
+        Plan plan = new Plan(TeamRole.STRIKER, Plan.Action.DRIBBLE, end, degrees, 0);
+        return new Option(plan, keeps * gain(end, 1, seconds));
     }
 
     private Option kick(double degrees) {
         Spot ball = world.ball();
         Spot end = ball.plus(Spot.polar(degrees, Kick.METRES));
         double seconds = Kick.seconds(world, degrees);
-        double undisturbed = probability(world.opponentDistance(ball) / OPPONENT_SPEED - seconds);
+        double lead = world.opponentDistance(ball) / OPPONENT_SPEED - seconds;
+        double undisturbed = DISTURBED + (1 - DISTURBED) * probability(2 * lead);
         double free = freeLane(ball, end);
         double goal = goalProbability(ball, degrees);
         Optional<Mate> receiver = nearest(end);
         double ours = secondsTo(receiver.map(Mate::place).orElse(world.place()), end);
         double theirs = world.opponentDistance(end) / OPPONENT_SPEED;
-        double keeps = undisturbed * free * probability(theirs - ours);
-        double rest = gain(end, keeps, seconds + ours);
-        double shot = undisturbed * free * (1 - value(ball)) / seconds;
+        double rest = free * gain(end, probability(theirs - ours), seconds + runShare() * ours);
+        double shot = free * (1 - value(ball)) / seconds;
         int number = receiver.filter(mate -> goal < 0.3 && mate.place().distanceTo(end) < PASS_METRES)
                 .map(Mate::number)
                 .orElse(0);
         Plan plan = new Plan(TeamRole.STRIKER, Plan.Action.KICK, end, degrees, number);
-        return new Option(plan, goal * shot + (1 - goal) * rest);
+        return new Option(plan, undisturbed * (goal * shot + (1 - goal) * rest));
     }
 
-    /** The gain in each second if the ball gets to a place with a probability. */
+    /** The gain in each second if the ball gets to a place and the team keeps it with a probability: if not, half of the way was in vain. */
     private double gain(Spot end, double keeps, double seconds) {
-        double after = isOnPitch(end) ? value(end) - LOSS * (1 - keeps) : value(world.ball()) - LOSS;
-        return (after - value(world.ball())) / seconds;
+        double better = isOnPitch(end) ? value(end) - value(world.ball()) : -LOSS;
+        return ((0.5 + 0.5 * keeps) * better - (1 - keeps) * LOSS) / seconds;
+    }
+
+    /** With nobody near, the ball waits until a player gets there; else it counts that the ball is away from the opponents. */
+    private double runShare() {
+        return world.opponentDistance(world.ball()) > ALONE_METRES ? 1 : SHARE_OF_RUN;
     }
 
     private boolean isOnPitch(Spot spot) {
@@ -160,22 +169,16 @@ public final class KickChoice {
         double free = 1;
         for (Spot opponent : world.opponents()) {
             double near = opponent.distanceToWay(from, to) / LANE_METRES;
-            free *= 1 - 0.7 * PortableMath.exp(-near * near);
+            free *= 1 - 0.9 * PortableMath.exp(-near * near);
         }
         return free;
     }
 
     private Optional<Mate> nearest(Spot end) {
         return world.mates().stream()
-                .filter(mate -> !mate.message().fallen() && mate.number() != 1)
+                .filter(mate -> !mate.message().fallen() && !Roles.isKeeper(world, mate.number()))
                 .min(Comparator.comparingDouble(mate -> mate.place().distanceTo(end)))
                 .filter(mate -> mate.place().distanceTo(end) < world.place().distanceTo(end));
-    }
-
-    private double turnSeconds(double degrees) {
-        double turn = Math.abs(PortableMath.IEEEremainder(
-                degrees - world.ball().minus(world.place()).degrees(), 360));
-        return turn / TURN_SPEED;
     }
 
     private static double secondsTo(Spot from, Spot to) {

@@ -5,7 +5,8 @@ import org.robonewbie.nao.SoccerField;
 
 /**
  * Where the players stand before a kick-off, by their numbers. Numbers from 2 on come near the ball first, so that small teams attack
- * too; all places are in its half, and all but that of the player who kicks off outside the centre circle.
+ * too; all places are in its half, and all but those of the player who kicks off and of the one who
+ * plays the ball next outside the centre circle.
  */
 public final class KickOffPlaces {
 
@@ -24,6 +25,7 @@ public final class KickOffPlaces {
     };
     private static final int KICKER = 2;
     private static final double KICK_METRES = -0.45;
+    private static final double NEXT_METRES = 1.4;
     private static final double BEHIND_CIRCLE_METRES = 0.4;
 
     private KickOffPlaces() {}
@@ -33,16 +35,20 @@ public final class KickOffPlaces {
      *
      * @param number 1 to 11
      * @param kicksOff whether this team will kick off
+     * @param small whether the team is too small for a keeper
      * @param field the pitch
      * @return the place, in the coordinates of the team
      */
-    public static GroundPose place(int number, boolean kicksOff, SoccerField field) {
+    public static GroundPose place(int number, boolean kicksOff, boolean small, SoccerField field) {
         double behindCircle = -field.centreCircleRadius() - BEHIND_CIRCLE_METRES;
         if (number == KICKER) {
             return new GroundPose(kicksOff ? KICK_METRES : behindCircle, 0.06, 0);
         }
         if (number == KICKER + 1) {
-            return new GroundPose(kicksOff ? behindCircle : 2 * behindCircle, 0, 0);
+            return kicksOff ? new GroundPose(KICK_METRES, NEXT_METRES, 0) : new GroundPose(2 * behindCircle, 0, 0);
+        }
+        if (number == 1 && small) {
+            return new GroundPose(1.5 * behindCircle, -NEXT_METRES, 0);
         }
         double scale = field.length() / SoccerField.LEAGUE.length();
         double[] place = LEAGUE[Math.max(1, Math.min(LEAGUE.length, number)) - 1];

@@ -21,6 +21,7 @@ public final class Roles {
     static final double ROLE_LEAD_METRES = 1;
 
     private static final int KEEPER_NUMBER = 1;
+    private static final int MATES_OF_KEEPER = 4;
     private static final double SILENT_SECONDS = 2;
 
     private final WorldModel world;
@@ -45,14 +46,25 @@ public final class Roles {
 
     /** {@return the player's role} */
     public TeamRole own() {
-        boolean alone = world.mates().isEmpty();
         if (isStriker()) {
             return TeamRole.STRIKER;
         }
-        if (world.number() == KEEPER_NUMBER && !alone) {
+        if (isKeeper(world, world.number())) {
             return TeamRole.KEEPER;
         }
         return placeInFormation();
+    }
+
+    /**
+     * Looks whether a player keeps the goal. A team of less than five has no keeper: in a small team each player is needed where the
+     * ball is.
+     *
+     * @param world the game
+     * @param number the player's number
+     * @return whether it is the keeper
+     */
+    public static boolean isKeeper(WorldModel world, int number) {
+        return number == KEEPER_NUMBER && world.mates().size() >= MATES_OF_KEEPER;
     }
 
     private boolean isStriker() {
@@ -93,7 +105,7 @@ public final class Roles {
         int striker = striker();
         List<Candidate> players = new ArrayList<>();
         for (Mate mate : world.mates()) {
-            if (mate.number() != KEEPER_NUMBER && mate.number() != striker) {
+            if (!isKeeper(world, mate.number()) && mate.number() != striker) {
                 players.add(new Candidate(
                         mate.number(), mate.place(), mate.message().role()));
             }

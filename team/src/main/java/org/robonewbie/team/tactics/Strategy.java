@@ -1,5 +1,6 @@
 package org.robonewbie.team.tactics;
 
+import java.util.Optional;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.skill.Goalkeeping;
 import org.robonewbie.team.tactics.Plan.Action;
@@ -18,11 +19,13 @@ public final class Strategy {
     private static final double KEEPER_LEAVES_METRES = 3.5;
     private static final double NEVER_SECONDS = 25;
     private static final double GET_UP_SECONDS = 4;
+    private static final double BLIND_SECONDS = 1.5;
     private static final double SPEED = 0.5;
     private static final double TURN_SPEED = 90;
     private static final double MOST_SECONDS = 24;
     private static final double NEAR_METRES = 0.8;
-    private static final double KICK_LASTS_SECONDS = 3;
+    private static final double KICK_LASTS_SECONDS = 5;
+    private static final double PASS_SECONDS = 2;
 
     private final WorldModel world;
     private final SetPlay setPlay = new SetPlay();
@@ -85,9 +88,18 @@ public final class Strategy {
     }
 
     private Plan waiting(TeamRole role) {
-        Spot place = new Formation(world.field()).place(role, world.ball());
+        Spot place = passTarget().orElseGet(() -> new Formation(world.field()).place(role, world.ball()));
         Spot legal = SetPlay.legal(world, place);
         return new Plan(role, Action.GO, legal, facing(legal), 0);
+    }
+
+    /** Where a team mate is about to pass the ball, or has just passed it, if this player is to receive it. */
+    private Optional<Spot> passTarget() {
+        return world.mates().stream()
+                .filter(mate -> mate.message().receiver() == world.number())
+                .filter(mate -> world.seconds() - mate.heardSeconds() < PASS_SECONDS)
+                .map(mate -> mate.message().passTarget())
+                .findFirst();
     }
 
     private double facing(Spot place) {
@@ -100,8 +112,7 @@ public final class Strategy {
      * @return seconds, {@link #NEVER_SECONDS} if the player does not want the ball
      */
     public double secondsToBall() {
-        boolean keeps = world.number() == 1
-                && !world.mates().isEmpty()
+        boolean keeps = Roles.isKeeper(world, world.number())
                 && world.ball().distanceTo(world.ourGoal()) > KEEPER_LEAVES_METRES;
         if (keeps || world.ballAgeSeconds() > LOST_SECONDS || setPlay.isForbidden()) {
             return NEVER_SECONDS;
@@ -113,7 +124,9 @@ public final class Strategy {
                         - ball.minus(world.place()).degrees(),
                 360));
         double turn = Math.abs(ball.seenFrom(world.pose()).degrees());
-        double sum = seconds + behind / TURN_SPEED + turn / TURN_SPEED + (world.isFallen() ? GET_UP_SECONDS : 0);
+        boolean blind = world.ownBallAgeSeconds() > BLIND_SECONDS;
+        double sum =
+                seconds + behind / TURN_SPEED + turn / TURN_SPEED + (world.isFallen() || blind ? GET_UP_SECONDS : 0);
         return Math.min(MOST_SECONDS, sum);
     }
 

@@ -1,20 +1,21 @@
 package org.robonewbie.team.world;
 
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.robonewbie.agent.Robot;
 import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
+import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.agent.perception.LocalFieldView;
 import org.robonewbie.agent.perception.PlayerItem;
+import org.robonewbie.nao.BodyPart;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
-import org.robonewbie.nao.Vector3;
 import org.robonewbie.team.talk.TeamMessage;
 
 /**
@@ -30,6 +31,7 @@ public final class WorldModel {
     private static final double OWN_EYES_SECONDS = 1;
     private static final double MATE_SECONDS = 4;
     private static final double OPPONENT_SECONDS = 4;
+    private static final double LYING_METRES = 0.25;
 
     private final SelfLocalisation self = new SelfLocalisation();
     private final BallTracker tracker = new BallTracker();
@@ -41,6 +43,7 @@ public final class WorldModel {
     private Spot ballVelocity = Spot.ORIGIN;
     private double ballSeenSeconds = Double.NEGATIVE_INFINITY;
     private List<Spot> opponents = List.of();
+    private List<Spot> uprightOpponents = List.of();
     private Situation situation = Situation.LINE_UP;
     private double situationSeconds;
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
@@ -75,7 +78,8 @@ public final class WorldModel {
         mates.values().removeIf(mate -> seconds - mate.heardSeconds() > MATE_SECONDS);
         believeBall();
         if (upright && nao.getVision().isPresent()) {
-            opponents = opponents(view);
+            opponents = opponents(view.opponents().stream());
+            uprightOpponents = opponents(view.opponents().stream().filter(player -> !isLying(player)));
         }
     }
 
@@ -115,15 +119,17 @@ public final class WorldModel {
         ballSeenSeconds = sawBallSeconds(witness);
     }
 
-    private List<Spot> opponents(LocalFieldView view) {
-        List<Spot> places = new ArrayList<>();
-        for (PlayerItem player : view.opponents()) {
-            if (player.ageSeconds() < OPPONENT_SECONDS) {
-                Vector3 now = self.odometry().positionNow(player);
-                places.add(Spot.of(now).onMap(pose));
-            }
-        }
-        return List.copyOf(places);
+    private List<Spot> opponents(Stream<PlayerItem> players) {
+        return players.filter(player -> player.ageSeconds() < OPPONENT_SECONDS)
+                .map(player -> Spot.of(self.odometry().positionNow(player)).onMap(pose))
+                .toList();
+    }
+
+    /** A robot whose head is far below the own one lies on the ground; it may still be in the way, but it does not play. */
+    private static boolean isLying(PlayerItem player) {
+        FieldItem head = player.part(BodyPart.HEAD);
+        boolean seen = head.isKnown() && head.lastSeenSeconds() == player.lastSeenSeconds();
+        return seen && head.position().z() < -LYING_METRES;
     }
 
     /**
@@ -256,12 +262,12 @@ public final class WorldModel {
     }
 
     /**
-     * Looks how near the opponents are.
+     * Looks how near the opponents are who stand on their feet.
      *
      * @param spot a point
-     * @return metres from it to the nearest opponent; infinite if none is in sight
+     * @return metres from it to the nearest of them; infinite if none is in sight
      */
     public double opponentDistance(Spot spot) {
-        return opponents.stream().mapToDouble(spot::distanceTo).min().orElse(Double.POSITIVE_INFINITY);
+        return uprightOpponents.stream().mapToDouble(spot::distanceTo).min().orElse(Double.POSITIVE_INFINITY);
     }
 }

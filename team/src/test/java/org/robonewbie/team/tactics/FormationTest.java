@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.nao.SoccerField;
@@ -52,14 +53,15 @@ class FormationTest {
     }
 
     @ParameterizedTest
-    @ValueSource(booleans = {true, false})
-    void linesUpInTheOwnHalfOnBothPitches(boolean kicksOff) {
+    @CsvSource({"true,true", "true,false", "false,true", "false,false"})
+    void linesUpInTheOwnHalfOnBothPitches(boolean kicksOff, boolean small) {
         for (SoccerField field : List.of(SoccerField.LEAGUE, SoccerField.BEGINNER)) {
             for (int number = 1; number <= 11; number++) {
-                GroundPose place = KickOffPlaces.place(number, kicksOff, field);
+                GroundPose place = KickOffPlaces.place(number, kicksOff, small, field);
                 assertThat(place.x()).isBetween(-field.length() / 2, -0.3);
                 assertThat(Math.abs(place.y())).isLessThan(field.width() / 2);
-                assertThat((kicksOff && number == 2) || Spot.of(place).length() > field.centreCircleRadius())
+                boolean atBall = kicksOff && (number == 2 || number == 3);
+                assertThat(atBall || Spot.of(place).length() > field.centreCircleRadius())
                         .isTrue();
             }
         }
