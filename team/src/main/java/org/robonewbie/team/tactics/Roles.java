@@ -21,7 +21,7 @@ public final class Roles {
     static final double ROLE_LEAD_METRES = 1;
 
     private static final int KEEPER_NUMBER = 1;
-    private static final int MATES_OF_KEEPER = 4;
+    private static final int MATES_OF_KEEPER = 7;
     private static final double SILENT_SECONDS = 2;
 
     private final WorldModel world;
@@ -56,7 +56,7 @@ public final class Roles {
     }
 
     /**
-     * Looks whether a player keeps the goal. A team of less than five has no keeper: in a small team each player is needed where the
+     * Looks whether a player keeps the goal. A team of less than eight has no keeper: in a small team each player is needed where the
      * ball is.
      *
      * @param world the game

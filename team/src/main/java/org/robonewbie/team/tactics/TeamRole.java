@@ -2,7 +2,7 @@ package org.robonewbie.team.tactics;
 
 /** What a player does for its team. */
 public enum TeamRole {
-    /** Keeps the goal; always number 1, in a team of five or more. */
+    /** Keeps the goal; always number 1, in a team of eight or more. */
     KEEPER("white"),
     /** Plays the ball. Only one player at a time. */
     STRIKER("red"),
