@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Printed;
@@ -92,6 +93,7 @@ class ClassMarkingTest {
         assertThat(printed.out()).contains("4 of 4").contains("6 students, 4 programs, 0 of them graded before.");
     }
 
+    @Tag("slow")
     @Test
     void onlyWhatHasChangedIsGradedAgain() throws IOException {
         grade();

@@ -9,6 +9,7 @@ import java.time.Clock;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -147,6 +148,7 @@ class CourseDeskTest {
         assertThat(attempt.output()).contains("';' expected");
     }
 
+    @Tag("slow")
     @Test
     void agentThatTheStudentStartsIsJudgedTheSameWay() throws Exception {
         Files.writeString(folder.resolve("RaiseArms.java"), RAISE_ARMS);

@@ -82,6 +82,7 @@ class ReferenceRecorderTest {
         assertThat(result.ballMaxMetres().orElseThrow()).isLessThan(1e-5);
     }
 
+    @Tag("slow")
     @Test
     void aRobotOnANoisyServerIsFollowedFromWhereItStands() throws IOException {
         ReferenceScenario squat = scenario("h_squat");
@@ -142,6 +143,7 @@ class ReferenceRecorderTest {
         assertThat(result.torsoMaxMetres().orElseThrow()).isLessThan(2e-5);
     }
 
+    @Tag("slow")
     @Test
     void theCommandsOfAnyRecordingCanBeRepeated() throws IOException {
         Recording shipped = FidelityBench.readShipped("d_fall_side_nonoise.jsonl.gz");

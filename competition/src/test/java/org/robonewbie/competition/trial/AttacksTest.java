@@ -206,6 +206,7 @@ class AttacksTest {
                 .allSatisfy(team -> assertThat(team.ending()).isEqualTo(Ending.PLAYED));
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"0.7, SILENT", "3, SILENT"})
     void endlessLoopIsNamedAsSuchWhateverThePatience(double patience, Ending ending) throws Exception {
