@@ -113,10 +113,19 @@ final class LearnCommand implements Callable<Integer> {
     private int learn(WalkCourse course) throws IOException {
         Path file = out == null ? Path.of(course.task() + ".policy") : out;
         TrainingPlan plan = new TrainingPlan(seed, generations, pairs, spread, rate, seconds, push, threads);
-        PolicyTraining training = new PolicyTraining(course, plan, file);
+        PolicyTraining training = new PolicyTraining(course, plan, file, history(file));
         training.run(begin(training), System.out::println);
         System.out.println("Written to " + file + "; its curve is " + training.curve() + ".");
         return ExitCode.OK;
+    }
+
+    /** How the policy was learned with which the training began; the last line is its own. */
+    private List<String> history(Path file) {
+        if (resume && Files.exists(file)) {
+            List<String> all = PolicyFile.read(file).about();
+            return all.subList(0, Math.max(0, all.size() - 1));
+        }
+        return start == null ? List.of() : PolicyFile.read(start).about();
     }
 
     private EvolutionStrategy.State begin(PolicyTraining training) throws IOException {

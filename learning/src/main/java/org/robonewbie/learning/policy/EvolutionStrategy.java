@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
  * An evolution strategy for hundreds of numbers (Salimans et al. 2017): each generation tries pairs of candidates, which lie at
@@ -96,9 +97,9 @@ public record EvolutionStrategy(long seed, int pairs, double spread, double rate
         for (int i = 0; i < size; i++) {
             drift[i] = MEMORY * state.drift()[i] + (1 - MEMORY) * gradient[i];
             squares[i] = SQUARES_MEMORY * state.squares()[i] + (1 - SQUARES_MEMORY) * gradient[i] * gradient[i];
-            double step = drift[i] / (1 - Math.pow(MEMORY, generation));
-            double size2 = squares[i] / (1 - Math.pow(SQUARES_MEMORY, generation));
-            mean[i] += rate * state.units()[i] * step / (Math.sqrt(size2) + TINY);
+            double way = drift[i] / (1 - PortableMath.pow(MEMORY, generation));
+            double evened = squares[i] / (1 - PortableMath.pow(SQUARES_MEMORY, generation));
+            mean[i] += rate * state.units()[i] * way / (Math.sqrt(evened) + TINY);
         }
         return new State(generation, mean, state.units(), drift, squares);
     }

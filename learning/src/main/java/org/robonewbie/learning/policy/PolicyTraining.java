@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.walk.PolicyWalk;
@@ -23,20 +24,26 @@ import org.robonewbie.trial.Trial;
  * the curve as CSV, and all that is needed to go on.
  *
  * <pre>{@code
- * PolicyTraining training = new PolicyTraining(WalkCourse.WALK, plan, Path.of("walk.policy"));
+ * PolicyTraining training = new PolicyTraining(WalkCourse.WALK, plan, Path.of("walk.policy"), List.of());
  * training.run(training.begin(), line -> System.out.println(line));
  * }</pre>
  *
  * @param course what is learned
  * @param plan how
  * @param output where the policy goes; curve and checkpoint are written beside it
+ * @param history how the policy was learned with which it starts, in lines for people; none if it begins with the engine
  */
-public record PolicyTraining(WalkCourse course, TrainingPlan plan, Path output) {
+public record PolicyTraining(WalkCourse course, TrainingPlan plan, Path output, List<String> history) {
 
     /** In which part of the lessons of a training the command stays the same. */
     private static final double LONG_SHARE = 0.4;
 
     private static final String CURVE = "generation,lessons,cycles,reward,falls,speedError,turnError\n";
+
+    /** Copies the list. */
+    public PolicyTraining {
+        history = List.copyOf(history);
+    }
 
     /** {@return the curve, a CSV file beside the policy} */
     public Path curve() {
@@ -153,9 +160,8 @@ public record PolicyTraining(WalkCourse course, TrainingPlan plan, Path output) 
     }
 
     private Policy policy(EvolutionStrategy.State state) {
-        return course.policy(
-                List.of("learned by: robonewbie learn " + question() + " --generations " + state.generation()),
-                state.mean());
+        String last = "learned by: robonewbie learn " + question() + " --generations " + state.generation();
+        return course.policy(Stream.concat(history.stream(), Stream.of(last)).toList(), state.mean());
     }
 
     /**

@@ -37,8 +37,8 @@ public record WalkCourse(
     public static final WalkCourse WALK =
             new WalkCourse("walk", new WalkVelocity(0.8, 0.2, 90), 0.3, 200, 0.35, 0.3, 0.3);
 
-    /** Runs straight ahead with 0.7 to 1.3 m/s, with short steps. */
-    public static final WalkCourse RUN = new WalkCourse("run", new WalkVelocity(1.3, 0.2, 60), 0.3, 160, 1, 0.55, 0.6);
+    /** Runs straight ahead with 0.9 to 1.3 m/s, with short steps. */
+    public static final WalkCourse RUN = new WalkCourse("run", new WalkVelocity(1.3, 0.2, 60), 0.3, 160, 1, 0.7, 0.6);
 
     private static final int HIDDEN = 16;
     private static final int[] LAYERS = {LearnedReflex.INPUTS.size(), HIDDEN, LearnedReflex.OUTPUTS.size()};

@@ -82,14 +82,16 @@ public final class WalkFigures {
 
     @Override
     public String toString() {
+        String errors = settled == 0
+                ? "too short for errors"
+                : String.format(Locale.ROOT, "error %.3f m/s and %.1f degrees/s", error(), turnError());
         return String.format(
                 Locale.ROOT,
-                "%d falls in %.1f min (%.2f in 20 min), error %.3f m/s and %.1f degrees/s, reward %.2f",
+                "%d falls in %.1f min (%.2f in 20 min), %s, reward %.2f",
                 falls,
                 seconds() / 60,
                 fallsIn20Minutes(),
-                error(),
-                turnError(),
+                errors,
                 reward());
     }
 }

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -34,13 +35,18 @@ class PolicyTrainingTest {
         assertThat(later.output()).hasSameTextualContentAs(whole.output());
         assertThat(later.curve()).hasSameTextualContentAs(whole.curve());
         assertThat(Files.readAllLines(later.curve())).hasSize(3);
+        assertThat(PolicyFile.read(later.output()).about())
+                .containsExactly(
+                        "born on a Monday",
+                        "learned by: robonewbie learn walk --seed 1 --pairs 1 --spread 0.02 --rate 0.005 --seconds 1.0"
+                                + " --push 6.0 --generations 2");
     }
 
     @Test
     void refusesTheCheckpointOfAnotherTraining() throws IOException {
         PolicyTraining training = training("walk.policy", 1, 1);
         training.run(training.begin(), line -> {});
-        PolicyTraining other = new PolicyTraining(WalkCourse.RUN, training.plan(), training.output());
+        PolicyTraining other = new PolicyTraining(WalkCourse.RUN, training.plan(), training.output(), List.of());
 
         assertThatThrownBy(other::resume)
                 .isInstanceOf(IllegalArgumentException.class)
@@ -86,6 +92,6 @@ class PolicyTrainingTest {
 
     private PolicyTraining training(String file, int generations, int threads) {
         TrainingPlan plan = new TrainingPlan(1, generations, 1, 0.02, 0.005, 1, 6, threads);
-        return new PolicyTraining(WalkCourse.WALK, plan, folder.resolve(file));
+        return new PolicyTraining(WalkCourse.WALK, plan, folder.resolve(file), List.of("born on a Monday"));
     }
 }
