@@ -72,7 +72,7 @@ class Training:
         from robonewbie.sb3 import VecEnv
 
         self.wanted = wanted
-        self.out = wanted.out or Path(f"{wanted.task}.policy")
+        self.out = wanted.out
         self.task = VecEnv(wanted.task, wanted.robots)
         robots = VecMonitor(self.task)
         if wanted.resume:
@@ -152,10 +152,15 @@ def _pickled(normalised):
 def main(words=None):
     """Learns what the command line says."""
     wanted = _arguments(words)
+    wanted.out = wanted.out or Path(f"{wanted.task}.policy")
+    model = wanted.out.with_name(wanted.out.name + ".zip")
+    if model.exists() and not wanted.resume:
+        sys.exit(f"There is a training in {model} already. Go on with --resume, or choose another --out.")
+    if wanted.resume and not model.exists():
+        sys.exit(f"There is nothing to resume: {model} does not exist. Leave out --resume.")
     training = Training(wanted)
-    if not wanted.resume and training._beside(".zip").exists():
-        sys.exit(f"There is a training in {training._beside('.zip')} already. Go on with --resume, or choose another --out.")
     training.run()
+    training.task.close()
     print(f"Written to {training.out}.")
 
 
