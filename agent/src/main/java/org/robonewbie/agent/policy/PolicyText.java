@@ -154,7 +154,7 @@ public final class PolicyText {
 
     private static String words(List<Double> numbers) {
         return numbers.stream()
-                .map(number -> number == Math.rint(number) && Math.abs(number) < 1e6
+                .map(number -> number == Math.floor(number) && Math.abs(number) < 1e6
                         ? String.valueOf(number.intValue())
                         : String.format(Locale.ROOT, "%.6g", number))
                 .collect(Collectors.joining(" "));
