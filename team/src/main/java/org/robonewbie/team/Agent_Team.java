@@ -7,6 +7,7 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
 import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.team.skill.Dribble;
 import org.robonewbie.team.skill.Footwork;
 import org.robonewbie.team.skill.Gaze;
@@ -34,6 +35,8 @@ import org.robonewbie.team.world.WorldModel;
 public class Agent_Team extends Agent {
 
     private static final String USUAL_PLAYERS = "3";
+    private static final int MOST_OF_ONE_TYPE = 7;
+    private static final int MOST_OF_TWO_TYPES = 9;
     private static final double STILL_SECONDS = 0.2;
     private static final double BEAM_AGAIN_SECONDS = 1;
 
@@ -82,6 +85,20 @@ public class Agent_Team extends Agent {
         runTogether(args, team);
     }
 
+    /**
+     * Chooses how a player is built. The league allows seven robots of one type in a team and nine of any two types, and wants three types
+     * among eleven robots.
+     *
+     * @param number the player's number, 1 to 11, or 0 for any
+     * @return type 0 for the first seven, then two each of types 1 and 2
+     */
+    public static RobotType type(int number) {
+        if (number <= MOST_OF_ONE_TYPE) {
+            return RobotType.TYPE_0;
+        }
+        return number <= MOST_OF_TWO_TYPES ? RobotType.TYPE_1 : RobotType.TYPE_2;
+    }
+
     private static int players(String... args) {
         String players = args.length > 0 && !args[0].startsWith("-") ? args[0] : USUAL_PLAYERS;
         if (!players.matches("[1-9]|1[01]")) {
@@ -93,7 +110,10 @@ public class Agent_Team extends Agent {
 
     @Override
     protected Options defaults() {
-        return Options.none().withWords().withNumber(number);
+        return Options.none()
+                .withWords()
+                .withNumber(number)
+                .with("type", Integer.toString(type(number).ordinal()));
     }
 
     @Override

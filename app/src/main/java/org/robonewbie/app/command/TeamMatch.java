@@ -12,10 +12,10 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.team.Agent_Team;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Performer;
@@ -101,7 +101,7 @@ final class TeamMatch {
     private static RobotStart robot(String team, int number, int side) {
         StartPose pose = StartPose.ofNumber(number);
         Place place = new Place(side * pose.x(), side * pose.y(), side > 0 ? 0 : 180);
-        return new RobotStart(team, number, RobotType.TYPE_0, place, List.of());
+        return new RobotStart(team, number, Agent_Team.type(number), place, List.of());
     }
 
     private Result watch(OptionalDouble most) {

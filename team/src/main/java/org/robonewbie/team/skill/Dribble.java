@@ -10,7 +10,7 @@ import org.robonewbie.team.world.WorldModel;
  * along. As long as the ball does not leave the way, the robot never stops.
  *
  * <p>Ahead of the robot is a cone that begins between the feet. While the ball is in it, the robot walks with full speed and only
- * corrects its way; else it walks around the ball.
+ * corrects its way; else it walks around the ball. With an opponent near and the ball ahead it does neither: it runs through the ball.
  */
 public final class Dribble {
 

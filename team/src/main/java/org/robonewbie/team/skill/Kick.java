@@ -5,8 +5,9 @@ import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Kicks the ball far. The kick is a motion of keyframes that begins in the stance, with the ball at one exact place before a foot. So
- * the robot walks there, stops, looks whether the ball lies where it has to, and only then kicks; else it goes on walking.
+ * Kicks the ball far. The kick is a motion of keyframes that begins in the stance, with the ball before a foot. So the robot walks
+ * there, stops, looks whether the ball lies within reach, and only then kicks; else it goes on walking. With an opponent near it is
+ * content with less.
  */
 public final class Kick {
 
