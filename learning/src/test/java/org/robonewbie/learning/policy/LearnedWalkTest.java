@@ -2,11 +2,11 @@ package org.robonewbie.learning.policy;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.PolicyWalk;
-import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.RobotStart;
@@ -21,26 +21,31 @@ class LearnedWalkTest {
             .withParameters(SoccerParameters.league())
             .withBall(0, -9);
 
-    @Test
-    void agentWalksFasterThanTheEngineFromItsMessagesAlone() {
+    @ParameterizedTest
+    @CsvSource({"walk, 0.7", "run, 0.9"})
+    void agentGetsAheadFromItsMessagesAlone(String policy, double metresPerSecond) {
         Distance way = new Distance();
 
-        try (Trial trial = Trial.served(SCENE, 5, Performer.ofAgent(new Walker()))) {
+        try (Trial trial = Trial.served(SCENE, 5, Performer.ofAgent(new Walker(policy)))) {
             trial.run(8, way);
         }
 
         assertThat(way.hasFallen()).isFalse();
-        assertThat(way.value()).isGreaterThan(7 * WalkStyle.STANDARD.most().forward());
+        assertThat(way.value()).isGreaterThan(8 * metresPerSecond);
     }
 
     private static final class Walker extends Agent {
 
-        private final PolicyWalk learned = new PolicyWalk(PolicyFile.shipped("walk"));
+        private final PolicyWalk learned;
+
+        private Walker(String policy) {
+            learned = new PolicyWalk(PolicyFile.shipped(policy));
+        }
 
         @Override
         protected void think() {
             walk.setPolicy(learned);
-            walk.towards(0.8, 0, 0);
+            walk.towards(learned.style().most().forward(), 0, 0);
         }
     }
 }
