@@ -49,6 +49,13 @@ test('an empty field waits for a robot', () => {
   const empty = withScene(live(), { ...sampleScene(), robots: [] });
 
   assert.match(message(empty, 0)?.title ?? '', /Waiting for a robot/);
+  assert.match(message(empty, 0)?.text ?? '', /run Agent_BasicStructure/);
+});
+
+test('a world without a port names nothing that nobody can do there', () => {
+  const closed = withScene(live(), { ...sampleScene(), robots: [], agentPort: 0 });
+
+  assert.match(message(closed, 0)?.text ?? '', /Choose an agent in the bar/);
 });
 
 test('a moving world needs no message', () => {

@@ -30,6 +30,7 @@ final class CompileToWebAssembly {
 
     public static void main(String[] args) throws IOException, TeaVMToolException {
         Path file = Path.of(args[1]);
+        Files.createDirectories(file.getParent());
         TeaVMTool compiler = compiler(args[0], file);
         compiler.generate();
         List<Problem> problems = compiler.getProblemProvider().getProblems();

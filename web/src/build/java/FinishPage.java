@@ -33,6 +33,7 @@ final class FinishPage {
         ModuleGraph scripts = new ModuleGraph(name -> text(folder.resolve(name)));
         Files.writeString(
                 index, scripts.withPreloads(Files.readString(index)).replace("  </head>", STYLE));
+        offerToTry(folder.resolve("docs"));
         List<Path> files = files(folder);
         MessageDigest digest = MessageDigest.getInstance("SHA-256");
         for (Path file : files) {
@@ -44,6 +45,16 @@ final class FinishPage {
         Files.writeString(
                 folder.resolve(LIST),
                 "{\n  \"version\": \"robonewbie-" + version + "\",\n  \"files\": [\n    " + names + "\n  ]\n}\n");
+    }
+
+    /** The documentation beside this page leads back to it. */
+    private static void offerToTry(Path documentation) throws IOException {
+        try (Stream<Path> pages = Files.exists(documentation) ? Files.walk(documentation) : Stream.empty()) {
+            for (Path page : pages.filter(file -> file.toString().endsWith(".html")).toList()) {
+                String text = Files.readString(page);
+                Files.writeString(page, text.replaceFirst("(<a class=\"try\" href=\"[^\"]*\") hidden>", "$1>"));
+            }
+        }
     }
 
     private static Optional<String> text(Path file) {

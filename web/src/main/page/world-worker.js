@@ -1,6 +1,6 @@
 /**
- * The simulator and its agent, off the page's own thread. A message `{begin: {agent, seed}}` begins a world, `{ask: command}` passes on
- * what the page asks for, and `{call, with}` calls any function of the program. News are sent as texts, states as bytes.
+ * The simulator and its agent, off the page's own thread. A message such as `{begin: {agent, seed}}` or `{ask: command}` has the name of
+ * a deed and what it needs. News are sent as texts, states as bytes.
  */
 import { load } from './webassembly-loader.js';
 
@@ -8,12 +8,15 @@ const TURN_MILLISECONDS = 20;
 const REPORT_MILLISECONDS = 200;
 const SHORTEST_SECONDS = 0.001;
 
-const program = load(new URL('robonewbie.wasm', import.meta.url).href);
+const FOR_PROGRAMS = location.search === '?programs';
+
+const program = load(new URL(FOR_PROGRAMS ? 'programs/robonewbie.wasm' : 'field.wasm', import.meta.url).href);
 let last = performance.now();
 /** @type {ReturnType<typeof setInterval> | undefined} */
 let turns;
 /** @type {ReturnType<typeof setInterval> | undefined} */
 let reports;
+let language = 'en';
 
 /** @param {any} exports functions of the program */
 function turn(exports) {
@@ -23,29 +26,59 @@ function turn(exports) {
   exports.turn(seconds);
 }
 
-/** @param {any} exports @param {{agent: string, seed: number}} wanted */
-function begin(exports, { agent, seed }) {
-  exports.begin(agent, seed);
-  postMessage({ begun: agent, agents: exports.agents().split(' ') });
-  last = performance.now();
-  turns ??= setInterval(() => attempt(() => turn(exports)), TURN_MILLISECONDS);
+/** @param {any} exports */
+function report(exports) {
+  postMessage({ run: exports.programRun() });
+  postMessage({ attempt: exports.attempt(language) });
 }
 
-/** @param {any} exports @param {{classes: Int8Array[], seed: number}} wanted */
-function beginProgram(exports, { classes, seed }) {
+/** A new world has begun. @param {any} exports @param {string} begun name of the agent; empty for a program of one's own */
+function goOn(exports, begun) {
+  postMessage({ begun, agents: exports.agents().split(' ') });
+  last = performance.now();
+  turns ??= setInterval(() => attempt(() => turn(exports)), TURN_MILLISECONDS);
+  if (FOR_PROGRAMS) {
+    reports ??= setInterval(() => attempt(() => report(exports)), REPORT_MILLISECONDS);
+  }
+}
+
+/** @param {any} exports @param {Int8Array[]} classes @param {() => string} beginning gives why the program cannot run here */
+function beginWith(exports, classes, beginning) {
   for (const each of classes) {
     exports.takeClass(each);
   }
-  const refusal = exports.beginProgram(seed);
+  const refusal = beginning();
   if (refusal) {
     postMessage({ refusal });
-    return;
+  } else {
+    goOn(exports, '');
   }
-  postMessage({ begun: '', agents: exports.agents().split(' ') });
-  last = performance.now();
-  turns ??= setInterval(() => attempt(() => turn(exports)), TURN_MILLISECONDS);
-  reports ??= setInterval(() => attempt(() => postMessage({ run: exports.programRun() })), REPORT_MILLISECONDS);
 }
+
+/** What the page asks for, by the name of its message. @type {Record<string, (exports: any, data: any) => void>} */
+const DEEDS = {
+  begin: (exports, { agent, seed }) => {
+    exports.begin(agent, seed);
+    goOn(exports, agent);
+  },
+  program: (exports, { classes, seed }) => beginWith(exports, classes, () => exports.beginProgram(seed)),
+  exercise: (exports, wanted) => {
+    language = wanted.language;
+    beginWith(exports, wanted.classes, () => exports.beginExercise(wanted.name, wanted.trials));
+  },
+  language: (_, code) => {
+    language = code;
+  },
+  stopProgram: (exports) => exports.stopProgram(),
+  ask: (exports, command) => exports.ask(JSON.stringify(command)),
+  score: (exports, { classes, exercise, seed }) => {
+    for (const each of classes) {
+      exports.takeClass(each);
+    }
+    postMessage({ result: exports.score(exercise, seed) });
+  },
+  call: (exports, { id, name, given }) => postMessage({ id, result: exports[name](...given) }),
+};
 
 /** @param {() => void} deed */
 function attempt(deed) {
@@ -63,16 +96,8 @@ onmessage = async ({ data }) => {
     (failure) => postMessage({ failure: String(failure) }),
   );
   attempt(() => {
-    if (data.begin) {
-      begin(exports, data.begin);
-    } else if (data.program) {
-      beginProgram(exports, data.program);
-    } else if (data.stopProgram) {
-      exports.stopProgram();
-    } else if (data.ask) {
-      exports.ask(JSON.stringify(data.ask));
-    } else {
-      postMessage({ result: exports[data.call](...data.with) });
+    for (const [name, given] of Object.entries(data)) {
+      DEEDS[name](exports, given);
     }
   });
 };

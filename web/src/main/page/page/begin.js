@@ -1,32 +1,38 @@
 /** Begins the studio over the world of this page. Tests find it in the browser's console as `studio`. */
 import { Studio } from '../studio.js';
 import { AgentChoice } from './agent-choice.js';
+import { CourseServer } from './course-server.js';
 import { sayHowToInstall } from './old-browser.js';
 import { PageCompiler } from './page-compiler.js';
+import { MotionServer } from './motion-server.js';
 import { answerInsteadOfServer } from './page-server.js';
 import { ProgramServer } from './program-server.js';
 import { ProgramShelf } from './program-shelf.js';
 import { addTakeaways } from './program-takeaway.js';
+import { ReplayServer } from './replay-server.js';
 import { sharedProgram } from './share.js';
 import { WorldConnection } from './world-connection.js';
 import { world } from './world-process.js';
+import { WorldQuestions } from './world-questions.js';
 
 /** The studio shows nothing to whom its server has not given a token; this page is everybody's. */
 const TOKEN = 'page';
 
-/** @param {Worker} worker */
+/** @param {import('./world-process.js').World} worker */
 async function begin(worker) {
   const shelf = new ProgramShelf();
   const shared = await sharedProgram();
   if (shared) {
     shelf.takeShared(shared.path, shared.text);
   }
-  const programs = new ProgramServer(new PageCompiler(), worker, shelf);
-  answerInsteadOfServer(programs);
+  const programs = new ProgramServer(new PageCompiler(() => worker.prepare()), worker, shelf);
+  const course = new CourseServer(worker, shelf, programs);
+  const questions = new WorldQuestions(worker);
+  answerInsteadOfServer({ programs, course, ...new MotionServer(questions).parts, ...new ReplayServer(questions).parts });
   const options = new URLSearchParams(location.search);
   options.set('token', TOKEN);
   const choice = new AgentChoice(options.get('agent'));
-  const studio = new Studio(options, (listener) => new WorldConnection(worker, listener, choice, programs));
+  const studio = new Studio(options, (listener) => new WorldConnection(worker, listener, choice, { programs, course, questions }));
   Object.assign(window, { studio });
   addTakeaways(() => studio.rooms.program, shelf);
   studio.start();

@@ -4,7 +4,8 @@ import { byId } from '../panels/elements.js';
 /** The smallest program with a structure that the garbage collector looks after. */
 const PROGRAM_WITH_STRUCTURE = [0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 3, 1, 0x5f, 0];
 
-export const isBrowserNewEnough = () => WebAssembly.validate(new Uint8Array(PROGRAM_WITH_STRUCTURE));
+export const isBrowserNewEnough = () =>
+  typeof WebAssembly === 'object' && WebAssembly.validate(new Uint8Array(PROGRAM_WITH_STRUCTURE));
 
 export function sayHowToInstall() {
   byId('stage-opening').textContent =

@@ -1,16 +1,26 @@
 /** Java's compiler in a worker of its own, which begins when somebody opens the room for programs. */
+import { insteadOfMissing } from './missing-classes.js';
 
 /**
  * @typedef {import('../state/program/remarks.js').Remark} Remark
  * @typedef {{remarks: Remark[], classes: Int8Array[]}} Compiled
  */
 
+/** What is kept for times without a network as soon as somebody has programmed. */
+const FOR_PROGRAMS = ['compiler/', 'programs/', 'examples/', 'vendor/codemirror/'];
+
 export class PageCompiler {
   /** @type {Worker | undefined} */
   #worker;
   #asked = 0;
+  #begun;
   /** @type {Map<number, {done: (made: any) => void, fail: (reason: Error) => void}>} */
   #waiting = new Map();
+
+  /** @param {() => void} begun what else is loaded when somebody programs */
+  constructor(begun) {
+    this.#begun = begun;
+  }
 
   /**
    * @param {Map<string, string>} sources text by path
@@ -35,6 +45,8 @@ export class PageCompiler {
 
   #begin() {
     const worker = new Worker('compiler-worker.js', { type: 'module' });
+    this.#begun();
+    navigator.serviceWorker?.ready.then(({ active }) => active?.postMessage({ keep: FOR_PROGRAMS }));
     worker.onmessage = ({ data }) => {
       const waiting = this.#waiting.get(data.id);
       this.#waiting.delete(data.id);
@@ -65,7 +77,7 @@ function remarks(lines, shown, text) {
       line: isHere ? Number(number) : 0,
       serious: kind === 'ERROR',
       text: (isHere || path === '' ? '' : `${path}:${number}: `) + words.join('\t'),
-      hint: '',
+      hint: insteadOfMissing(words.join('\t')),
     };
   });
 }

@@ -4,33 +4,36 @@ const NOT_HERE = 'That is not in this page yet. RoboNewbie on your computer has 
 
 /** What is there, by the path behind `api/`. @type {Record<string, object>} */
 const EMPTY = {
-  course: { lessons: [], programs: [], standings: [] },
   scenes: { scenes: [] },
-  recordings: { recordings: [] },
 };
 
-/** @param {import('./program-server.js').ProgramServer} programs */
-export function answerInsteadOfServer(programs) {
+/**
+ * @typedef {{answer: (place: string, options: RequestInit) => Promise<Response>}} Part of a server
+ * @param {Record<string, Part>} parts by the first word of their places
+ */
+export function answerInsteadOfServer(parts) {
   const network = window.fetch.bind(window);
   window.fetch = async (place, options) =>
     typeof place === 'string' && place.startsWith('api/')
-      ? answer(place.slice('api/'.length), options ?? {}, programs)
+      ? answer(place.slice('api/'.length), options ?? {}, parts)
       : network(place, options);
 }
 
 /**
- * @param {string} path
+ * @param {string} place
  * @param {RequestInit} options
- * @param {import('./program-server.js').ProgramServer} programs
+ * @param {Record<string, Part>} parts
  */
-async function answer(path, options, programs) {
-  if (path === 'programs' || path.startsWith('programs/')) {
+async function answer(place, options, parts) {
+  const [word] = place.split(/[/?]/);
+  const part = parts[word];
+  if (part) {
     try {
-      return await programs.answer(path.slice('programs/'.length), options);
+      return await part.answer(place.slice(word.length), options);
     } catch (failure) {
-      return new Response(/** @type {Error} */ (failure).message, { status: 500 });
+      return new Response(/** @type {Error} */ (failure).message, { status: 400 });
     }
   }
-  const content = EMPTY[path];
+  const content = EMPTY[place];
   return content ? Response.json(content) : new Response(NOT_HERE, { status: 404 });
 }

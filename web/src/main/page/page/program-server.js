@@ -1,5 +1,5 @@
 /** Answers what the room for programs asks its server: files of the browser, the compiler of the page, the program that runs. */
-import { versionOf } from './program-shelf.js';
+import { versionOf } from './browser-shelf.js';
 
 /** @typedef {import('./program-shelf.js').ProgramShelf} ProgramShelf */
 
@@ -48,7 +48,7 @@ export class ProgramServer {
 
   /**
    * @param {import('./page-compiler.js').PageCompiler} compiler
-   * @param {Worker} world
+   * @param {import('./world-process.js').World} world
    * @param {ProgramShelf} shelf
    */
   constructor(compiler, world, shelf) {
@@ -75,10 +75,10 @@ export class ProgramServer {
     this.#run = { ...this.#run, state: this.#run.state === 'RUNNING' ? 'STOPPED' : this.#run.state };
   }
 
-  /** @param {string} place behind `programs/` @param {RequestInit} options @returns {Promise<Response>} */
+  /** @param {string} place behind `programs` @param {RequestInit} options @returns {Promise<Response>} */
   async answer(place, options) {
     const [path, search = ''] = place.split('?');
-    const [kind = '', ...rest] = path.split('/');
+    const [, kind = '', ...rest] = path.split('/');
     const name = rest.map(decodeURIComponent).join('/');
     const body = String(options.body ?? '');
     switch (`${options.method ?? 'GET'} ${kind}`) {
@@ -98,7 +98,7 @@ export class ProgramServer {
       case 'GET new':
         return new Response(await this.#newProgram(name, new URLSearchParams(search).get('example') ?? ''));
       case 'PUT own':
-        return this.#write(name, body, new Headers(options.headers).get('Known-Version') ?? '');
+        return this.#shelf.overwrite(name, body, new Headers(options.headers).get('Known-Version') ?? '');
       case 'PUT draft':
         this.#shelf.writeDraft(name, body);
         return new Response('');
@@ -125,6 +125,16 @@ export class ProgramServer {
     return Response.json(this.#run);
   }
 
+  /** @param {string} path of a saved program @returns {Promise<Int8Array[]>} its classes */
+  async compiled(path) {
+    const { remarks, classes } = await this.#compile(path, this.#shelf.read('own', path) ?? '');
+    const wrong = remarks.find(({ serious }) => serious);
+    if (wrong) {
+      throw new Error(`${path} does not compile. Line ${wrong.line}: ${wrong.text}`);
+    }
+    return classes;
+  }
+
   /** @param {string} path */
   async #start(path) {
     const { remarks, classes } = await this.#compile(path, this.#shelf.read('own', path) ?? '');
@@ -145,18 +155,6 @@ export class ProgramServer {
       }
     }
     return this.compiler.compile(sources, path);
-  }
-
-  /** @param {string} path @param {string} text @param {string} known */
-  #write(path, text, known) {
-    const there = this.#shelf.read('own', path);
-    if (there !== null && versionOf(there) !== known) {
-      return new Response(`${path} was changed in another window. Load it again, or save under another name.`, {
-        status: 409,
-      });
-    }
-    this.#shelf.write(path, text);
-    return new Response('', { headers: { Version: versionOf(text) } });
   }
 
   /** @param {string} name */

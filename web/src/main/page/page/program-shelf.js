@@ -1,54 +1,48 @@
-/** The programs of the person, kept by the browser: closed and opened again, the page has them all. */
+/** The programs of the person, and what of them is not saved yet. */
+import { BrowserShelf } from './browser-shelf.js';
 
-const FILE = 'robonewbie-page-file:';
 const LAST = 'robonewbie-program';
-const DRAFT = 'robonewbie-page-draft:';
-
-/** @param {string} text @returns {string} another one for another text */
-export function versionOf(text) {
-  let hash = 5381;
-  for (let i = 0; i < text.length; i += 1) {
-    hash = (Math.imul(hash, 33) + text.charCodeAt(i)) | 0;
-  }
-  return `${text.length}.${hash >>> 0}`;
-}
-
-/** @param {string} prefix @returns {{path: string, version: string}[]} */
-function listed(prefix) {
-  return Object.keys(localStorage)
-    .filter((key) => key.startsWith(prefix))
-    .map((key) => ({ path: key.slice(prefix.length), version: versionOf(localStorage.getItem(key) ?? '') }))
-    .sort((one, other) => one.path.localeCompare(other.path));
-}
 
 export class ProgramShelf {
+  #own = new BrowserShelf('robonewbie-page-file:');
+  #drafts = new BrowserShelf('robonewbie-page-draft:');
+
   get own() {
-    return listed(FILE);
+    return this.#own.list;
   }
 
   get drafts() {
-    return listed(DRAFT);
+    return this.#drafts.list;
   }
 
   /** @returns {Map<string, string>} the texts of all saved files */
   get texts() {
-    return new Map(this.own.map(({ path }) => [path, localStorage.getItem(FILE + path) ?? '']));
+    return new Map(this.own.map(({ path }) => [path, this.#own.read(path) ?? '']));
   }
 
   /** @param {'own' | 'draft'} shelf @param {string} path @returns {string | null} */
   read(shelf, path) {
-    return localStorage.getItem((shelf === 'own' ? FILE : DRAFT) + path);
+    return (shelf === 'own' ? this.#own : this.#drafts).read(path);
+  }
+
+  /** @param {string} path @param {string} text @param {string} known version of what the writer has read @returns {Response} */
+  overwrite(path, text, known) {
+    const answer = this.#own.overwrite(path, text, known);
+    if (answer.ok) {
+      this.removeDraft(path);
+    }
+    return answer;
   }
 
   /** @param {string} path @param {string} text */
   write(path, text) {
-    localStorage.setItem(FILE + path, text);
+    this.#own.write(path, text);
     this.removeDraft(path);
   }
 
   /** @param {string} path @param {string} text */
   writeDraft(path, text) {
-    localStorage.setItem(DRAFT + path, text);
+    this.#drafts.write(path, text);
   }
 
   /** Puts a program that came with the address beside what is there, and opens it first. @param {string} path @param {string} text */
@@ -59,6 +53,6 @@ export class ProgramShelf {
 
   /** @param {string} path */
   removeDraft(path) {
-    localStorage.removeItem(DRAFT + path);
+    this.#drafts.remove(path);
   }
 }

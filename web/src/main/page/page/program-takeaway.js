@@ -1,13 +1,10 @@
-/** Two buttons in the bar of the room for programs: all programs as a zip, and a link that holds the one in the editor. */
+/** Two buttons in the bar of the room for programs: all programs as a project in a zip, and a link that holds the one in the editor. */
 import { button, byId } from '../panels/elements.js';
+import { project } from './project.js';
 import { linkOf } from './share.js';
 import { zip } from './zip.js';
 
-const README = `Programs from RoboNewbie's page.
-
-With RoboNewbie on your computer: robonewbie run MyAgent.java (with the name of your file) runs one of them, and
-robonewbie new MyProject makes a project for an IDE; put the files into its folder src/main/java.
-`;
+const MILLISECONDS_TO_SAVE = 60_000;
 
 /** @param {() => any} room @param {import('./program-shelf.js').ProgramShelf} shelf */
 export function addTakeaways(room, shelf) {
@@ -17,7 +14,12 @@ export function addTakeaways(room, shelf) {
     if (bar) {
       watch.disconnect();
       bar.append(
-        button('Download', 'All programs of this browser as a zip', () => save(shelf), { id: 'program-zip' }),
+        button(
+          'Download',
+          'All programs of this browser as a project for your computer, with all that it needs but Java (a zip of 16 MB)',
+          () => room().attempt(() => save(room(), shelf)),
+          { id: 'program-zip' },
+        ),
         button('Link', 'Makes a link that holds this program', () => room().attempt(() => showLink(room())), {
           id: 'program-link',
         }),
@@ -27,13 +29,19 @@ export function addTakeaways(room, shelf) {
   watch.observe(place, { childList: true, subtree: true });
 }
 
-/** @param {import('./program-shelf.js').ProgramShelf} shelf */
-function save(shelf) {
+/** @param {any} room @param {import('./program-shelf.js').ProgramShelf} shelf */
+async function save(room, shelf) {
+  const { file } = room.files;
+  const programs = shelf.texts;
+  if (file?.shelf === 'own') {
+    programs.set(file.path, room.editor.text);
+  }
+  const { name, files } = await project(programs, file?.path ?? '');
   const link = document.createElement('a');
-  link.href = URL.createObjectURL(zip(new Map([['README.txt', README], ...shelf.texts])));
-  link.download = 'robonewbie-programs.zip';
+  link.href = URL.createObjectURL(zip(files));
+  link.download = `${name}.zip`;
   link.click();
-  URL.revokeObjectURL(link.href);
+  setTimeout(() => URL.revokeObjectURL(link.href), MILLISECONDS_TO_SAVE);
 }
 
 /** @param {any} room */

@@ -4,19 +4,27 @@ const SEED = 1;
 
 export class WorldConnection {
   /**
-   * @param {Worker} worker
+   * @param {import('./world-process.js').World} worker
    * @param {import('../live/connection.js').Listener} listener
    * @param {import('./agent-choice.js').AgentChoice} choice
-   * @param {import('./program-server.js').ProgramServer} programs
+   * @param {object} servers
+   * @param {import('./program-server.js').ProgramServer} servers.programs
+   * @param {import('./course-server.js').CourseServer} servers.course
+   * @param {import('./world-questions.js').WorldQuestions} servers.questions
    */
-  constructor(worker, listener, choice, programs) {
+  constructor(worker, listener, choice, { programs, course, questions }) {
     this.programs = programs;
+    this.course = course;
+    this.questions = questions;
     this.listener = listener;
     this.choice = choice;
     this.worker = worker;
-    this.worker.onmessage = ({ data }) => this.#receive(data);
-    this.worker.onerror = (event) => this.#fail(event.message);
+    this.worker.listen(
+      ({ data }) => this.#receive(data),
+      (event) => this.#fail(event.message),
+    );
     choice.whenTaken((agent) => this.#begin(agent));
+    this.course.freePitch = () => this.#begin(choice.chosen);
   }
 
   open() {
@@ -34,6 +42,7 @@ export class WorldConnection {
   /** @param {string} agent */
   #begin(agent) {
     this.programs.forget();
+    this.course.forget();
     this.worker.postMessage({ begin: { agent, seed: SEED } });
   }
 
@@ -46,12 +55,24 @@ export class WorldConnection {
     } else if ('begun' in data) {
       this.choice.offer(data.agents);
       this.listener.opened();
+      this.course.answered('');
     } else if ('run' in data) {
       this.programs.heard(data.run);
+    } else if ('attempt' in data) {
+      this.course.heard(data.attempt);
+    } else if ('result' in data) {
+      this.questions.answered(data);
     } else if ('refusal' in data) {
-      this.programs.refused(data.refusal);
+      this.#refuse(data.refusal);
     } else {
       this.#fail(data.failure);
+    }
+  }
+
+  /** @param {string} reason why a program cannot run here */
+  #refuse(reason) {
+    if (!this.course.answered(reason)) {
+      this.programs.refused(reason);
     }
   }
 

@@ -1,4 +1,52 @@
 /** The worker in which the world of this page runs; it begins to load as soon as this script is read. */
 import { isBrowserNewEnough } from './old-browser.js';
 
-export const world = isBrowserNewEnough() ? new Worker('world-worker.js', { type: 'module' }) : undefined;
+/** Only the larger of the two programs of this page can carry out what people write. */
+const NEEDS_PROGRAMS = ['program', 'exercise'];
+
+/** @param {string} search behind the name of the worker's script @returns {Worker} */
+const begin = (search) => new Worker(`world-worker.js${search}`, { type: 'module' });
+
+export class World {
+  #worker = begin('');
+  /** @type {Worker | undefined} that can carry out programs */
+  #prepared;
+  /** @type {(event: MessageEvent) => void} */
+  #hear = () => {};
+  /** @type {(event: ErrorEvent) => void} */
+  #fail = () => {};
+
+  /** @param {(event: MessageEvent) => void} hear @param {(event: ErrorEvent) => void} fail */
+  listen(hear, fail) {
+    this.#hear = hear;
+    this.#fail = fail;
+    this.#attach();
+  }
+
+  /** Begins to load what programs need, while somebody reads or writes one. */
+  prepare() {
+    this.#prepared ??= begin('?programs');
+  }
+
+  /** @param {object} data a deed of the worker, and what it needs */
+  postMessage(data) {
+    if (this.#worker !== this.#prepared && NEEDS_PROGRAMS.some((name) => name in data)) {
+      this.#move();
+    }
+    this.#worker.postMessage(data);
+  }
+
+  #move() {
+    this.prepare();
+    this.#worker.terminate();
+    this.#worker = this.#prepared ?? this.#worker;
+    this.#attach();
+  }
+
+  #attach() {
+    this.#worker.onmessage = this.#hear;
+    this.#worker.onerror = this.#fail;
+  }
+}
+
+export const world = isBrowserNewEnough() ? new World() : undefined;

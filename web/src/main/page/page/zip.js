@@ -1,4 +1,4 @@
-/** Writes files into a zip, uncompressed: programs are short. */
+/** Writes files into a zip, uncompressed: programs are short, and libraries are packed already. */
 
 const TABLE = Uint32Array.from({ length: 256 }, (_, number) => {
   let value = number;
@@ -17,6 +17,9 @@ function checksum(bytes) {
   return (value ^ 0xffffffff) >>> 0;
 }
 
+const MADE_ON_UNIX = 0x0314; // so that modes are read
+const MODE = 0o100644;
+const MODE_OF_SCRIPTS = 0o100755;
 const NAMES_ARE_UTF8 = 0x0800;
 const DATE = 0x21; // the first day that the format knows
 
@@ -31,22 +34,25 @@ function header(...fields) {
   return Uint8Array.from(bytes);
 }
 
-/** @param {Map<string, string>} files text by path @returns {Blob} */
+/** @param {Map<string, string | Uint8Array>} files texts or bytes by path @returns {Blob} */
 export function zip(files) {
   const parts = [];
   const directory = [];
   let offset = 0;
-  for (const [path, text] of files) {
+  for (const [path, inside] of files) {
     const name = new TextEncoder().encode(path);
-    const content = new TextEncoder().encode(text);
+    const content = typeof inside === 'string' ? new TextEncoder().encode(inside) : inside;
+    const isScript = typeof inside === 'string' && inside.startsWith('#!');
+    const mode = (isScript ? MODE_OF_SCRIPTS : MODE) * 0x10000;
     const about = [2, 20, 2, NAMES_ARE_UTF8, 2, 0, 2, 0, 2, DATE, 4, checksum(content)];
     const sizes = [4, content.length, 4, content.length, 2, name.length, 2, 0];
     const local = header(4, 0x04034b50, ...about, ...sizes);
     parts.push(local, name, content);
-    directory.push(header(4, 0x02014b50, 2, 20, ...about, ...sizes, 2, 0, 2, 0, 2, 0, 4, 0, 4, offset), name);
+    const place = [2, 0, 2, 0, 2, 0, 4, mode, 4, offset];
+    directory.push(header(4, 0x02014b50, 2, MADE_ON_UNIX, ...about, ...sizes, ...place), name);
     offset += local.length + name.length + content.length;
   }
   const length = directory.reduce((sum, part) => sum + part.length, 0);
   const end = header(4, 0x06054b50, 2, 0, 2, 0, 2, files.size, 2, files.size, 4, length, 4, offset, 2, 0);
-  return new Blob([...parts, ...directory, end], { type: 'application/zip' });
+  return new Blob(/** @type {BlobPart[]} */ ([...parts, ...directory, end]), { type: 'application/zip' });
 }

@@ -25,7 +25,8 @@ public enum Language {
     public static final String VARIABLE = "ROBONEWBIE_LANGUAGE";
 
     private static final Phrasebook NONE = Phrasebook.empty();
-    private static final Phrasebook IN_GERMAN = Phrasebook.read("hints-de.txt", "findings-de.txt");
+    private static final Phrasebook IN_GERMAN =
+            Phrasebook.read("/org/robonewbie/exercises/hints-de.txt", "/org/robonewbie/exercises/findings-de.txt");
 
     private final String code;
 

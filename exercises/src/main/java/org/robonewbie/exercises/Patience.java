@@ -2,12 +2,9 @@ package org.robonewbie.exercises;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
-import java.util.Arrays;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
-import org.robonewbie.agent.log.StudentCode;
-import org.robonewbie.trial.Performer;
 
 /**
  * How long a program that works in one thread may keep a trial from going on, watched by another thread. What counts against it is
@@ -25,15 +22,11 @@ public final class Patience {
     /** How often {@link #tick} wants to be called, in milliseconds. */
     public static final int TICK_MILLISECONDS = 20;
 
-    /** How the finding begins when it is exhausted. */
-    public static final String EXHAUSTED = "think() has not returned";
-
     private static final ThreadMXBean CLOCKS = ManagementFactory.getThreadMXBean();
     private static final double NANOSECONDS_PER_SECOND = 1e9;
     private static final double TICK_SECONDS = TICK_MILLISECONDS / 1000.0;
     private static final double SECONDS = 4;
     private static final Set<Thread.State> WAITING = Set.of(Thread.State.WAITING, Thread.State.TIMED_WAITING);
-    private static final String TRIALS = Performer.class.getPackageName() + ".";
 
     private final AtomicLong progress = new AtomicLong();
     private volatile long begun;
@@ -82,16 +75,12 @@ public final class Patience {
 
     /** {@return the score of a program with which patience is exhausted} */
     public Score score() {
-        return Score.failed(
-                0,
-                EXHAUSTED + " for " + Math.round(SECONDS) + " s"
-                        + place().map(line -> "; it is in " + line).orElse("") + ".",
-                "think() is called 50 times per second and must return at once. Is there an endless loop?");
+        return Performance.ofEndlessStep(" for " + Math.round(SECONDS) + " s", place());
     }
 
     /** Where the program is at the moment; empty if it is not at work. */
     private Optional<String> place() {
-        return thread.flatMap(runner -> place(runner.getStackTrace()));
+        return thread.flatMap(runner -> ProgramPlace.in(runner.getStackTrace()));
     }
 
     /** How long a processor has worked for the program; 0 if none works for it now. */
@@ -103,18 +92,7 @@ public final class Patience {
     /** Whether the program sleeps, or waits for something that never happens. */
     private boolean isWaiting() {
         return thread.filter(runner -> WAITING.contains(runner.getState()))
-                .flatMap(runner -> place(runner.getStackTrace()))
+                .flatMap(runner -> ProgramPlace.in(runner.getStackTrace()))
                 .isPresent();
-    }
-
-    static Optional<String> place(StackTraceElement[] trace) {
-        return StudentCode.place(Arrays.stream(trace)
-                .takeWhile(frame -> !isFramework(frame.getClassName()))
-                .toArray(StackTraceElement[]::new));
-    }
-
-    /** Whatever these classes call for a program is the program's own doing; what they do themselves is not. */
-    private static boolean isFramework(String className) {
-        return className.startsWith(TRIALS) || className.equals(GradedTrial.class.getName());
     }
 }

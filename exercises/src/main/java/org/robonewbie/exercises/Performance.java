@@ -16,7 +16,11 @@ import org.robonewbie.trial.guest.AbsentProgramException;
  */
 public final class Performance {
 
-    private static final String MEND = "Mend this first; the rest was not tried.";
+    /** How the finding about a program begins that does not come to the end of a step. */
+    public static final String ENDLESS = "think() has not returned";
+
+    /** What to do about a program that could not be tried to the end. */
+    public static final String MEND = "Mend this first; the rest was not tried.";
 
     private Performance() {}
 
@@ -72,9 +76,34 @@ public final class Performance {
      * @return the score, with the line of the program
      */
     public static Score ofMistake(Throwable mistake) {
-        String place = Patience.place(mistake.getStackTrace())
+        String place = ProgramPlace.in(mistake.getStackTrace())
                 .map(line -> " in " + line)
                 .orElse("");
         return Score.failed(0, "The program ended with " + mistake + place + ".", MEND);
+    }
+
+    /**
+     * Returns the score of a program that does not come to the end of a step.
+     *
+     * @param howLong how long it has been waited for, such as {@code " for 4 s"}; empty if that is not known
+     * @param place where it is; empty if that is not known
+     * @return the score
+     */
+    public static Score ofEndlessStep(String howLong, Optional<String> place) {
+        return Score.failed(
+                0,
+                ENDLESS + howLong + place.map(line -> "; it is in " + line).orElse("") + ".",
+                "think() is called 50 times per second and must return at once. Is there an endless loop?");
+    }
+
+    /**
+     * Returns the score of a program that has ended itself.
+     *
+     * @param exitCode what it has called {@code System.exit} with
+     * @return the score
+     */
+    public static Score ofExit(int exitCode) {
+        return Score.failed(
+                0, "The program ended the whole process (exit code " + exitCode + "). Does it call System.exit?", MEND);
     }
 }

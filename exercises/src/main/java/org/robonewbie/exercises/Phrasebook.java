@@ -5,13 +5,13 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -29,7 +29,7 @@ final class Phrasebook {
     private final List<Phrase> withGaps;
 
     private Phrasebook(Map<String, String> phrases) {
-        this.phrases = Map.copyOf(phrases);
+        this.phrases = Collections.unmodifiableMap(new HashMap<>(phrases));
         withGaps = phrases.entrySet().stream()
                 .filter(pair -> pair.getKey().contains(GAP))
                 .map(pair -> Phrase.of(pair.getKey(), pair.getValue()))
@@ -56,14 +56,14 @@ final class Phrasebook {
     /**
      * Reads a book: each phrase has its translation in the line below it.
      *
-     * @param files names of resources beside this class
+     * @param files paths of resources
      * @return the book
      */
     static Phrasebook read(String... files) {
         Map<String, String> pairs = new HashMap<>();
         for (String file : files) {
-            for (String pair : text(file).split("\\R\\R", -1)) {
-                String[] lines = pair.strip().split("\\R", -1);
+            for (String pair : text(file).replace("\r", "").strip().split("\n\n+", -1)) {
+                String[] lines = pair.split("\n", -1);
                 pairs.put(lines[0], lines[1]);
             }
         }
@@ -95,12 +95,12 @@ final class Phrasebook {
     }
 
     private String clauses(String text) {
-        List<MatchResult> clauses = CLAUSE.matcher(text).results().toList();
-        return clauses.size() < 2
-                ? text
-                : clauses.stream()
-                        .map(clause -> phrase(clause.group(1)).orElse(clause.group(1)) + clause.group(2))
-                        .collect(Collectors.joining());
+        StringBuilder translated = new StringBuilder();
+        int count = 0;
+        for (Matcher clause = CLAUSE.matcher(text); clause.find(); count++) {
+            translated.append(phrase(clause.group(1)).orElse(clause.group(1))).append(clause.group(2));
+        }
+        return count < 2 ? text : translated.toString();
     }
 
     private Optional<String> phrase(String text) {

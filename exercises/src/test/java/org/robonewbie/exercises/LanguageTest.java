@@ -78,7 +78,7 @@ class LanguageTest {
             sources = files.filter(Files::isRegularFile).map(LanguageTest::read).reduce("", String::concat);
         }
 
-        assertThat(Phrasebook.read("hints-de.txt").phrases())
+        assertThat(Phrasebook.read("/org/robonewbie/exercises/hints-de.txt").phrases())
                 .hasSizeGreaterThan(30)
                 .allSatisfy((english, german) -> {
                     assertThat(sources).contains("\"" + english.replace("\"", "\\\"") + "\"");

@@ -13,6 +13,7 @@ import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
@@ -25,6 +26,8 @@ public final class PageFeed implements TelemetrySink {
     private static final String NOT_HERE =
             "That needs RoboNewbie on your computer: robots steered by hand, and undo, are not in this page yet.";
 
+    private static final OptionalInt NO_PORT = OptionalInt.of(0);
+
     private final SoccerField field;
     private final Consumer<Order> world;
     private final Page page;
@@ -32,6 +35,7 @@ public final class PageFeed implements TelemetrySink {
     private final TelemetryHistory memory = new TelemetryHistory();
     private final MistakeNews mistakes = new MistakeNews();
     private final List<String> news = new ArrayList<>();
+    private Optional<TrialLabel> judged = Optional.empty();
     private boolean ready = true;
     private int sceneRevision;
     private @Nullable LineUp scene;
@@ -66,6 +70,15 @@ public final class PageFeed implements TelemetrySink {
         this.field = field;
         this.world = world;
         this.page = page;
+    }
+
+    /**
+     * Says that the world is a trial from now on.
+     *
+     * @param trial what is judged in it
+     */
+    public void judge(TrialLabel trial) {
+        judged = Optional.of(trial);
     }
 
     /**
@@ -170,9 +183,9 @@ public final class PageFeed implements TelemetrySink {
         LineUp current = new LineUp(
                 field,
                 true,
-                OptionalInt.empty(),
+                NO_PORT,
                 false,
-                Optional.empty(),
+                judged,
                 snapshot.teamLeft(),
                 snapshot.teamRight(),
                 snapshot.robots().stream()

@@ -5,6 +5,7 @@ import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
@@ -38,6 +39,8 @@ final class Chromium implements AutoCloseable {
     private final DevTools tools;
     private final List<String> complaints = new CopyOnWriteArrayList<>();
     private volatile CompletableFuture<Boolean> frozen = new CompletableFuture<>();
+    private volatile CompletableFuture<String> downloaded = new CompletableFuture<>();
+    private volatile String downloadName = "";
     private volatile String session = "";
     private String context = "";
     private String undrawn = "";
@@ -180,6 +183,22 @@ final class Chromium implements AutoCloseable {
         }
     }
 
+    /** Does something that makes the page offer a file, and waits until the file is there. */
+    Path download(Path folder, Runnable deed) {
+        downloaded = new CompletableFuture<>();
+        JsonObject behavior = new JsonObject();
+        behavior.addProperty("behavior", "allow");
+        behavior.addProperty("browserContextId", context);
+        behavior.addProperty("downloadPath", folder.toString());
+        behavior.addProperty("eventsEnabled", true);
+        tools.send("", "Browser.setDownloadBehavior", behavior)
+                .orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS)
+                .join();
+        deed.run();
+        return folder.resolve(
+                downloaded.orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS).join());
+    }
+
     /** Waits while the page goes on. */
     void rest(int seconds) {
         evaluate("new Promise((answer) => setTimeout(answer, " + 1000 * seconds + "))");
@@ -307,7 +326,17 @@ final class Chromium implements AutoCloseable {
                 .join();
     }
 
+    private void noteDownload(String event, JsonObject parameters) {
+        if (event.equals("Browser.downloadWillBegin")) {
+            downloadName = parameters.get("suggestedFilename").getAsString();
+        } else if (event.equals("Browser.downloadProgress")
+                && parameters.get("state").getAsString().equals("completed")) {
+            downloaded.complete(downloadName);
+        }
+    }
+
     private void receiveEvent(JsonObject message) {
+        noteDownload(message.get("method").getAsString(), message.getAsJsonObject("params"));
         if (!message.has("sessionId") || !message.get("sessionId").getAsString().equals(session)) {
             return;
         }

@@ -1,8 +1,6 @@
 package org.robonewbie.trial;
 
-import java.util.Iterator;
 import java.util.Map;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import org.robonewbie.simulator.recording.RecordingTarget;
 
@@ -59,14 +57,11 @@ public interface Challenge extends Measure, Script {
             Supplier<? extends Performer> contender,
             Audience audience,
             RecordingTarget recording) {
-        Scene scene = scene(new Chance(seed));
-        Iterator<RobotStart> robots = scene.robots().iterator();
-        Function<RobotStart, Performer> cast =
-                robot -> robots.next().team().equals(RobotStart.TEAM) ? contender.get() : Performer.ofSpeeds();
-        try (Trial trial = Trial.observed(scene.withTeam(team), seed, audience, recording, cast)) {
-            begin(trial);
-            trial.with(this).run(seconds, this);
-            return trial.seconds();
+        try (ChallengeTrial played = new ChallengeTrial(this, seconds, seed, team, contender, audience, recording)) {
+            while (!played.isOver()) {
+                played.step();
+            }
+            return played.trial().seconds();
         }
     }
 }

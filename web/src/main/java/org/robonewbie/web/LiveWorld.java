@@ -1,30 +1,23 @@
 package org.robonewbie.web;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.function.Function;
-import org.robonewbie.agent.Agent;
-import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.SoccerField;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.simulator.cycle.SteppedSimulator;
-import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.web.bytecode.Program;
 
-/** The beginners' world with one agent, which a page watches; it goes on a little in each turn of the page's worker. */
+/** A world that a page watches, and its clock; it goes on a little in each turn of the page's worker. */
 final class LiveWorld {
 
     private static final long LONGEST_TURN_NANOS = 15_000_000;
     private static final double MOST_BEHIND_SECONDS = 0.2;
     private static final double SMOOTHING_SECONDS = 1;
 
-    private final SteppedSimulator simulator;
-    private final Runnable player;
     private final PageFeed feed;
+    private WatchedWorld world;
     private boolean paused;
     private int stepsLeft;
     private double speed = 1;
@@ -32,52 +25,29 @@ final class LiveWorld {
     private double owedSeconds;
 
     /**
-     * Lets an agent enter a new world.
+     * Shows a world.
      *
-     * @param name one of {@link ShippedAgents}
-     * @param seed start of all random numbers
      * @param page gets what happens
+     * @param maker makes the world, which tells what happens to the feed of the page
      */
-    LiveWorld(String name, long seed, PageFeed.Page page) {
-        this(seed, page, world -> world.agent(ShippedAgents.make(name)));
+    LiveWorld(PageFeed.Page page, Function<PageFeed, ? extends WatchedWorld> maker) {
+        feed = new PageFeed(SoccerField.BEGINNER, this::order, page);
+        world = maker.apply(feed);
+    }
+
+    /** {@return what the page is told} */
+    PageFeed feed() {
+        return feed;
     }
 
     /**
-     * Lets a program of a student enter a new world.
+     * Shows another world at the same pace.
      *
-     * @param program its classes
-     * @param run gets how it goes
-     * @param seed start of all random numbers
-     * @param page gets what happens
+     * @param next the world
      */
-    LiveWorld(Program program, StudentRun run, long seed, PageFeed.Page page) {
-        this(seed, page, world -> run.begin(world.student(program, run)));
-    }
-
-    private LiveWorld(long seed, PageFeed.Page page, Function<LiveWorld, Runnable> entrance) {
-        WorldSettings settings = WorldSettings.beginner().withSeed(seed);
-        feed = new PageFeed(settings.parameters().field(), this::order, page);
-        simulator = SteppedSimulator.start(settings, feed::told);
-        simulator.reportEventsTo(feed::happened);
-        player = entrance.apply(this);
-        player.run();
-    }
-
-    private Runnable agent(Agent made) {
-        AgentDriver agent = new AgentDriver(made);
-        agent.publishTo(feed);
-        PatientLink link = new PatientLink(simulator.connect());
-        try {
-            agent.join(link, agent.usualOptions().withSeconds(StudentProgram.FOREVER_SECONDS));
-        } catch (IOException impossible) {
-            throw new UncheckedIOException("The world of the page has closed its connection.", impossible);
-        }
-        link.beBusy();
-        return agent::goOn;
-    }
-
-    private StudentProgram student(Program program, StudentRun run) {
-        return new StudentProgram(program, run.output(), simulator::connect, simulator::cycle, feed);
+    void show(WatchedWorld next) {
+        world = next;
+        owedSeconds = 0;
     }
 
     /** Does what the page asks for. */
@@ -92,7 +62,7 @@ final class LiveWorld {
      */
     void turn(double seconds) {
         long begin = System.nanoTime();
-        long before = simulator.cycles();
+        long before = world.cycles();
         owedSeconds = Math.min(owedSeconds, MOST_BEHIND_SECONDS) + seconds * speed;
         List<RobotSnapshot> watched =
                 snapshot().robots().stream().filter(feed::watches).toList();
@@ -100,7 +70,7 @@ final class LiveWorld {
             cycle(watched);
         }
         double weight = Math.min(1, seconds / SMOOTHING_SECONDS);
-        double factor = (simulator.cycles() - before) * Cycle.SECONDS / Math.max(seconds, 1e-3);
+        double factor = (world.cycles() - before) * Cycle.SECONDS / Math.max(seconds, 1e-3);
         realTimeFactor += weight * (factor - realTimeFactor);
         if (feed.isReady()) {
             feed.show(snapshot());
@@ -108,25 +78,21 @@ final class LiveWorld {
     }
 
     private boolean mayGoOn() {
-        return stepsLeft > 0 || (!paused && owedSeconds >= Cycle.SECONDS);
+        return !world.isOver() && (stepsLeft > 0 || (!paused && owedSeconds >= Cycle.SECONDS));
     }
 
     private void cycle(List<RobotSnapshot> watched) {
         stepsLeft = Math.max(0, stepsLeft - 1);
         owedSeconds -= Cycle.SECONDS;
-        simulator.cycle();
-        hearMessages(watched);
-        player.run();
-    }
-
-    private void hearMessages(List<RobotSnapshot> watched) {
+        world.cycle();
         for (RobotSnapshot robot : watched) {
-            simulator.messages(id -> id == robot.id()).forEach(messages -> feed.exchanged(robot, messages));
+            world.messages(id -> id == robot.id()).forEach(messages -> feed.exchanged(robot, messages));
         }
     }
 
     private WorldSnapshot snapshot() {
-        return simulator.snapshot(paused, speed).withPace(paused, speed, realTimeFactor);
+        boolean stands = paused || world.isOver();
+        return world.snapshot(stands, speed).withPace(stands, speed, realTimeFactor);
     }
 
     private void order(Order order) {
@@ -141,7 +107,7 @@ final class LiveWorld {
             speed = wanted.factor();
             owedSeconds = 0;
         } else {
-            simulator.order(order);
+            world.order(order);
         }
     }
 

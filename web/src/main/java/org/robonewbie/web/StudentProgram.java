@@ -127,7 +127,7 @@ final class StudentProgram {
             return play(
                     (String[]) Objects.requireNonNull(arguments[0]), (Agent[]) Objects.requireNonNull(arguments[1]));
         }
-        return owner.equals("java/lang/System") ? PageSystem.call(name, arguments) : SpecialCalls.UNKNOWN;
+        return PageCalls.call(owner, name, arguments);
     }
 
     private Object play(String[] arguments, Agent... agents) {

@@ -20,6 +20,7 @@ final class StudentRun {
         STOPPED
     }
 
+    private static final String NO_CLASS = "$FakeClass";
     private static final int MOST_CHARACTERS = 20_000;
 
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -64,9 +65,16 @@ final class StudentRun {
         boolean isOurs = mistake instanceof EndlessLoop;
         output.println(isOurs ? mistake.getMessage() : "Exception in thread \"main\" " + mistake);
         for (StackTraceElement call : mistake.getStackTrace()) {
-            output.println("    at " + call);
+            if (isOfProgram(call)) {
+                output.println("    at " + call);
+            }
         }
         end(1);
+    }
+
+    /** Calls of the compiled program itself have a placeholder for a name in a page. */
+    private static boolean isOfProgram(StackTraceElement call) {
+        return !call.getClassName().endsWith(NO_CLASS);
     }
 
     private void end(int code) {

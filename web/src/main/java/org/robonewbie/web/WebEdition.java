@@ -3,19 +3,26 @@ package org.robonewbie.web;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.studio.PageFeed;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.Language;
+import org.robonewbie.studio.PageMotions;
 import org.robonewbie.web.bytecode.Program;
-import org.teavm.jso.JSBody;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
-/** What the scripts of the page call; each exported method becomes a function of the compiled program. */
+/**
+ * What the scripts of the page call when somebody programs: all that {@link FieldEdition} can do, students' programs and exercises.
+ * Each exported method becomes a function of the compiled program.
+ */
 public final class WebEdition {
 
     private static final List<byte[]> CLASSES = new ArrayList<>();
 
-    private static @Nullable LiveWorld world;
     private static @Nullable StudentRun run;
+    private static @Nullable ExerciseAttempt attempt;
+    private static long attempts;
+    private static int libraryRoots;
 
     private WebEdition() {}
 
@@ -49,6 +56,57 @@ public final class WebEdition {
         return String.join(" ", ShippedAgents.names());
     }
 
+    /** {@return the robot whose motions are edited, as a JSON object} */
+    @JSExport
+    public static String robot() {
+        return PageMotions.robot();
+    }
+
+    /**
+     * Lets a robot with weight and motors play a motion.
+     *
+     * @param text the motion's file
+     * @param start how the robot is before
+     * @return what happened, as a JSON object; or why that cannot be, as a sentence
+     */
+    @JSExport
+    public static String motionTrial(String text, String start) {
+        return PageStage.motionTrial(text, start);
+    }
+
+    /** {@return the bodies of all robot types, as a JSON object} */
+    @JSExport
+    public static String models() {
+        return PageMotions.models();
+    }
+
+    /** {@return the number of the world that is recorded; each one is recorded from its beginning} */
+    @JSExport
+    public static int recordingNumber() {
+        return PageStage.recordingNumber();
+    }
+
+    /**
+     * Reads the recording of the world that is shown.
+     *
+     * @param known how many bytes of it are known already
+     * @return the bytes behind them
+     */
+    @JSExport
+    public static Int8Array recording(int known) {
+        return PageStage.recordingFrom(known);
+    }
+
+    /**
+     * Does what the page asks for.
+     *
+     * @param command one JSON object
+     */
+    @JSExport
+    public static void ask(String command) {
+        PageStage.ask(command);
+    }
+
     /**
      * Begins a world with a shipped agent, which is shown from now on.
      *
@@ -57,8 +115,22 @@ public final class WebEdition {
      */
     @JSExport
     public static void begin(String agent, int seed) {
-        run = null;
-        world = new LiveWorld(agent, seed, new Page());
+        leave();
+        PageStage.begin(agent, seed);
+    }
+
+    /**
+     * Lets the shown world go on.
+     *
+     * @param seconds how long the last turn is ago
+     */
+    @JSExport
+    public static void turn(double seconds) {
+        if (attempt != null) {
+            attempt.turn(seconds);
+        } else {
+            PageStage.turn(seconds);
+        }
     }
 
     /**
@@ -79,17 +151,12 @@ public final class WebEdition {
      */
     @JSExport
     public static String beginProgram(int seed) {
-        List<byte[]> taken = List.copyOf(CLASSES);
-        CLASSES.clear();
         StudentRun begun = new StudentRun();
         try {
-            Program program = new Program(taken);
-            List<String> missing = program.missing();
-            if (!missing.isEmpty()) {
-                return "The page does not have " + String.join(", ", missing) + ". RoboNewbie on your computer has it.";
-            }
+            Program program = loaded(takenClasses());
+            leave();
             run = begun;
-            world = new LiveWorld(program, begun, seed, new Page());
+            PageStage.show(feed -> new FreePitch(seed, feed, PageStage.record()).with(program, begun));
             return "";
         } catch (IllegalArgumentException refused) {
             return String.valueOf(refused.getMessage());
@@ -97,6 +164,57 @@ public final class WebEdition {
             begun.fail(mistake);
             return "";
         }
+    }
+
+    /**
+     * Begins to try an exercise with the program whose classes were taken; its trials are shown.
+     *
+     * @param exercise name of the exercise
+     * @param trials how many seeds are tried
+     * @return why that cannot be; empty if it has begun
+     */
+    @JSExport
+    public static String beginExercise(String exercise, int trials) {
+        try {
+            List<byte[]> taken = takenClasses();
+            StudentPerformer.agentOf(loaded(taken));
+            leave();
+            attempts++;
+            attempt = new ExerciseAttempt(find(exercise), taken, attempts, trials, PageStage.PAGE);
+            PageStage.show(attempt.world());
+            return "";
+        } catch (IllegalArgumentException refused) {
+            return String.valueOf(refused.getMessage());
+        }
+    }
+
+    /**
+     * Tells how the exercise goes on.
+     *
+     * @param language of findings and hints, two letters
+     * @return one JSON object; empty if none is tried
+     */
+    @JSExport
+    public static String attempt(String language) {
+        return attempt == null ? "" : attempt.json(Language.of(language).orElse(Language.ENGLISH));
+    }
+
+    /**
+     * Judges one trial of the program whose classes were taken, as fast as possible and without a picture.
+     *
+     * @param exercise name of the exercise
+     * @param seed start of all that is left to chance
+     * @return the score as a JSON object
+     */
+    @JSExport
+    public static String score(String exercise, int seed) {
+        return ExerciseAttempt.json(seed, ExerciseAttempt.score(find(exercise), takenClasses(), seed))
+                .toString();
+    }
+
+    private static Exercise find(String exercise) {
+        return Exercises.find(exercise)
+                .orElseThrow(() -> new IllegalArgumentException("There is no exercise \"" + exercise + "\"."));
     }
 
     /** {@return how the student's program runs: state, exit code and what it has printed, with tabs between them} */
@@ -113,47 +231,26 @@ public final class WebEdition {
         }
     }
 
-    /**
-     * Does what the page asks for.
-     *
-     * @param command one JSON object
-     */
-    @JSExport
-    public static void ask(String command) {
-        if (world != null) {
-            world.ask(command);
-        }
+    private static void leave() {
+        run = null;
+        attempt = null;
     }
 
-    /**
-     * Lets the shown world go on.
-     *
-     * @param seconds how long the last turn is ago
-     */
-    @JSExport
-    public static void turn(double seconds) {
-        if (world != null) {
-            world.turn(seconds);
-        }
+    private static List<byte[]> takenClasses() {
+        List<byte[]> taken = List.copyOf(CLASSES);
+        CLASSES.clear();
+        return taken;
     }
 
-    /** The page behind this worker. */
-    private static final class Page implements PageFeed.Page {
-
-        @Override
-        public void tell(String json) {
-            post(json);
+    /** Loads a program, so that it is known to run here. */
+    private static Program loaded(List<byte[]> classes) {
+        Program program = new Program(classes);
+        libraryRoots = LibraryRoots.count();
+        List<String> missing = program.missing();
+        if (!missing.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "The page does not have " + String.join(", ", missing) + ". RoboNewbie on your computer has it.");
         }
-
-        @Override
-        public void show(byte[] frame) {
-            post(Int8Array.copyFromJavaArray(frame));
-        }
+        return program;
     }
-
-    @JSBody(params = "json", script = "self.postMessage(json);")
-    private static native void post(String json);
-
-    @JSBody(params = "frame", script = "self.postMessage(frame.buffer, [frame.buffer]);")
-    private static native void post(Int8Array frame);
 }

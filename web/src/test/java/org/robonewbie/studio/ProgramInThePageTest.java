@@ -3,11 +3,16 @@ package org.robonewbie.studio;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Somebody programs in the static page: javac and the machine for its classes are there. */
 @InBrowser
@@ -57,6 +62,20 @@ class ProgramInThePageTest {
                 .contains("5");
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "new Thread(() -> {}).start();, This page has no threads",
+        "new org.robonewbie.exercises.Grader();, press Check",
+        "new java.util.Scanner(System.in);, neither files nor a keyboard",
+        "java.time.Instant.now();, nao.getTime()"
+    })
+    void whatThePageLacksIsToldWithWhatToDo(String statement, String advice) {
+        type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        " + statement
+                + "\n    }\n}\n");
+
+        browser.await("document.querySelector('#program-room').innerText.includes(" + Chromium.quoted(advice) + ")");
+    }
+
     @Test
     void robotInTheHandWaitsInTheMiddleOfItsProgram() {
         type("""
@@ -82,6 +101,43 @@ class ProgramInThePageTest {
         browser.click("#program-run");
 
         browser.await("document.querySelector('#program-room').innerText.includes('Stopped at MyAgent.java:5')");
+    }
+
+    @Test
+    void stoppedLoopShowsNoCallsOfThePageItself() {
+        type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        while (true) {\n"
+                + "        }\n    }\n}\n");
+        browser.click("#program-run");
+        browser.await("document.querySelector('#program-room').innerText.includes('Stopped at MyAgent.java:5')");
+
+        assertThat(browser.evaluate("document.querySelector('#program-room').innerText")
+                        .getAsString())
+                .doesNotContain("Fake");
+    }
+
+    @Test
+    void firstProgramOfTheReadmeRunsInTheFileThatIsOpen() throws IOException {
+        Matcher block =
+                Pattern.compile("(?ms)^```java\\R(.*?)^```").matcher(Files.readString(Path.of("..", "README.md")));
+        assertThat(block.find()).isTrue();
+        type(block.group(1));
+        browser.click("#program-run");
+
+        browser.await("studio.state.frame.cycle > 100");
+        assertThat(browser.evaluate("document.querySelector('#program-state').innerText")
+                        .getAsString())
+                .startsWith("MyAgent.java is running");
+    }
+
+    @Test
+    void pageWithoutARobotSaysWhatToDoHere() {
+        type("public class MyAgent {\n    public static void main(String[] args) {\n"
+                + "        System.out.println(\"done\");\n    }\n}\n");
+        browser.click("#program-run");
+        browser.await("studio.state.scene?.robots.length === 0");
+        browser.evaluate("location.hash = '#field'");
+
+        browser.await("document.querySelector('#banner').innerText.includes('Choose an agent in the bar')");
     }
 
     @Test

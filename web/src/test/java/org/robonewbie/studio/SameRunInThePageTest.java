@@ -60,9 +60,9 @@ class SameRunInThePageTest {
                         + " const worker = new Worker('world-worker.js', { type: 'module' });"
                         + " worker.onmessage = ({ data }) => answer(data.result ?? data.failure);"
                         + " worker.onerror = (event) => answer(event.message);"
-                        + " worker.postMessage({ call: 'recordingSha256', with: ['"
+                        + " worker.postMessage({ call: { name: 'recordingSha256', given: ['"
                         + agent.getClass().getSimpleName() + "', 1, " + SECONDS
-                        + "] });"
+                        + "] } });"
                         + "})")
                 .getAsString();
 

@@ -21,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.robonewbie.simulator.recording.RunReport;
 import org.robonewbie.web.bytecode.JavaSource;
+import org.robonewbie.web.bytecode.MemoryLoader;
 import org.robonewbie.web.bytecode.Program;
 
 /** Programs do the same in the machine of the page as in Java: each recording is the same to the last bit. */
@@ -79,7 +80,7 @@ class SameRunInTheMachineTest {
     /** Runs the main method as the command line does. */
     private String recordingInJava(String name, Map<String, byte[]> classes) throws Exception {
         Path report = folder.resolve("report.json");
-        Class<?> type = new Loader(classes)
+        Class<?> type = new MemoryLoader(classes)
                 .loadClass(classes.keySet().stream()
                         .filter(one -> one.endsWith(name))
                         .findFirst()
@@ -113,27 +114,6 @@ class SameRunInTheMachineTest {
         @Override
         public String toString() {
             return name;
-        }
-    }
-
-    /** Loads classes from memory, before those of the same name elsewhere. */
-    private static final class Loader extends ClassLoader {
-
-        private final Map<String, byte[]> classes;
-
-        Loader(Map<String, byte[]> classes) {
-            super(SameRunInTheMachineTest.class.getClassLoader());
-            this.classes = classes;
-        }
-
-        @Override
-        protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
-            byte[] bytes = classes.get(name);
-            if (bytes == null) {
-                return super.loadClass(name, resolve);
-            }
-            Class<?> loaded = findLoadedClass(name);
-            return loaded == null ? defineClass(name, bytes, 0, bytes.length) : loaded;
         }
     }
 }

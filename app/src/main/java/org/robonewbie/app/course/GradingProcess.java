@@ -17,7 +17,6 @@ import org.robonewbie.app.program.StudentJava;
 import org.robonewbie.app.program.TemporaryFolder;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
-import org.robonewbie.exercises.Patience;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.nao.file.AtomicFile;
@@ -131,7 +130,7 @@ public final class GradingProcess {
                     seed == 1 ? conditions.recording() : Optional.empty(),
                     Audience.NOBODY);
             Optional<Score> reason = score.passed() ? Optional.empty() : student.reason(door.port());
-            stuck |= reason.filter(told -> told.finding().startsWith(Patience.EXHAUSTED))
+            stuck |= reason.filter(told -> told.finding().startsWith(Performance.ENDLESS))
                     .isPresent();
             return reason.orElse(score);
         }

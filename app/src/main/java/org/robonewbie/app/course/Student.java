@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.trial.guest.AbsentProgramException;
 
@@ -23,7 +24,6 @@ record Student(Process process, OutputStream calls, Path complaints) {
     private static final int OUT_OF_MEMORY = 3;
     private static final int MILLISECONDS_TO_END = 500;
     private static final int MOST_CHARACTERS = 1000;
-    private static final String MEND = "Mend this first; the rest was not tried.";
 
     /** Whether the program could be compiled and loaded. */
     boolean isReady() {
@@ -49,7 +49,7 @@ record Student(Process process, OutputStream calls, Path complaints) {
             String text = Files.readString(complaints.resolve(Integer.toString(port)));
             String[] lines =
                     text.substring(0, Math.min(MOST_CHARACTERS, text.length())).split("\n", 2);
-            return Optional.of(Score.failed(0, lines[0], lines.length > 1 ? lines[1] : MEND));
+            return Optional.of(Score.failed(0, lines[0], lines.length > 1 ? lines[1] : Performance.MEND));
         } catch (IOException none) {
             return Optional.empty();
         }
@@ -57,12 +57,9 @@ record Student(Process process, OutputStream calls, Path complaints) {
 
     private Score ending() {
         int code = exitCode();
-        return Score.failed(
-                0,
-                code == OUT_OF_MEMORY
-                        ? "The program took all memory (" + StudentJava.MEGABYTES + " MB)."
-                        : "The program ended the whole process (exit code " + code + "). Does it call System.exit?",
-                MEND);
+        return code == OUT_OF_MEMORY
+                ? Score.failed(0, "The program took all memory (" + StudentJava.MEGABYTES + " MB).", Performance.MEND)
+                : Performance.ofExit(code);
     }
 
     /** Waits a moment for the end, since connections end before their process does. */

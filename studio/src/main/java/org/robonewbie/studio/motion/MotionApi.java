@@ -1,6 +1,5 @@
 package org.robonewbie.studio.motion;
 
-import com.google.gson.Gson;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.io.IOException;
@@ -8,9 +7,7 @@ import java.io.InputStream;
 import java.net.URLDecoder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -19,8 +16,6 @@ import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
-import org.robonewbie.nao.motion.MotionFile;
-import org.robonewbie.nao.motion.MotionFormatException;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.studio.file.Answer;
 import org.robonewbie.studio.file.PageFolder;
@@ -174,23 +169,6 @@ public final class MotionApi extends Handler.Abstract {
 
     private static String trial(Request request) throws IOException {
         String start = Optional.ofNullable(request.getHeaders().get("Start")).orElse("standing");
-        PhysicalTrial.Start from = Arrays.stream(PhysicalTrial.Start.values())
-                .filter(each -> each.name().toLowerCase(Locale.ROOT).equals(start))
-                .findFirst()
-                .orElseThrow(() -> new RefusedException(400, "A robot cannot start \"" + start + "\"."));
-        MotionFile file = MotionFile.parse("motion.txt", new String(body(request), StandardCharsets.UTF_8));
-        try {
-            return write(PhysicalTrial.of(file.motion(), from));
-        } catch (MotionFormatException e) {
-            throw new RefusedException(400, String.valueOf(e.getMessage()));
-        }
-    }
-
-    private static String write(PhysicalTrial trial) {
-        JsonObject json = new JsonObject();
-        json.addProperty("frameSeconds", PhysicalTrial.FRAME_SECONDS);
-        trial.fallSeconds().ifPresent(seconds -> json.addProperty("fallSeconds", seconds));
-        json.add("frames", new Gson().toJsonTree(trial.frames()));
-        return json.toString();
+        return PhysicalTrial.json(new String(body(request), StandardCharsets.UTF_8), start);
     }
 }

@@ -1,12 +1,18 @@
 package org.robonewbie.studio.motion;
 
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.MotionFormatException;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.simulator.physics.BodyPose;
@@ -26,7 +32,7 @@ import org.robonewbie.trial.Trial;
  *     was, or if the robot did not stand at first
  */
 @SuppressWarnings("ArrayRecordComponent")
-record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
+public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
 
     /** Time between two frames in seconds: every second cycle. */
     static final double FRAME_SECONDS = 2 * Cycle.SECONDS;
@@ -40,13 +46,49 @@ record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
     private static final Vector3 BALL_ASIDE = new Vector3(-5, -3.5, 0);
 
     /** How the robot is before the motion. */
-    enum Start {
+    public enum Start {
         /** Standing, with slightly bent knees. */
         STANDING,
         /** Lying on its back. */
         BACK,
         /** Lying on its front. */
         FRONT
+    }
+
+    /**
+     * Plays the motion of a file.
+     *
+     * @param text what is in the file
+     * @param start the name of a {@link Start} in small letters
+     * @return what happened, as JSON
+     * @throws RefusedException if the file is no motion or too long, or if there is no such start; its message says so
+     */
+    public static String json(String text, String start) {
+        Start from = Arrays.stream(Start.values())
+                .filter(each -> each.name().toLowerCase(Locale.ROOT).equals(start))
+                .findFirst()
+                .orElseThrow(() -> new RefusedException(400, "A robot cannot start \"" + start + "\"."));
+        try {
+            return of(MotionFile.parse("motion.txt", text).motion(), from).json();
+        } catch (MotionFormatException wrong) {
+            throw new RefusedException(400, String.valueOf(wrong.getMessage()));
+        }
+    }
+
+    private String json() {
+        JsonObject json = new JsonObject();
+        json.addProperty("frameSeconds", FRAME_SECONDS);
+        fallSeconds.ifPresent(seconds -> json.addProperty("fallSeconds", seconds));
+        JsonArray all = new JsonArray();
+        for (float[] frame : frames) {
+            JsonArray numbers = new JsonArray();
+            for (float number : frame) {
+                numbers.add(number);
+            }
+            all.add(numbers);
+        }
+        json.add("frames", all);
+        return json.toString();
     }
 
     /**

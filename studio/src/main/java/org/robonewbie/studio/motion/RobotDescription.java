@@ -10,7 +10,7 @@ import org.robonewbie.nao.model.Shape;
 import org.robonewbie.nao.motion.Mirror;
 
 /** What the pages need to know about the robot to edit its motions: joints in the order of the files, masses, and shapes. */
-final class RobotDescription {
+public final class RobotDescription {
 
     private RobotDescription() {}
 
@@ -20,7 +20,7 @@ final class RobotDescription {
      * @param model the robot's limbs and hinges as JSON
      * @return one JSON object
      */
-    static String write(JsonObject model) {
+    public static String write(JsonObject model) {
         JsonArray joints = new JsonArray();
         for (Joint joint : Joint.values()) {
             joints.add(joint(joint));

@@ -63,10 +63,11 @@ final class MemoryFile implements JavaFileObject {
         return kind;
     }
 
+    /** A file of this page may hold a public class of any name: what somebody pastes need not fit to the file. */
     @Override
     public boolean isNameCompatible(String simpleName, Kind wanted) {
         String file = simpleName + wanted.extension;
-        return wanted == kind && (path.equals(file) || path.endsWith("/" + file));
+        return wanted == kind && (kind == Kind.SOURCE || path.equals(file) || path.endsWith("/" + file));
     }
 
     @Override

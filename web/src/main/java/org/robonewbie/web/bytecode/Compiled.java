@@ -7,6 +7,7 @@ import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -23,6 +24,8 @@ final class Compiled {
             "org/robonewbie/agent/Agent",
             "org/robonewbie/agent/Nao",
             "java/lang/System",
+            "java/lang/Math",
+            "java/lang/StrictMath",
             "java/lang/Enum",
             "java/lang/Object",
             "java/lang/Class",
@@ -31,6 +34,7 @@ final class Compiled {
     private final Map<Member, Optional<Method>> methods = new HashMap<>();
     private final Map<Member, Optional<Constructor<?>>> constructors = new HashMap<>();
     private final Map<String, Class<?>> types = new HashMap<>();
+    private final Set<String> initialised = new HashSet<>();
 
     /** {@return the class of a name with slashes, or of the descriptor of an array} */
     Class<?> type(String name) {
@@ -101,7 +105,19 @@ final class Compiled {
 
     @Nullable
     Object staticField(Member field) {
+        initialise(field.owner());
         return field(field, null);
+    }
+
+    /** Lets a class initialise itself: fields that are read by their names do not in a page. */
+    private void initialise(String name) {
+        if (initialised.add(name)) {
+            try {
+                Class.forName(type(name).getName(), true, Compiled.class.getClassLoader());
+            } catch (ClassNotFoundException missing) {
+                throw new Missing("The class " + name.replace('/', '.') + " is not here");
+            }
+        }
     }
 
     @Nullable
@@ -209,6 +225,9 @@ final class Compiled {
         Class<?>[] types = method.getParameterTypes();
         Object[] adapted = new Object[arguments.length];
         for (int i = 0; i < arguments.length; i++) {
+            if (types[i].isArray() && types[i].getComponentType().isPrimitive()) {
+                throw new Missing(method.getName() + " with an array of numbers or letters is not here");
+            }
             adapted[i] = toJava(arguments[i], types[i], machine);
         }
         return adapted;

@@ -1,6 +1,7 @@
 package org.robonewbie.web.bytecode;
 
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -46,12 +47,13 @@ public final class Program {
                 .toList();
     }
 
-    /** {@return the names of the agents that can be made without arguments, with slashes} */
+    /** {@return the names of the agents that can be made without arguments, with slashes; those of inner classes last} */
     public List<String> agents() {
         return classes.values().stream()
                 .filter(type -> type.is("org/robonewbie/agent/Agent")
                         && type.own("<init>()V").isPresent())
                 .map(type -> type.file().name())
+                .sorted(Comparator.comparing(name -> name.contains("$")))
                 .toList();
     }
 

@@ -20,7 +20,7 @@ public final class ProgramLibrary {
                     + " Collections Comparator ConcurrentModificationException Deque HashMap HashSet Iterator LinkedHashMap LinkedHashSet"
                     + " LinkedList List ListIterator Locale Map Map$Entry NavigableMap NavigableSet NoSuchElementException Objects Optional"
                     + " OptionalDouble OptionalInt OptionalLong PrimitiveIterator$OfInt PriorityQueue Queue Random Set SortedMap SortedSet"
-                    + " StringJoiner TreeMap TreeSet";
+                    + " TreeMap TreeSet";
     private static final String STREAMS = "BaseStream Collector Collectors DoubleStream IntStream LongStream Stream";
     private static final Set<String> JAVA = Stream.of(
                     named("java.lang.", LANGUAGE),

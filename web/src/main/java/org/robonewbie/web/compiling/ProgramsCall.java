@@ -8,6 +8,9 @@ import org.teavm.extension.spi.reflection.SimpleReflectionPolicy;
 /** Keeps in the compiled program, with its name, whatever a student's program may call. */
 public final class ProgramsCall extends SimpleReflectionPolicy {
 
+    /** Set while the part of the page is compiled that runs no programs of students. */
+    static final boolean WITHOUT_PROGRAMS = Boolean.getBoolean("robonewbie.withoutPrograms");
+
     /** What begins a simulator, which the page carries out in another way, and what makes threads wait for each other. */
     private static final Set<String> OTHERWISE =
             Set.of("Nao.connect", "Agent.run", "Agent.runTogether", "Object.wait", "Object.notify", "Object.notifyAll");
@@ -21,7 +24,7 @@ public final class ProgramsCall extends SimpleReflectionPolicy {
 
     @Override
     protected void setup() {
-        selectClasses(type -> ProgramLibrary.has(type.name()))
+        selectClasses(type -> !WITHOUT_PROGRAMS && ProgramLibrary.has(type.name()))
                 .foundByName()
                 .reflectableMembers(ProgramsCall::isCallable);
     }

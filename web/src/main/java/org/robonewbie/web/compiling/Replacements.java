@@ -11,8 +11,11 @@ import org.teavm.extension.spi.substitution.SubstitutionSink;
 public final class Replacements extends SimpleSubstitutionPolicy {
 
     private static final String OURS = "org.robonewbie.web.library.";
-    private static final Set<String> REPLACED =
-            Set.of("java.security.MessageDigest", "java.util.HexFormat", "org.slf4j.LoggerFactory");
+    private static final Set<String> REPLACED = Set.of(
+            "java.security.MessageDigest",
+            "java.util.HexFormat",
+            "java.util.SplittableRandom",
+            "org.slf4j.LoggerFactory");
     private static final Set<String> OTHERWISE_IN_A_PAGE =
             Set.of("org.robonewbie.agent.log.StudentCode", "org.robonewbie.agent.running.Surroundings");
 

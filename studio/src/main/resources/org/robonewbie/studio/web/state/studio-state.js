@@ -32,6 +32,8 @@ const CHEER_MILLISECONDS = 4000;
 
 /** Where agents look for a simulator if nothing else is said. */
 const USUAL_AGENT_PORT = 3100;
+/** A world that only programs of its own page can join. */
+const NO_PORT = 0;
 
 /** The speeds that can be chosen; 'fastest' does not wait between cycles. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 'fastest'];
@@ -169,6 +171,9 @@ export function message(state, now) {
 
 /** @param {Scene} scene */
 function howToJoin({ clock: hasClock, agentPort = USUAL_AGENT_PORT }) {
+  if (agentPort === NO_PORT) {
+    return 'Choose an agent in the bar above, or run a program in the room Program.';
+  }
   const port = agentPort === USUAL_AGENT_PORT ? '' : ` --port ${agentPort}`;
   return hasClock === false
     ? 'Run an agent that joins the server that is watched.'

@@ -1,0 +1,160 @@
+package org.robonewbie.web;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Grade.SeededScore;
+import org.robonewbie.exercises.Language;
+import org.robonewbie.exercises.Score;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.simulator.TrialLabel;
+import org.robonewbie.simulator.recording.RecordingTarget;
+import org.robonewbie.studio.PageFeed;
+import org.robonewbie.web.bytecode.Program;
+
+/** Trials of one exercise, one seed after the other, under the eyes of the student. */
+final class ExerciseAttempt {
+
+    private static final int MOST_CHARACTERS = 20_000;
+    private static final long SEED_OF_EMPTY_PITCH = 1;
+
+    private final Exercise exercise;
+    private final List<byte[]> classes;
+    private final long id;
+    private final int trials;
+    private final LiveWorld world;
+    private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    private final PrintStream output = new PrintStream(bytes, true, StandardCharsets.UTF_8);
+    private final List<SeededScore> judged = new ArrayList<>();
+    private ExerciseTrial trial;
+
+    /**
+     * Begins with the first trial.
+     *
+     * @param exercise what is tried
+     * @param classes class files of the program
+     * @param id number of the attempt
+     * @param trials how many seeds are tried, at least 1
+     * @param page gets what happens
+     */
+    ExerciseAttempt(Exercise exercise, List<byte[]> classes, long id, int trials, PageFeed.Page page) {
+        this.exercise = exercise;
+        this.classes = List.copyOf(classes);
+        this.id = id;
+        this.trials = trials;
+        world = new LiveWorld(page, feed -> new FreePitch(SEED_OF_EMPTY_PITCH, feed, RecordingTarget.NONE));
+        trial = next();
+    }
+
+    /**
+     * Judges one trial, as fast as possible.
+     *
+     * @param exercise what is tried
+     * @param classes class files of the program
+     * @param seed start of all that is left to chance
+     * @return the score
+     */
+    static Score score(Exercise exercise, List<byte[]> classes, long seed) {
+        PrintStream nowhere = new PrintStream(new ByteArrayOutputStream());
+        ExerciseTrial trial = new ExerciseTrial(
+                exercise,
+                seed,
+                () -> new StudentPerformer(new Program(classes), nowhere, TelemetrySink.NONE),
+                RecordingTarget.NONE);
+        while (!trial.isOver()) {
+            trial.cycle();
+        }
+        return trial.score();
+    }
+
+    private ExerciseTrial next() {
+        long seed = judged.size() + 1L;
+        world.feed().judge(new TrialLabel(exercise.name(), id, seed));
+        ExerciseTrial begun = new ExerciseTrial(
+                exercise,
+                seed,
+                () -> new StudentPerformer(new Program(classes), output, world.feed()),
+                PageStage.record());
+        if (begun.hasBegun()) {
+            world.show(begun);
+        }
+        return begun;
+    }
+
+    /** {@return what the page shows} */
+    LiveWorld world() {
+        return world;
+    }
+
+    /**
+     * Goes on as far as the chosen speed and the processor allow, and tells the page.
+     *
+     * @param seconds how long the last turn is ago
+     */
+    void turn(double seconds) {
+        world.turn(seconds);
+        if (!isOver() && trial.isOver()) {
+            judge();
+        }
+    }
+
+    private void judge() {
+        add(trial.score());
+        while (trial.isStuck() && !isOver()) {
+            add(Score.notTried());
+        }
+        if (!isOver()) {
+            trial = next();
+        }
+    }
+
+    private void add(Score score) {
+        judged.add(new SeededScore(judged.size() + 1L, score));
+    }
+
+    private boolean isOver() {
+        return judged.size() == trials;
+    }
+
+    /**
+     * Writes how far it is.
+     *
+     * @param language of findings and hints
+     * @return one JSON object: state, number of trials, those that are judged, and what the program has printed
+     */
+    String json(Language language) {
+        JsonObject json = new JsonObject();
+        json.addProperty("id", id);
+        json.addProperty("state", isOver() ? "OVER" : "RUNNING");
+        json.addProperty("exercise", exercise.name());
+        json.addProperty("trials", trials);
+        JsonArray scores = new JsonArray();
+        judged.forEach(each -> scores.add(json(each.seed(), each.score().in(language))));
+        json.add("judged", scores);
+        String said = bytes.toString(StandardCharsets.UTF_8);
+        json.addProperty("output", said.substring(Math.max(0, said.length() - MOST_CHARACTERS)));
+        return json.toString();
+    }
+
+    /**
+     * Writes a score.
+     *
+     * @param seed what the trial began with
+     * @param score what it earned
+     * @return seed, points, whether it passed, finding and hint
+     */
+    static JsonObject json(long seed, Score score) {
+        JsonObject json = new JsonObject();
+        json.addProperty("seed", seed);
+        json.addProperty("passed", score.passed());
+        json.addProperty("points", score.points());
+        json.addProperty("finding", score.finding());
+        json.addProperty("hint", score.hint());
+        return json;
+    }
+}

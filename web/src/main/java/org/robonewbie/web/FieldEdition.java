@@ -1,0 +1,116 @@
+package org.robonewbie.web;
+
+import org.robonewbie.studio.PageMotions;
+import org.teavm.jso.JSExport;
+import org.teavm.jso.typedarrays.Int8Array;
+
+/**
+ * What the scripts of the page call as long as nobody programs: shipped agents play, and motions are tried. Each exported method
+ * becomes a function of the compiled program, which is half as large as that of {@link WebEdition}.
+ */
+public final class FieldEdition {
+
+    private FieldEdition() {}
+
+    /**
+     * Does nothing: the page calls the functions.
+     *
+     * @param args none
+     */
+    public static void main(String[] args) {}
+
+    /**
+     * Lets a shipped agent play alone.
+     *
+     * @param agent name of its class
+     * @param seed start of all random numbers
+     * @param seconds simulated seconds
+     * @return the checksum of the recording, SHA-256 in 64 hexadecimal digits
+     */
+    @JSExport
+    public static String recordingSha256(String agent, int seed, double seconds) {
+        return HeadlessRun.of(ShippedAgents.make(agent), seed, seconds).recordingSha256();
+    }
+
+    /**
+     * Lists the shipped agents.
+     *
+     * @return the names of their classes, separated by blanks
+     */
+    @JSExport
+    public static String agents() {
+        return String.join(" ", ShippedAgents.names());
+    }
+
+    /** {@return the robot whose motions are edited, as a JSON object} */
+    @JSExport
+    public static String robot() {
+        return PageMotions.robot();
+    }
+
+    /**
+     * Lets a robot with weight and motors play a motion.
+     *
+     * @param text the motion's file
+     * @param start how the robot is before
+     * @return what happened, as a JSON object; or why that cannot be, as a sentence
+     */
+    @JSExport
+    public static String motionTrial(String text, String start) {
+        return PageStage.motionTrial(text, start);
+    }
+
+    /** {@return the bodies of all robot types, as a JSON object} */
+    @JSExport
+    public static String models() {
+        return PageMotions.models();
+    }
+
+    /** {@return the number of the world that is recorded; each one is recorded from its beginning} */
+    @JSExport
+    public static int recordingNumber() {
+        return PageStage.recordingNumber();
+    }
+
+    /**
+     * Reads the recording of the world that is shown.
+     *
+     * @param known how many bytes of it are known already
+     * @return the bytes behind them
+     */
+    @JSExport
+    public static Int8Array recording(int known) {
+        return PageStage.recordingFrom(known);
+    }
+
+    /**
+     * Does what the page asks for.
+     *
+     * @param command one JSON object
+     */
+    @JSExport
+    public static void ask(String command) {
+        PageStage.ask(command);
+    }
+
+    /**
+     * Begins a world with a shipped agent, which is shown from now on.
+     *
+     * @param agent name of its class
+     * @param seed start of all random numbers
+     */
+    @JSExport
+    public static void begin(String agent, int seed) {
+        PageStage.begin(agent, seed);
+    }
+
+    /**
+     * Lets the shown world go on.
+     *
+     * @param seconds how long the last turn is ago
+     */
+    @JSExport
+    public static void turn(double seconds) {
+        PageStage.turn(seconds);
+    }
+}

@@ -1,0 +1,109 @@
+package org.robonewbie.web;
+
+import java.util.Arrays;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.robonewbie.agent.walk.Gait;
+import org.robonewbie.agent.walk.WalkStyle;
+import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.web.bytecode.SpecialCalls;
+
+/** Calls with arrays of numbers, which the compiled program cannot make by the names of methods. */
+final class NumberArrays {
+
+    private NumberArrays() {}
+
+    /**
+     * Carries out a method of {@link WalkStyle}.
+     *
+     * @param name of the method
+     * @param given its arguments
+     * @return its result, or {@link SpecialCalls#UNKNOWN}
+     */
+    static Object walkStyle(String name, @Nullable Object[] given) {
+        return name.equals("of")
+                ? WalkStyle.of(
+                        whole(given[0]),
+                        (WalkVelocity) Objects.requireNonNull(given[1]),
+                        (WalkVelocity) Objects.requireNonNull(given[2]),
+                        (double[]) Objects.requireNonNull(given[3]))
+                : SpecialCalls.UNKNOWN;
+    }
+
+    /**
+     * Carries out a method of {@link Gait}.
+     *
+     * @param name of the method
+     * @param given its arguments
+     * @return its result, or {@link SpecialCalls#UNKNOWN}
+     */
+    static Object gait(String name, @Nullable Object[] given) {
+        return name.equals("of") && given.length == 3
+                ? Gait.of(whole(given[0]), whole(given[1]), (double[]) Objects.requireNonNull(given[2]))
+                : SpecialCalls.UNKNOWN;
+    }
+
+    /**
+     * Carries out a method of {@link Arrays}.
+     *
+     * @param name of the method
+     * @param given its arguments
+     * @return its result, or {@link SpecialCalls#UNKNOWN}
+     */
+    static @Nullable Object arrays(String name, @Nullable Object[] given) {
+        if (given[0] instanceof double[] numbers) {
+            return ofDoubles(name, numbers, given);
+        }
+        return given[0] instanceof int[] numbers ? ofInts(name, numbers, given) : SpecialCalls.UNKNOWN;
+    }
+
+    private static @Nullable Object ofDoubles(String name, double[] numbers, @Nullable Object[] given) {
+        switch (name + given.length) {
+            case "toString1":
+                return Arrays.toString(numbers);
+            case "stream1":
+                return Arrays.stream(numbers);
+            case "copyOf2":
+                return Arrays.copyOf(numbers, whole(given[1]));
+            case "copyOfRange3":
+                return Arrays.copyOfRange(numbers, whole(given[1]), whole(given[2]));
+            case "equals2":
+                return Arrays.equals(numbers, (double[]) given[1]) ? 1 : 0;
+            case "fill2":
+                Arrays.fill(numbers, (Double) Objects.requireNonNull(given[1]));
+                return null;
+            case "sort1":
+                Arrays.sort(numbers);
+                return null;
+            default:
+                return SpecialCalls.UNKNOWN;
+        }
+    }
+
+    private static @Nullable Object ofInts(String name, int[] numbers, @Nullable Object[] given) {
+        switch (name + given.length) {
+            case "toString1":
+                return Arrays.toString(numbers);
+            case "stream1":
+                return Arrays.stream(numbers);
+            case "copyOf2":
+                return Arrays.copyOf(numbers, whole(given[1]));
+            case "copyOfRange3":
+                return Arrays.copyOfRange(numbers, whole(given[1]), whole(given[2]));
+            case "equals2":
+                return Arrays.equals(numbers, (int[]) given[1]) ? 1 : 0;
+            case "fill2":
+                Arrays.fill(numbers, whole(given[1]));
+                return null;
+            case "sort1":
+                Arrays.sort(numbers);
+                return null;
+            default:
+                return SpecialCalls.UNKNOWN;
+        }
+    }
+
+    private static int whole(@Nullable Object value) {
+        return (Integer) Objects.requireNonNull(value);
+    }
+}

@@ -1,0 +1,65 @@
+package org.robonewbie.web;
+
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.web.bytecode.SpecialCalls;
+
+/** What some of Java's own classes are to a program in the page. */
+final class PageCalls {
+
+    private PageCalls() {}
+
+    /**
+     * Carries out a static call.
+     *
+     * @param owner the class, with slashes
+     * @param name of the method
+     * @param arguments its arguments
+     * @return its result, or {@link SpecialCalls#UNKNOWN} for one that is called as it is
+     */
+    static @Nullable Object call(String owner, String name, @Nullable Object[] arguments) {
+        return switch (owner) {
+            case "java/lang/System" -> PageSystem.call(name, arguments);
+            case "java/lang/Math", "java/lang/StrictMath" ->
+                arguments.length > 0 && arguments[0] instanceof Double x
+                        ? mathematics(name, x, arguments.length > 1 ? arguments[1] : null)
+                        : SpecialCalls.UNKNOWN;
+            case "java/util/Arrays" -> NumberArrays.arrays(name, arguments);
+            case "org/robonewbie/agent/walk/WalkStyle" -> NumberArrays.walkStyle(name, arguments);
+            case "org/robonewbie/agent/walk/Gait" -> NumberArrays.gait(name, arguments);
+            default -> SpecialCalls.UNKNOWN;
+        };
+    }
+
+    /** Browsers calculate with functions of their own, which differ; these are the same everywhere. */
+    private static Object mathematics(String name, double x, @Nullable Object second) {
+        return switch (name) {
+            case "sin" -> PortableMath.sin(x);
+            case "cos" -> PortableMath.cos(x);
+            case "tan" -> PortableMath.tan(x);
+            case "asin" -> PortableMath.asin(x);
+            case "acos" -> PortableMath.acos(x);
+            case "atan" -> PortableMath.atan(x);
+            case "exp" -> PortableMath.exp(x);
+            case "log" -> PortableMath.log(x);
+            case "log10" -> PortableMath.log10(x);
+            case "toRadians" -> PortableMath.toRadians(x);
+            case "toDegrees" -> PortableMath.toDegrees(x);
+            case "rint" -> PortableMath.rint(x);
+            case "round" -> PortableMath.round(x);
+            case "sqrt" -> Math.sqrt(x);
+            case "floor" -> Math.floor(x);
+            case "ceil" -> Math.ceil(x);
+            case "atan2" -> PortableMath.atan2(x, number(second));
+            case "pow" -> PortableMath.pow(x, number(second));
+            case "hypot" -> PortableMath.hypot(x, number(second));
+            case "IEEEremainder" -> PortableMath.IEEEremainder(x, number(second));
+            default -> SpecialCalls.UNKNOWN;
+        };
+    }
+
+    private static double number(@Nullable Object value) {
+        return (Double) Objects.requireNonNull(value);
+    }
+}

@@ -1,0 +1,58 @@
+/** Texts with names, kept by the browser: closed and opened again, the page has them all. */
+
+/** @param {string} text @returns {string} another one for another text */
+export function versionOf(text) {
+  let hash = 5381;
+  for (let i = 0; i < text.length; i += 1) {
+    hash = (Math.imul(hash, 33) + text.charCodeAt(i)) | 0;
+  }
+  return `${text.length}.${hash >>> 0}`;
+}
+
+export class BrowserShelf {
+  /** @param {string} prefix of the shelf's keys in the browser's memory */
+  constructor(prefix) {
+    this.prefix = prefix;
+  }
+
+  /** @returns {{path: string, version: string}[]} */
+  get list() {
+    return Object.keys(localStorage)
+      .filter((key) => key.startsWith(this.prefix))
+      .map((key) => ({ path: key.slice(this.prefix.length), version: versionOf(localStorage.getItem(key) ?? '') }))
+      .sort((one, other) => one.path.localeCompare(other.path));
+  }
+
+  /** @param {string} path @returns {string | null} */
+  read(path) {
+    return localStorage.getItem(this.prefix + path);
+  }
+
+  /** @param {string} path @param {string} text */
+  write(path, text) {
+    localStorage.setItem(this.prefix + path, text);
+  }
+
+  /**
+   * Writes a text unless another one is there than the writer knows.
+   *
+   * @param {string} path
+   * @param {string} text
+   * @param {string} known version of what the writer has read
+   * @returns {Response} with the new version, or a refusal
+   */
+  overwrite(path, text, known) {
+    const there = this.read(path);
+    if (there !== null && versionOf(there) !== known) {
+      const refusal = `${path} was changed in another window. Load it again, or save under another name.`;
+      return new Response(refusal, { status: 409 });
+    }
+    this.write(path, text);
+    return new Response('', { headers: { Version: versionOf(text) } });
+  }
+
+  /** @param {string} path */
+  remove(path) {
+    localStorage.removeItem(this.prefix + path);
+  }
+}

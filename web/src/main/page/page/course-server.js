@@ -1,0 +1,198 @@
+/** Answers what the exercises ask their server: worksheets, the judge in the world's worker, and how far one is. */
+import { CourseProgress } from './course-progress.js';
+
+/**
+ * @typedef {import('../state/course.js').Lesson} Lesson
+ * @typedef {import('../state/course.js').Attempt} Attempt
+ * @typedef {Lesson & {startCode: string, hints: string[]}} Sheet
+ */
+
+const LANGUAGE = 'robonewbie-page-language';
+
+/** @type {Attempt} */
+const NONE = {
+  id: 0,
+  state: 'NONE',
+  exercise: '',
+  program: '',
+  port: 0,
+  trials: 0,
+  judged: [],
+  points: 0,
+  passed: false,
+  output: '',
+};
+
+export class CourseServer {
+  #shelf;
+  #programs;
+  #progress = new CourseProgress();
+  /** @type {Map<string, Promise<Sheet[]>>} */
+  #sheets = new Map();
+  #language = localStorage.getItem(LANGUAGE) ?? 'en';
+  /** @type {Attempt} */
+  #attempt = NONE;
+  /** @type {((refusal: string) => void) | undefined} */
+  #begun;
+  /** Shows the free pitch again. */
+  freePitch = () => {};
+
+  /**
+   * @param {import('./world-process.js').World} world
+   * @param {import('./program-shelf.js').ProgramShelf} shelf
+   * @param {import('./program-server.js').ProgramServer} programs
+   */
+  constructor(world, shelf, programs) {
+    this.world = world;
+    this.#shelf = shelf;
+    this.#programs = programs;
+  }
+
+  /** Something else has the world now. */
+  forget() {
+    this.#attempt = NONE;
+  }
+
+  /** @param {string} refusal why the program cannot be tried; empty if its trials go on */
+  answered(refusal) {
+    const heard = this.#begun;
+    this.#begun = undefined;
+    heard?.(refusal);
+    return heard !== undefined;
+  }
+
+  /** @param {string} text what the judge says: one JSON object */
+  heard(text) {
+    if (text === '' || this.#attempt.state === 'NONE') {
+      return;
+    }
+    const news = JSON.parse(text);
+    const wasOver = this.#attempt.state === 'OVER';
+    const sum = news.judged.reduce((/** @type {number} */ points, /** @type {any} */ trial) => points + trial.points, 0);
+    const isOver = news.state === 'OVER';
+    this.#attempt = {
+      ...this.#attempt,
+      ...news,
+      points: news.judged.length === 0 ? 0 : sum / news.judged.length,
+      passed: isOver && news.judged.every((/** @type {{passed: boolean}} */ { passed }) => passed),
+    };
+    if (isOver && !wasOver) {
+      this.#progress.tried(this.#attempt.exercise, this.#attempt.points, this.#attempt.passed);
+    }
+  }
+
+  /** @param {string} place behind `course` @param {RequestInit} options @returns {Promise<Response>} */
+  async answer(place, options) {
+    const [path, search = ''] = place.split('?');
+    const wish = new URLSearchParams(search);
+    const [, name = '', help = ''] = path.split('/').map(decodeURIComponent);
+    const method = options.method ?? 'GET';
+    if (name === 'language') {
+      this.#speak(wish.get('code') ?? '');
+      return Response.json(await this.#overview());
+    }
+    if (name === '') {
+      return Response.json(await this.#overview());
+    }
+    if (name === 'attempt') {
+      return Response.json(method === 'DELETE' ? this.#leave() : this.#attempt);
+    }
+    const sheet = await this.#sheet(name);
+    if (help !== '') {
+      return Response.json(this.#help(sheet, method === 'POST' ? help : ''));
+    }
+    if (method === 'PUT') {
+      return Response.json(this.#handOut(sheet));
+    }
+    if (method === 'POST') {
+      await this.#begin(sheet, wish.get('program') ?? '', Number(wish.get('trials')));
+    }
+    return Response.json(this.#attempt);
+  }
+
+  /** @param {string} code */
+  #speak(code) {
+    this.#language = code;
+    localStorage.setItem(LANGUAGE, code);
+    this.world.postMessage({ language: code });
+  }
+
+  async #overview() {
+    const sheets = await this.#all();
+    const lessons = sheets.map(({ startCode: _, hints: __, ...lesson }) => ({
+      ...lesson,
+      standing: this.#progress.standing(lesson.name),
+    }));
+    return {
+      language: this.#language,
+      lessons,
+      programs: this.#shelf.own.map(({ path }) => path),
+      standings: this.#progress.standings(lessons),
+    };
+  }
+
+  /** @returns {Promise<Sheet[]>} */
+  #all() {
+    const code = this.#language;
+    const sheets = this.#sheets.get(code) ?? fetch(`course/${code}.json`).then((answer) => answer.json());
+    this.#sheets.set(code, sheets);
+    return sheets;
+  }
+
+  /** @param {string} name */
+  async #sheet(name) {
+    const sheet = (await this.#all()).find((each) => each.name === name);
+    if (!sheet) {
+      throw new Error(`There is no exercise "${name}".`);
+    }
+    return sheet;
+  }
+
+  /** @param {Sheet} sheet @param {string} wish */
+  #help({ name, hints }, wish) {
+    if (wish === 'hint') {
+      this.#progress.openHint(name, hints.length);
+    }
+    return {
+      hints: hints.slice(0, this.#progress.hints(name)),
+      allHints: hints.length,
+      solution: false,
+      triesLeft: 0,
+    };
+  }
+
+  /** @param {Sheet} sheet @returns {string} the path of the written file */
+  #handOut({ name, file, startCode }) {
+    if (this.#shelf.read('own', file) !== null) {
+      throw new Error(`There is a file ${file} already, and it is kept. Rename it to start over.`);
+    }
+    this.#shelf.write(file, startCode);
+    this.#progress.seen(name);
+    return file;
+  }
+
+  /** @param {Sheet} sheet @param {string} program @param {number} trials */
+  async #begin({ name }, program, trials) {
+    if (program === '') {
+      throw new Error('This page tries programs that are written in it: choose one.');
+    }
+    const classes = await this.#programs.compiled(program);
+    const refusal = await new Promise((done) => {
+      this.#begun = done;
+      this.world.postMessage({ exercise: { name, trials, classes, language: this.#language } });
+    });
+    if (refusal) {
+      throw new Error(refusal);
+    }
+    this.#programs.forget();
+    this.#attempt = { ...NONE, state: 'RUNNING', exercise: name, program, trials };
+  }
+
+  #leave() {
+    if (this.#attempt.state !== 'NONE') {
+      this.freePitch();
+    }
+    this.forget();
+    return this.#attempt;
+  }
+}

@@ -1,0 +1,118 @@
+/** Answers what the motion editor asks its server: motions of the browser, those of the library, and trials on a physical robot. */
+import { BrowserShelf, versionOf } from './browser-shelf.js';
+
+const POSES = 'poses';
+const CHUNK = 8192;
+
+/** Motions are bytes, and the browser's memory takes texts: a character for each byte. @param {Uint8Array} bytes */
+function asText(bytes) {
+  let text = '';
+  for (let i = 0; i < bytes.length; i += CHUNK) {
+    text += String.fromCharCode(...bytes.subarray(i, i + CHUNK));
+  }
+  return text;
+}
+
+/** @param {string} text @returns {Uint8Array<ArrayBuffer>} */
+const asBytes = (text) => Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+
+/** @param {RequestInit} options */
+const bodyOf = async (options) => new Uint8Array(await new Response(options.body).arrayBuffer());
+
+/** @param {BrowserShelf} shelf */
+const entries = (shelf) => shelf.list.map(({ path, version }) => ({ name: path, version }));
+
+export class MotionServer {
+  #own = new BrowserShelf('robonewbie-page-motion:');
+  #drafts = new BrowserShelf('robonewbie-page-motion-draft:');
+  #poses = new BrowserShelf('robonewbie-page-postures:');
+  /** @type {Promise<string> | undefined} */
+  #robot;
+
+  /** @param {import('./world-questions.js').WorldQuestions} questions */
+  constructor(questions) {
+    this.questions = questions;
+  }
+
+  /** The parts of a server that this one is, by the first words of their places. */
+  get parts() {
+    return {
+      robot: { answer: () => this.#describe() },
+      motions: this.#shelf(this.#own),
+      drafts: this.#shelf(this.#drafts),
+      library: { answer: (/** @type {string} */ place) => fetch(`library${place}.txt`) },
+      poses: { answer: (/** @type {string} */ _, /** @type {RequestInit} */ options) => this.#postures(options) },
+      trial: { answer: (/** @type {string} */ _, /** @type {RequestInit} */ options) => this.#try(options) },
+    };
+  }
+
+  async #describe() {
+    this.#robot ??= this.questions.ask('robot');
+    return new Response(await this.#robot);
+  }
+
+  async #list() {
+    const index = await (await fetch('library/index')).text();
+    return Response.json({
+      folder: 'this browser',
+      own: entries(this.#own),
+      drafts: entries(this.#drafts),
+      library: index.split('\n').filter(Boolean),
+    });
+  }
+
+  /** @param {BrowserShelf} shelf */
+  #shelf(shelf) {
+    return {
+      answer: async (/** @type {string} */ place, /** @type {RequestInit} */ options) => {
+        const name = decodeURIComponent(place.slice(1));
+        if (name === '') {
+          return this.#list();
+        }
+        switch (options.method) {
+          case 'PUT':
+            return this.#write(shelf, name, options);
+          case 'DELETE':
+            shelf.remove(name);
+            return new Response('');
+          default:
+            return file(shelf.read(name), name);
+        }
+      },
+    };
+  }
+
+  /** @param {BrowserShelf} shelf @param {string} name @param {RequestInit} options */
+  async #write(shelf, name, options) {
+    const text = asText(await bodyOf(options));
+    const known = new Headers(options.headers).get('Known-Version');
+    if (known !== null) {
+      return shelf.overwrite(name, text, known);
+    }
+    shelf.write(name, text);
+    return new Response('');
+  }
+
+  /** @param {RequestInit} options */
+  async #postures(options) {
+    if (options.method === 'PUT') {
+      this.#poses.write(POSES, asText(await bodyOf(options)));
+    }
+    return new Response(asBytes(this.#poses.read(POSES) ?? ''));
+  }
+
+  /** @param {RequestInit} options */
+  async #try(options) {
+    const text = new TextDecoder().decode(await bodyOf(options));
+    const start = new Headers(options.headers).get('Start') ?? 'standing';
+    const result = await this.questions.ask('motionTrial', text, start);
+    return new Response(result, { status: result.startsWith('{') ? 200 : 400 });
+  }
+}
+
+/** @param {string | null} text @param {string} name */
+function file(text, name) {
+  return text === null
+    ? new Response(`There is no motion "${name}" in this browser.`, { status: 404 })
+    : new Response(asBytes(text), { headers: { Version: versionOf(text) } });
+}

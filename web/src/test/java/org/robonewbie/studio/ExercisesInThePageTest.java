@@ -1,0 +1,168 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.Score;
+import org.robonewbie.web.Solutions;
+import org.robonewbie.web.bytecode.JavaSource;
+
+/** Exercises in the static page: its own javac, its own judge, and the verdicts of the command line. */
+@InBrowser
+@Timeout(600)
+class ExercisesInThePageTest {
+
+    private static final String SHOWN = "document.querySelector('#program-room').innerText";
+
+    private final Chromium browser;
+    private StaticServer server;
+
+    ExercisesInThePageTest(Chromium browser) {
+        this.browser = browser;
+    }
+
+    @BeforeEach
+    void serve() throws IOException {
+        server = new StaticServer(Path.of("target", "web").toAbsolutePath());
+    }
+
+    @AfterEach
+    void end() {
+        server.close();
+    }
+
+    static List<Exercise> exercises() {
+        return Exercises.all();
+    }
+
+    @ParameterizedTest
+    @MethodSource("exercises")
+    void solutionEarnsTheSameInThePageAndOnTheCommandLine(Exercise exercise) {
+        assertSameVerdicts(exercise, 1);
+    }
+
+    @Tag("slow")
+    @ParameterizedTest
+    @MethodSource("exercises")
+    void solutionEarnsTheSameWithMoreSeeds(Exercise exercise) {
+        assertSameVerdicts(exercise, 2, 3);
+    }
+
+    private void assertSameVerdicts(Exercise exercise, long... seeds) {
+        String text = Solutions.text(exercise);
+        browser.visit(server.address() + "webassembly-loader.js");
+        browser.evaluate(COMPILE + "compile(" + Chromium.quoted(exercise.className() + ".java") + ", "
+                + Chromium.quoted(text) + ").then((classes) => { window.classes = classes; })");
+
+        for (long seed : seeds) {
+            JsonObject there = JsonParser.parseString(
+                            browser.evaluate(SCORE + "score(" + Chromium.quoted(exercise.name()) + ", " + seed + ")")
+                                    .getAsString())
+                    .getAsJsonObject();
+
+            Score here = Solutions.judged(exercise, JavaSource.compile(exercise.className(), text), List.of(seed))
+                    .get(0);
+            assertThat(new Score(
+                            there.get("passed").getAsBoolean(),
+                            there.get("points").getAsInt(),
+                            there.get("finding").getAsString(),
+                            there.get("hint").getAsString()))
+                    .isEqualTo(here);
+        }
+    }
+
+    private static final String COMPILE = """
+            window.compile = (path, text) => new Promise((done, fail) => {
+              const worker = new Worker('compiler-worker.js', { type: 'module' });
+              worker.onmessage = ({ data }) => {
+                worker.terminate();
+                data.classes?.length ? done(data.classes) : fail(new Error(data.failure ?? data.remarks.join()));
+              };
+              worker.postMessage({ id: 1, sources: [[path, text]] });
+            });
+            """;
+    private static final String SCORE = """
+            window.score = (exercise, seed) => new Promise((done) => {
+              const worker = new Worker('world-worker.js?programs', { type: 'module' });
+              worker.onmessage = ({ data }) => {
+                worker.terminate();
+                done(data.result ?? data.failure);
+              };
+              worker.postMessage({ score: { classes: window.classes, exercise, seed } });
+            });
+            """;
+
+    @Test
+    void firstExerciseIsSolvedInTheRoomForPrograms() {
+        Exercise first = Exercises.all().get(0);
+        open("#program/" + first.name());
+        browser.await("studio.rooms.program.files.file?.path === '" + first.className() + ".java'");
+        assertThat(browser.evaluate("studio.rooms.program.editor.text").getAsString())
+                .isEqualTo(first.startCode());
+
+        browser.evaluate("studio.rooms.program.editor.replace(" + Chromium.quoted(Solutions.text(first)) + ")");
+        browser.fill("#speed", "fastest");
+        browser.click("#program-check");
+        browser.await(SHOWN + ".includes('Passed: 10.0 of 10 points')");
+        browser.click("#program-leave");
+        browser.await("studio.state.scene.robots.length === 1 && studio.state.frame.cycle > 10");
+
+        browser.evaluate("location.hash = '#field/exercises'");
+        browser.await(
+                "document.querySelector('#course [data-exercise=" + first.name() + "]')?.dataset.passed === 'true'");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void programToBeginWithGetsAHintInTheChosenLanguage() {
+        open("#program/stop-at-30");
+        browser.await("studio.rooms.program.files.file?.path === 'StopAt30.java'");
+        browser.evaluate("fetch('api/course/language?code=de', { method: 'POST' }).then(() => true)");
+        browser.fill("#speed", "fastest");
+        browser.click("#program-check");
+
+        browser.await(SHOWN + ".includes('Der Arm muss')");
+        browser.await(SHOWN + ".includes('Not yet passed')");
+    }
+
+    @Test
+    void allExercisesAreListedWithTheirWorksheets() {
+        open("#field/exercises");
+        browser.await("document.querySelectorAll('#course [data-exercise]').length === "
+                + Exercises.all().size());
+
+        assertThat(browser.evaluate("fetch('api/course').then((answer) => answer.json())"
+                                + ".then(({ lessons }) => Promise.all(lessons.map(({ worksheet }) => fetch(worksheet))))"
+                                + ".then((answers) => answers.every((answer) => answer.ok))")
+                        .getAsBoolean())
+                .isTrue();
+    }
+
+    @Test
+    void programThatDoesNotCompileIsNotTried() {
+        open("#program/raise-arms");
+        browser.await("studio.rooms.program.files.file?.path === 'RaiseArms.java'");
+        browser.evaluate("studio.rooms.program.editor.replace('public class RaiseArms {')");
+        browser.click("#program-check");
+
+        browser.await("document.querySelector('#toast').innerText.includes('RaiseArms.java does not compile')");
+    }
+
+    private void open(String place) {
+        browser.visit(server.address() + place);
+        browser.await("studio.state.frame?.cycle > 0");
+    }
+}

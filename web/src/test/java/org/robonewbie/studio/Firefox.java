@@ -1,0 +1,205 @@
+package org.robonewbie.studio;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import com.google.gson.JsonPrimitive;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.Writer;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.TimeUnit;
+
+/** A real Firefox without a window, steered by WebDriver BiDi. A profile can be used again by the next one. */
+final class Firefox implements AutoCloseable {
+
+    static final Tool TOOL = new Tool("Firefox", List.of("firefox-esr", "firefox"));
+
+    /** Draws into nothing: without a screen this browser has no WebGL. All else is as in any window. */
+    private static final String DRAWS_NOTHING = """
+            () => {
+              const answers = {
+                getParameter: (name) => ({ 7938: 'WebGL 2.0', 35724: 'GLSL ES 3.00', 3088: [0, 0, 0, 0], 2978: [0, 0, 0, 0] })[name] ?? 16,
+                getShaderPrecisionFormat: () => ({ rangeMin: 127, rangeMax: 127, precision: 23 }),
+                getContextAttributes: () => ({}),
+                getProgramParameter: (_, name) => (name === 35714 ? true : 0),
+                getShaderParameter: () => true,
+                getProgramInfoLog: () => '',
+                getShaderInfoLog: () => '',
+                checkFramebufferStatus: () => 36053,
+                getSupportedExtensions: () => [],
+                getAttribLocation: () => -1,
+                isContextLost: () => false,
+                getError: () => 0,
+                getExtension: () => null,
+              };
+              const gl = new Proxy({}, {
+                get: (_, name) => WebGL2RenderingContext[name] ?? answers[name] ?? (String(name).startsWith('create') ? () => ({}) : () => null),
+              });
+              const usual = HTMLCanvasElement.prototype.getContext;
+              HTMLCanvasElement.prototype.getContext = function (kind, options) {
+                return kind === 'webgl2' ? gl : usual.call(this, kind, options);
+              };
+            }
+            """;
+
+    private static final String ANNOUNCEMENT = "WebDriver BiDi listening on ";
+    private static final int PATIENCE_SECONDS = 120;
+
+    private final Process process;
+    private final DevTools tools;
+    private final String context;
+
+    private Firefox(Process process, URI address) {
+        this.process = process;
+        this.tools = new DevTools(address, event -> {});
+        JsonObject wishes = new JsonObject();
+        wishes.add("capabilities", new JsonObject());
+        call("session.new", wishes);
+        JsonObject kind = new JsonObject();
+        kind.addProperty("type", "tab");
+        JsonObject script = new JsonObject();
+        script.addProperty("functionDeclaration", DRAWS_NOTHING);
+        call("script.addPreloadScript", script);
+        context = call("browsingContext.create", kind).get("context").getAsString();
+    }
+
+    /**
+     * Starts the browser.
+     *
+     * @param profile an empty folder, or that of a browser that was closed
+     * @param preferences lines of its file {@code user.js}
+     */
+    static Firefox start(Path profile, String... preferences) throws IOException {
+        Files.write(profile.resolve("user.js"), List.of(preferences));
+        Process process = new ProcessBuilder(
+                        TOOL.orSkip().toString(),
+                        "--headless",
+                        "--no-remote",
+                        "--remote-debugging-port=0",
+                        "--profile",
+                        profile.toString())
+                .redirectErrorStream(true)
+                .start();
+        BufferedReader output =
+                new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+        for (String line = output.readLine(); line != null; line = output.readLine()) {
+            if (line.contains(ANNOUNCEMENT)) {
+                drain(output);
+                String address = line.substring(line.indexOf(ANNOUNCEMENT) + ANNOUNCEMENT.length());
+                return new Firefox(process, URI.create(address.strip() + "/session"));
+            }
+        }
+        throw new IOException("Firefox did not start.");
+    }
+
+    private static void drain(BufferedReader output) {
+        Thread reader = new Thread(
+                () -> {
+                    try {
+                        output.transferTo(Writer.nullWriter());
+                    } catch (IOException browserIsClosed) {
+                        return;
+                    }
+                },
+                "firefox-output");
+        reader.setDaemon(true);
+        reader.start();
+    }
+
+    /** Opens an address and waits until the page is there. */
+    void visit(String address) {
+        JsonObject place = new JsonObject();
+        place.addProperty("context", context);
+        place.addProperty("url", address);
+        place.addProperty("wait", "complete");
+        call("browsingContext.navigate", place);
+    }
+
+    /** Computes a JavaScript expression in the page. */
+    JsonElement evaluate(String expression) {
+        JsonObject target = new JsonObject();
+        target.addProperty("context", context);
+        JsonObject parameters = new JsonObject();
+        parameters.addProperty(
+                "expression", "Promise.resolve(" + expression + ").then((value) => JSON.stringify(value ?? null))");
+        parameters.add("target", target);
+        parameters.addProperty("awaitPromise", true);
+        JsonObject answer = call("script.evaluate", parameters);
+        if (!answer.get("type").getAsString().equals("success")) {
+            throw new AssertionError(expression + " failed: " + answer);
+        }
+        return JsonParser.parseString(
+                answer.getAsJsonObject("result").get("value").getAsString());
+    }
+
+    /** Waits until a JavaScript condition holds in the page, which looks by itself and answers when it does. */
+    void await(String condition) {
+        try {
+            evaluate("new Promise((answer) => { const look = () => { let holds = false; try { holds = " + condition
+                    + "; } catch { holds = false; } if (holds) { answer(true); } else { setTimeout(look, 15); } };"
+                    + " look(); })");
+        } catch (CompletionException tooLate) {
+            throw new AssertionError(
+                    "Not within " + PATIENCE_SECONDS + " s: " + condition + "; the page shows "
+                            + evaluate("document.body.innerText"),
+                    tooLate);
+        }
+    }
+
+    /** Clicks as soon as the element is there and can be used. */
+    void click(String selector) {
+        await("(() => { const found = document.querySelector(" + new JsonPrimitive(selector)
+                + "); const ready = found && !found.disabled; if (ready) { found.click(); } return ready; })()");
+    }
+
+    /** Types into what has the focus, key by key. */
+    void type(String text) {
+        JsonArray keys = new JsonArray();
+        for (char letter : text.toCharArray()) {
+            for (String kind : List.of("keyDown", "keyUp")) {
+                JsonObject key = new JsonObject();
+                key.addProperty("type", kind);
+                key.addProperty("value", String.valueOf(letter));
+                keys.add(key);
+            }
+        }
+        JsonObject keyboard = new JsonObject();
+        keyboard.addProperty("type", "key");
+        keyboard.addProperty("id", "keyboard");
+        keyboard.add("actions", keys);
+        JsonArray sources = new JsonArray();
+        sources.add(keyboard);
+        JsonObject parameters = new JsonObject();
+        parameters.addProperty("context", context);
+        parameters.add("actions", sources);
+        call("input.performActions", parameters);
+    }
+
+    private JsonObject call(String method, JsonObject parameters) {
+        return tools.send("", method, parameters)
+                .orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS)
+                .join();
+    }
+
+    /** Ends the browser as its user does, so that it keeps what pages have stored. */
+    @Override
+    public void close() {
+        call("browser.close", new JsonObject());
+        try {
+            if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+                process.destroyForcibly();
+            }
+        } catch (InterruptedException stopped) {
+            process.destroyForcibly();
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,80 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Motions in the static page: the browser keeps them, and a robot with weight plays them. */
+@InBrowser
+@Timeout(300)
+class MotionInThePageTest {
+
+    private static final String EDITOR = "studio.motion.editor";
+    private static final String TWO_KEYFRAMES = """
+            500 0 0 -90 10 0 -25 0 0 25 -50 25 0 0 0 25 -50 25 0 -90 -10 0 25
+            1000 0 12.5 -90 10 0 -25 0 0 25 -50 25 0 0 0 25 -50 25 0 -90 -10 0 25
+            """;
+
+    private final Chromium browser;
+    private StaticServer server;
+
+    MotionInThePageTest(Chromium browser) {
+        this.browser = browser;
+    }
+
+    @BeforeEach
+    void open() throws IOException {
+        server = new StaticServer(Path.of("target", "web").toAbsolutePath());
+        browser.visit(server.address());
+        browser.await("studio.state.frame.cycle > 0");
+    }
+
+    @AfterEach
+    void end() {
+        server.close();
+    }
+
+    @Test
+    void motionOfTheLibraryIsPlayedByARobotWithWeight() {
+        enter("wave");
+
+        browser.evaluate("fetch('library/wave.txt').then((answer) => answer.text()).then((text) => fetch('api/trial',"
+                + " { method: 'POST', body: text, headers: { Start: 'standing' } })).then((answer) => answer.json())"
+                + ".then((trial) => { window.trial = trial; })");
+
+        assertThat(browser.evaluate("trial.frames.length").getAsInt()).isGreaterThan(20);
+        assertThat(browser.evaluate("trial.fallSeconds === undefined").getAsBoolean())
+                .isTrue();
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void ownMotionAndUnsavedWorkAreThereAgain() {
+        assertThat(browser.evaluate(
+                                "fetch('api/motions/mine', { method: 'PUT', headers: { 'Known-Version': '' }, body: "
+                                        + Chromium.quoted(TWO_KEYFRAMES) + " }).then(({ ok }) => ok)")
+                        .getAsBoolean())
+                .isTrue();
+        enter("mine");
+        browser.fill("[data-joint='NECK_PITCH']", "7.5");
+        browser.await("fetch && Object.keys(localStorage).some((key) => key === 'robonewbie-page-motion-draft:mine')");
+
+        browser.visit("about:blank");
+        browser.visit(server.address());
+        enter("mine");
+
+        browser.await(
+                EDITOR + ".state.history.present.value.lines.filter((line) => line.keyframe)[0].keyframe.degrees[1]"
+                        + " === 7.5");
+    }
+
+    private void enter(String motion) {
+        browser.evaluate("location.hash = '#motion/" + motion + "'");
+        browser.await(EDITOR + ".state.name === '" + motion + "'");
+    }
+}

@@ -1,0 +1,75 @@
+package org.robonewbie.web;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.Score;
+import org.robonewbie.web.bytecode.JavaSource;
+
+/** Programs earn in the machine of the page what they earn in Java. */
+class SameVerdictInTheMachineTest {
+
+    private static final String HEAD = "import org.robonewbie.agent.Agent;\n";
+
+    static List<Exercise> exercises() {
+        return Exercises.all();
+    }
+
+    @ParameterizedTest
+    @MethodSource("exercises")
+    void solutionEarnsTheSameInTheMachineAndInJava(Exercise exercise) {
+        Map<String, byte[]> classes = JavaSource.compile(exercise.className(), Solutions.text(exercise));
+
+        Score here = ExerciseAttempt.score(exercise, List.copyOf(classes.values()), 1);
+
+        assertThat(here)
+                .isEqualTo(Solutions.judged(exercise, classes, List.of(1L)).get(0));
+        assertThat(here.passed()).as(here.finding()).isTrue();
+    }
+
+    @ParameterizedTest
+    @MethodSource("exercises")
+    void programToBeginWithEarnsTheSameInTheMachineAndInJava(Exercise exercise) {
+        Map<String, byte[]> classes = JavaSource.compile(exercise.className(), exercise.startCode());
+
+        Score here = ExerciseAttempt.score(exercise, List.copyOf(classes.values()), 2);
+
+        assertThat(here)
+                .isEqualTo(Solutions.judged(exercise, classes, List.of(2L)).get(0));
+    }
+
+    @Test
+    void endlessLoopIsNamedWithItsLine() {
+        Score score = score("protected void think() {\nwhile (true) {\n}\n}");
+
+        assertThat(score.finding()).isEqualTo("think() has not returned; it is in RaiseArms.java:4.");
+        assertThat(score.passed()).isFalse();
+    }
+
+    @Test
+    void programThatEndsItselfIsTold() {
+        Score score = score("protected void think() {\nSystem.exit(3);\n}");
+
+        assertThat(score.finding())
+                .isEqualTo("The program ended the whole process (exit code 3). Does it call System.exit?");
+    }
+
+    @Test
+    void constructorThatThrowsIsNamedWithItsLine() {
+        Score score = score("public RaiseArms() {\nint[] none = {};\nnone[0]++;\n}");
+
+        assertThat(score.finding()).contains("ArrayIndexOutOfBoundsException").contains("RaiseArms.java:5");
+    }
+
+    private static Score score(String body) {
+        Map<String, byte[]> classes =
+                JavaSource.compile("RaiseArms", HEAD + "public class RaiseArms extends Agent {\n" + body + "\n}\n");
+        return ExerciseAttempt.score(Exercises.all().get(0), List.copyOf(classes.values()), 1);
+    }
+}
