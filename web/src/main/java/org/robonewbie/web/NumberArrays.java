@@ -58,49 +58,41 @@ final class NumberArrays {
     }
 
     private static @Nullable Object ofDoubles(String name, double[] numbers, @Nullable Object[] given) {
-        switch (name + given.length) {
-            case "toString1":
-                return Arrays.toString(numbers);
-            case "stream1":
-                return Arrays.stream(numbers);
-            case "copyOf2":
-                return Arrays.copyOf(numbers, whole(given[1]));
-            case "copyOfRange3":
-                return Arrays.copyOfRange(numbers, whole(given[1]), whole(given[2]));
-            case "equals2":
-                return Arrays.equals(numbers, (double[]) given[1]) ? 1 : 0;
-            case "fill2":
+        return switch (name + given.length) {
+            case "toString1" -> Arrays.toString(numbers);
+            case "stream1" -> Arrays.stream(numbers);
+            case "copyOf2" -> Arrays.copyOf(numbers, whole(given[1]));
+            case "copyOfRange3" -> Arrays.copyOfRange(numbers, whole(given[1]), whole(given[2]));
+            case "equals2" -> Arrays.equals(numbers, (double[]) given[1]) ? 1 : 0;
+            case "fill2" -> {
                 Arrays.fill(numbers, (Double) Objects.requireNonNull(given[1]));
-                return null;
-            case "sort1":
+                yield null;
+            }
+            case "sort1" -> {
                 Arrays.sort(numbers);
-                return null;
-            default:
-                return SpecialCalls.UNKNOWN;
-        }
+                yield null;
+            }
+            default -> SpecialCalls.UNKNOWN;
+        };
     }
 
     private static @Nullable Object ofInts(String name, int[] numbers, @Nullable Object[] given) {
-        switch (name + given.length) {
-            case "toString1":
-                return Arrays.toString(numbers);
-            case "stream1":
-                return Arrays.stream(numbers);
-            case "copyOf2":
-                return Arrays.copyOf(numbers, whole(given[1]));
-            case "copyOfRange3":
-                return Arrays.copyOfRange(numbers, whole(given[1]), whole(given[2]));
-            case "equals2":
-                return Arrays.equals(numbers, (int[]) given[1]) ? 1 : 0;
-            case "fill2":
+        return switch (name + given.length) {
+            case "toString1" -> Arrays.toString(numbers);
+            case "stream1" -> Arrays.stream(numbers);
+            case "copyOf2" -> Arrays.copyOf(numbers, whole(given[1]));
+            case "copyOfRange3" -> Arrays.copyOfRange(numbers, whole(given[1]), whole(given[2]));
+            case "equals2" -> Arrays.equals(numbers, (int[]) given[1]) ? 1 : 0;
+            case "fill2" -> {
                 Arrays.fill(numbers, whole(given[1]));
-                return null;
-            case "sort1":
+                yield null;
+            }
+            case "sort1" -> {
                 Arrays.sort(numbers);
-                return null;
-            default:
-                return SpecialCalls.UNKNOWN;
-        }
+                yield null;
+            }
+            default -> SpecialCalls.UNKNOWN;
+        };
     }
 
     private static int whole(@Nullable Object value) {
