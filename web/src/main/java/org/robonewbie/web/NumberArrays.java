@@ -11,6 +11,9 @@ import org.robonewbie.web.bytecode.SpecialCalls;
 /** Calls with arrays of numbers, which the compiled program cannot make by the names of methods. */
 final class NumberArrays {
 
+    /** The result of a method without one. */
+    private static final int NOTHING = 0;
+
     private NumberArrays() {}
 
     /**
@@ -50,14 +53,14 @@ final class NumberArrays {
      * @param given its arguments
      * @return its result, or {@link SpecialCalls#UNKNOWN}
      */
-    static @Nullable Object arrays(String name, @Nullable Object[] given) {
+    static Object arrays(String name, @Nullable Object[] given) {
         if (given[0] instanceof double[] numbers) {
             return ofDoubles(name, numbers, given);
         }
         return given[0] instanceof int[] numbers ? ofInts(name, numbers, given) : SpecialCalls.UNKNOWN;
     }
 
-    private static @Nullable Object ofDoubles(String name, double[] numbers, @Nullable Object[] given) {
+    private static Object ofDoubles(String name, double[] numbers, @Nullable Object[] given) {
         return switch (name + given.length) {
             case "toString1" -> Arrays.toString(numbers);
             case "stream1" -> Arrays.stream(numbers);
@@ -66,17 +69,17 @@ final class NumberArrays {
             case "equals2" -> Arrays.equals(numbers, (double[]) given[1]) ? 1 : 0;
             case "fill2" -> {
                 Arrays.fill(numbers, (Double) Objects.requireNonNull(given[1]));
-                yield null;
+                yield NOTHING;
             }
             case "sort1" -> {
                 Arrays.sort(numbers);
-                yield null;
+                yield NOTHING;
             }
             default -> SpecialCalls.UNKNOWN;
         };
     }
 
-    private static @Nullable Object ofInts(String name, int[] numbers, @Nullable Object[] given) {
+    private static Object ofInts(String name, int[] numbers, @Nullable Object[] given) {
         return switch (name + given.length) {
             case "toString1" -> Arrays.toString(numbers);
             case "stream1" -> Arrays.stream(numbers);
@@ -85,11 +88,11 @@ final class NumberArrays {
             case "equals2" -> Arrays.equals(numbers, (int[]) given[1]) ? 1 : 0;
             case "fill2" -> {
                 Arrays.fill(numbers, whole(given[1]));
-                yield null;
+                yield NOTHING;
             }
             case "sort1" -> {
                 Arrays.sort(numbers);
-                yield null;
+                yield NOTHING;
             }
             default -> SpecialCalls.UNKNOWN;
         };

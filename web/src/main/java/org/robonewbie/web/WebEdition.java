@@ -189,7 +189,7 @@ public final class WebEdition {
     }
 
     /**
-     * Tells how the exercise goes on.
+     * Writes how the exercise goes on.
      *
      * @param language of findings and hints, two letters
      * @return one JSON object; empty if none is tried
