@@ -76,8 +76,8 @@ class FirefoxPageTest {
         assertThat(browser.evaluate("fetch('api/programs').then((answer) => answer.json())"
                                 + ".then(({ own }) => own.map(({ path }) => path).join())")
                         .getAsString())
-                .isEqualTo("RaiseArms.java");
-        browser.await("fetch && studio.rooms.program.editor.text.includes('class RaiseArms')");
+                .isEqualTo("MyAgent.java,RaiseArms.java");
+        browser.await("studio.rooms.program.editor.text.includes('class RaiseArms')");
     }
 
     private void solve(Exercise first) {
