@@ -1,8 +1,11 @@
 package org.robonewbie.web;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.LinkedList;
 import java.util.List;
 import java.util.PriorityQueue;
+import java.util.Queue;
 import org.robonewbie.agent.localisation.Odometry;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.log.LogLevel;
@@ -27,8 +30,11 @@ final class LibraryRoots {
             NumberFormatException.class,
             UnsupportedOperationException.class,
             InterruptedException.class,
+            ArrayDeque.class,
+            Deque.class,
             LinkedList.class,
             PriorityQueue.class,
+            Queue.class,
             LogLevel.class,
             LookAround.class,
             LocalFieldView.class,

@@ -4,6 +4,7 @@ import java.util.Locale;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
@@ -44,7 +45,7 @@ public final class AroundTheBallTask implements Task {
             directionBefore = direction;
         }
         if (moment.place().distance(moment.ball()) <= NEAR_METRES) {
-            turned += Math.IEEEremainder(direction - directionBefore, 360);
+            turned += PortableMath.IEEEremainder(direction - directionBefore, 360);
         }
         directionBefore = direction;
         moved = Math.max(moved, moment.ball().distanceTo(ballStart));
@@ -87,6 +88,6 @@ public final class AroundTheBallTask implements Task {
     private static double direction(Moment moment) {
         Place here = moment.place();
         Vector3 ball = moment.ball();
-        return Math.toDegrees(Math.atan2(here.y() - ball.y(), here.x() - ball.x()));
+        return PortableMath.toDegrees(PortableMath.atan2(here.y() - ball.y(), here.x() - ball.x()));
     }
 }

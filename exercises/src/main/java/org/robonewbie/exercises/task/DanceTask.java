@@ -11,6 +11,7 @@ import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
@@ -78,7 +79,7 @@ public final class DanceTask implements Task {
 
     @Override
     public void act(Trial trial) {
-        double bearing = BALL_DEGREES * Math.sin(2 * Math.PI * trial.seconds() / period);
+        double bearing = BALL_DEGREES * PortableMath.sin(2 * Math.PI * trial.seconds() / period);
         trial.placeBall(start.point(BALL_METRES, bearing, 0));
     }
 
@@ -171,8 +172,8 @@ public final class DanceTask implements Task {
             double sine = 0;
             for (int i = 0; i < count; i++) {
                 double angle = 2 * Math.PI * times * i * Cycle.SECONDS / period;
-                cosine += (degrees.get(i) - mean) * Math.cos(angle);
-                sine += (degrees.get(i) - mean) * Math.sin(angle);
+                cosine += (degrees.get(i) - mean) * PortableMath.cos(angle);
+                sine += (degrees.get(i) - mean) * PortableMath.sin(angle);
             }
             rhythmic += 2 * (cosine * cosine + sine * sine) / count;
         }

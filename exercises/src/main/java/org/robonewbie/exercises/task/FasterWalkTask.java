@@ -4,6 +4,7 @@ import java.util.Locale;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
@@ -40,10 +41,10 @@ public final class FasterWalkTask implements Task {
     @Override
     public void see(Moment moment) {
         Vector3 torso = moment.robot().position();
-        double direction = Math.toRadians(start.bearing(torso));
+        double direction = PortableMath.toRadians(start.bearing(torso));
         double way = start.distance(torso);
-        metres = way * Math.cos(direction);
-        aside = Math.max(aside, Math.abs(way * Math.sin(direction)));
+        metres = way * PortableMath.cos(direction);
+        aside = Math.max(aside, Math.abs(way * PortableMath.sin(direction)));
         fallen |= moment.robot().isFallen();
         if (metres > STARTING_METRES) {
             gait.see(moment.robot());

@@ -7,6 +7,7 @@ import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
@@ -63,9 +64,9 @@ public final class KickTask implements Task {
     public void see(Moment moment) {
         BodyState robot = moment.robot();
         given.forEach(motion -> motion.see(robot));
-        double direction = Math.toRadians(start.degrees());
+        double direction = PortableMath.toRadians(start.degrees());
         Vector3 way = moment.ball().minus(ballStart);
-        metres = Math.max(metres, way.x() * Math.cos(direction) + way.y() * Math.sin(direction));
+        metres = Math.max(metres, way.x() * PortableMath.cos(direction) + way.y() * PortableMath.sin(direction));
         walked = Math.max(walked, start.distance(robot.position()));
         standing = robot.isStanding();
         if (robot.isFallen() && fall.isEmpty()) {

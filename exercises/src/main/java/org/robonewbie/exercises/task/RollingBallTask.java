@@ -8,6 +8,7 @@ import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
@@ -80,7 +81,7 @@ public final class RollingBallTask implements Task {
             said.map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
                 double ahead = moment.place().ahead(moment.ball()) - Double.parseDouble(match.group(1));
                 double left = moment.place().left(moment.ball()) - Double.parseDouble(match.group(2));
-                sumsOfErrors[shots - 1] += Math.hypot(ahead, left);
+                sumsOfErrors[shots - 1] += PortableMath.hypot(ahead, left);
                 words[shots - 1]++;
             });
         }

@@ -7,6 +7,7 @@ import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
@@ -62,7 +63,7 @@ public final class ScoreAGoalTask implements Task {
     @Override
     public void see(Moment moment) {
         Vector3 ball = moment.ball();
-        nearest = Math.min(nearest, Math.hypot(GOAL_X - ball.x(), ball.y()));
+        nearest = Math.min(nearest, PortableMath.hypot(GOAL_X - ball.x(), ball.y()));
         scored |= moment.goals(TeamSide.LEFT) > 0;
         seconds = moment.seconds();
         wall = wall.isEmpty() ? wall(moment) : wall;

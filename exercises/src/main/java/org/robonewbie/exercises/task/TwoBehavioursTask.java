@@ -7,6 +7,7 @@ import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
@@ -42,7 +43,7 @@ public final class TwoBehavioursTask implements Task {
 
     @Override
     public void act(Trial trial) {
-        trial.placeBall(STUDENT.point(1.5, 45 * Math.sin(2 * Math.PI * trial.seconds() / 6), 0));
+        trial.placeBall(STUDENT.point(1.5, 45 * PortableMath.sin(2 * Math.PI * trial.seconds() / 6), 0));
     }
 
     @Override
@@ -71,8 +72,9 @@ public final class TwoBehavioursTask implements Task {
         boolean swings = Math.abs(period - PERIOD_SECONDS) < 0.1 && lowest < -SWING_DEGREES && highest > SWING_DEGREES;
         String finding = String.format(
                 Locale.ROOT,
-                "head at the ball for %.0f %% of the time, arm from %.0f° to %.0f°, %s",
+                "head at the ball for %.0f %s of the time, arm from %.0f° to %.0f°, %s",
                 share,
+                "%",
                 lowest,
                 highest,
                 Double.isNaN(period) ? "less than two swings" : String.format(Locale.ROOT, "once in %.2f s", period));
