@@ -23,10 +23,6 @@ import java.util.stream.Collectors;
 final class Phrasebook {
 
     private static final String GAP = "%s";
-
-    /** Stands for a percent sign that begins no gap; a page cannot write two of them for one. */
-    private static final String PERCENT = "\uE000";
-
     private static final Pattern CLAUSE = Pattern.compile("(.+?)([,;:] |$)", Pattern.DOTALL);
 
     private final Map<String, String> phrases;
@@ -47,7 +43,7 @@ final class Phrasebook {
         static Phrase of(String sentence, String translation) {
             String[] texts = sentence.split(GAP, -1);
             String pattern = List.of(texts).stream().map(Pattern::quote).collect(Collectors.joining("(.+?)"));
-            String format = translation.replaceAll("%(?![s\\d])", PERCENT);
+            String format = translation.replaceAll("%(?![s\\d])", "%%");
             return new Phrase(Pattern.compile(pattern), format, sentence.length() - GAP.length() * (texts.length - 1));
         }
     }
@@ -126,6 +122,6 @@ final class Phrasebook {
         for (int gap = 1; gap <= matcher.groupCount(); gap++) {
             words.add(translated(matcher.group(gap)));
         }
-        return Optional.of(String.format(phrase.translation, words.toArray()).replace(PERCENT, "%"));
+        return Optional.of(String.format(phrase.translation, words.toArray()));
     }
 }
