@@ -22,7 +22,6 @@ public final class WebEdition {
     private static @Nullable StudentRun run;
     private static @Nullable ExerciseAttempt attempt;
     private static long attempts;
-    private static int libraryRoots;
 
     private WebEdition() {}
 
@@ -217,6 +216,12 @@ public final class WebEdition {
                 .orElseThrow(() -> new IllegalArgumentException("There is no exercise \"" + exercise + "\"."));
     }
 
+    /** {@return how many classes are in the page for programs of students only} */
+    @JSExport
+    public static int libraryClasses() {
+        return LibraryRoots.count();
+    }
+
     /** {@return how the student's program runs: state, exit code and what it has printed, with tabs between them} */
     @JSExport
     public static String programRun() {
@@ -245,7 +250,6 @@ public final class WebEdition {
     /** Loads a program, so that it is known to run here. */
     private static Program loaded(List<byte[]> classes) {
         Program program = new Program(classes);
-        libraryRoots = LibraryRoots.count();
         List<String> missing = program.missing();
         if (!missing.isEmpty()) {
             throw new IllegalArgumentException(
