@@ -163,11 +163,11 @@ final class Firefox implements AutoCloseable {
     /** Types into what has the focus, key by key. */
     void type(String text) {
         JsonArray keys = new JsonArray();
-        for (char letter : text.toCharArray()) {
+        for (int i = 0; i < text.length(); i++) {
             for (String kind : List.of("keyDown", "keyUp")) {
                 JsonObject key = new JsonObject();
                 key.addProperty("type", kind);
-                key.addProperty("value", String.valueOf(letter));
+                key.addProperty("value", text.substring(i, i + 1));
                 keys.add(key);
             }
         }
