@@ -63,7 +63,9 @@ public interface Walk {
      *
      * @param policy what was learned
      */
-    void setPolicy(PolicyWalk policy);
+    default void setPolicy(PolicyWalk policy) {
+        setStyle(policy.style()); // walks of your own may know no reflex
+    }
 
     /** {@return whether the robot walks or has not yet come to a stand} */
     boolean isWalking();

@@ -98,6 +98,15 @@ public final class WalkController implements Walk {
     }
 
     /**
+     * Plays one cycle of walking, or of a motion, without feeling the soles.
+     *
+     * @param torso what gyroscope and accelerometer feel
+     */
+    public void update(TorsoMotion torso) {
+        update(torso, FootPressure.NONE, FootPressure.NONE);
+    }
+
+    /**
      * Plays one cycle of walking, or of a motion.
      *
      * @param torso what gyroscope and accelerometer feel
