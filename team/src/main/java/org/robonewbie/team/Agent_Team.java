@@ -35,6 +35,7 @@ import org.robonewbie.team.world.WorldModel;
 public class Agent_Team extends Agent {
 
     private static final String USUAL_PLAYERS = "3";
+    private static final String NUMBER = "[1-9]|1[01]";
     private static final int MOST_OF_ONE_TYPE = 7;
     private static final int MOST_OF_TWO_TYPES = 9;
     private static final double STILL_SECONDS = 0.2;
@@ -76,9 +77,9 @@ public class Agent_Team extends Agent {
      * @param args how many players, 1 to 11, and options such as {@code --team Blue}; with {@code --number} it is one player
      */
     public static void main(String[] args) {
-        boolean single = Arrays.asList(args).contains("--number");
-        Agent[] team = single
-                ? new Agent[] {new Agent_Team()}
+        int option = Arrays.asList(args).indexOf("--number");
+        Agent[] team = option >= 0
+                ? new Agent[] {new Agent_Team(numberAfter(option, args))}
                 : IntStream.rangeClosed(1, players(args))
                         .mapToObj(Agent_Team::new)
                         .toArray(Agent[]::new);
@@ -90,18 +91,24 @@ public class Agent_Team extends Agent {
      * among eleven robots.
      *
      * @param number the player's number, 1 to 11, or 0 for any
-     * @return type 0 for the first seven, then two each of types 1 and 2
+     * @return type 0 for the first seven, then two each of types 2 and 4, whose legs are as long as those of type 0
      */
     public static RobotType type(int number) {
         if (number <= MOST_OF_ONE_TYPE) {
             return RobotType.TYPE_0;
         }
-        return number <= MOST_OF_TWO_TYPES ? RobotType.TYPE_1 : RobotType.TYPE_2;
+        return number <= MOST_OF_TWO_TYPES ? RobotType.TYPE_2 : RobotType.TYPE_4;
+    }
+
+    /** Whatever is no number is refused later, with the other options. */
+    private static int numberAfter(int option, String... args) {
+        String number = option + 1 < args.length ? args[option + 1] : "";
+        return number.matches(NUMBER) ? Integer.parseInt(number) : 0;
     }
 
     private static int players(String... args) {
         String players = args.length > 0 && !args[0].startsWith("-") ? args[0] : USUAL_PLAYERS;
-        if (!players.matches("[1-9]|1[01]")) {
+        if (!players.matches(NUMBER)) {
             System.err.println("A team has 1 to 11 players, not \"" + players + "\".");
             System.exit(2);
         }
