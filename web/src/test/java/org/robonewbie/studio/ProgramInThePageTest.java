@@ -131,8 +131,13 @@ class ProgramInThePageTest {
 
     @Test
     void pageWithoutARobotSaysWhatToDoHere() {
-        type("public class MyAgent {\n    public static void main(String[] args) {\n"
-                + "        System.out.println(\"done\");\n    }\n}\n");
+        type("""
+                public class MyAgent {
+                    public static void main(String[] args) {
+                        System.out.println("done");
+                    }
+                }
+                """);
         browser.click("#program-run");
         browser.await("studio.state.scene?.robots.length === 0");
         browser.evaluate("location.hash = '#field'");
