@@ -1,9 +1,16 @@
 package org.robonewbie.team.skill;
 
-/** Gets up sooner than {@code motions.startGetUp()}; only from a side, which is rare, as slowly as that. */
+/**
+ * Gets up: the quick way first, and if the robot still lies after it, the slow and sure way of {@code motions.startGetUp()}. From a side,
+ * which is rare, there is only the slow way.
+ */
 public final class GetUp {
 
+    private static final double SOON_SECONDS = 6;
+
     private final Limbs body;
+    private boolean quickly;
+    private double begunSeconds = Double.NEGATIVE_INFINITY;
 
     /**
      * Prepares the skill.
@@ -16,10 +23,25 @@ public final class GetUp {
 
     /** Begins to get up, unless a motion is still running. */
     public void start() {
+        if (!body.motions().isFinished()) {
+            return;
+        }
+        double seconds = body.nao().getTime();
+        boolean again = seconds - begunSeconds < SOON_SECONDS;
+        quickly = !(again && quickly);
+        begunSeconds = seconds;
         switch (body.nao().getBodyPosition()) {
-            case LYING_ON_BACK -> body.motions().start("quick-stand-up-from-back");
-            case LYING_ON_FRONT -> body.motions().start("quick-stand-up-from-front");
+            case LYING_ON_BACK -> start("quick-stand-up-from-back");
+            case LYING_ON_FRONT -> start("quick-stand-up-from-front");
             default -> body.motions().startGetUp();
+        }
+    }
+
+    private void start(String quickWay) {
+        if (quickly) {
+            body.motions().start(quickWay);
+        } else {
+            body.motions().startGetUp();
         }
     }
 }
