@@ -181,6 +181,7 @@ class ProgramPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void endlessLoopEndsAndItsLineIsNamed() {
         visit();
@@ -193,6 +194,7 @@ class ProgramPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void failureOfTheRunningProgramIsShownAtItsLineAndValuesBesideTheirs() {
         visit();
@@ -209,6 +211,7 @@ class ProgramPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void firstExerciseIsSolvedAndChecked() {
         visit();
@@ -255,6 +258,7 @@ class ProgramPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void stepLetsTheWorldGoOnByOneCycle() {
         visit();
@@ -284,6 +288,7 @@ class ProgramPageTest {
         assertThat(folder.resolve("MyAgent.java")).content().contains("(45 - angle)");
     }
 
+    @Tag("slow")
     @Test
     void whatAnotherProgramWritesAppears() throws IOException {
         Files.writeString(folder.resolve("MyAgent.java"), RAISE.replace("DEGREES", "45"));

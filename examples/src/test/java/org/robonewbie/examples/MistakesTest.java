@@ -38,6 +38,7 @@ class MistakesTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void anEndlessLoopInThinkEndsAHeadlessRunWithItsLineItsLogAndExitCode1() throws Exception {
         try (ChildProgram program = run(EndlessLoop.class, "--headless", "--seed", "1", "--fast")) {

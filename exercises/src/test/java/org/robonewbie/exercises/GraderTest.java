@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.agent.Agent;
@@ -47,6 +48,7 @@ class GraderTest {
                 .contains("GraderTest.java:");
     }
 
+    @Tag("slow")
     @Test
     void programThatSleepsIsFoundAndThoseAfterItAreNotTried() {
         Grade grade = new Grader(1).grade(exercise, Sleeping::new, 2);

@@ -17,6 +17,7 @@ import org.robonewbie.studio.search.SearchBoard;
 import org.robonewbie.studio.search.SearchTask;
 
 /** axe-core finds no violation in any room, light and dark, nor in what opens there. */
+@Tag("slow")
 @InBrowser
 class AccessibilityPageTest {
 

@@ -97,6 +97,7 @@ class CoursePageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void programToBeginWithIsWrittenAndChosen() {
         visit();
@@ -123,6 +124,7 @@ class CoursePageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void lastTrialIsAGhostBesideTheNextOne() {
         visit();
@@ -139,6 +141,7 @@ class CoursePageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void exercisesSpeakGermanToo() {
         visit();
@@ -176,6 +179,7 @@ class CoursePageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void studioWithoutExercisesDoesNotOfferThem() throws IOException {
         try (StudioServer other = StudioServer.start(freePitch, 0, AccessToken.random())) {

@@ -13,6 +13,7 @@ import java.util.zip.GZIPInputStream;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -50,6 +51,7 @@ class DamagedFilesTest {
         simulation.close();
     }
 
+    @Tag("slow")
     @Test
     void aDamagedRecordingIsAnsweredWithWhatIsGoodOrASentence() throws IOException {
         for (int seed = 0; seed < DAMAGED; seed++) {

@@ -20,6 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
 /** Clicks, keys and drags without sense, drawn from a seed, in each room: nothing fails, and no file is lost or spoiled. */
+@Tag("slow")
 @InBrowser
 class FuzzPageTest {
 

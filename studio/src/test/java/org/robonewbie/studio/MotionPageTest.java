@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
@@ -91,6 +92,7 @@ class MotionPageTest {
         return new double[] {Double.parseDouble(numbers[0]), Double.parseDouble(numbers[1])};
     }
 
+    @Tag("slow")
     @Test
     void libraryMotionIsShownWithItsKeyframes() {
         open("wave");
@@ -118,6 +120,7 @@ class MotionPageTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void draggedHandTakesTheWholeArmAlongWhileShiftIsHeld() throws IOException {
         openFile("500 " + STANDING + "\n");
@@ -138,6 +141,7 @@ class MotionPageTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void copiedKeyframesArePastedIntoAnotherMotion() throws IOException {
         Files.writeString(folder.resolve("other.txt"), "700 " + STANDING.replaceFirst("0 0 -90", "33 0 -90") + "\n");
@@ -154,6 +158,7 @@ class MotionPageTest {
         browser.await(FRAMES + ".length === 3 && " + FRAMES + "[1].degrees[0] === 33");
     }
 
+    @Tag("slow")
     @Test
     void keptPostureIsInTheLibraryAndOnTheDisk() throws IOException {
         openFile("500 " + STANDING.replaceFirst("0 0 -90", "21 0 -90") + "\n");
@@ -188,6 +193,7 @@ class MotionPageTest {
                 .isEqualTo(WITH_COMMENTS.replaceFirst("-50", "-61.375"));
     }
 
+    @Tag("slow")
     @Test
     void unchangedFileIsSavedByteForByte() throws IOException {
         byte[] latin = ("\uFEFF" + WITH_COMMENTS).replace("Ada", "Zoë").getBytes(StandardCharsets.UTF_8);
@@ -231,6 +237,7 @@ class MotionPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void newMotionIsNotReplacedByOneThatArrivesLate() throws IOException {
         Files.writeString(folder.resolve("mine.txt"), WITH_COMMENTS);
@@ -265,6 +272,7 @@ class MotionPageTest {
         browser.await("document.querySelector('.verdict').textContent.includes('falls after')");
     }
 
+    @Tag("slow")
     @Test
     void physicalRobotStaysOnItsFeetWhenItStands() throws IOException {
         openFile("500 " + STANDING + "\n");
@@ -294,6 +302,7 @@ class MotionPageTest {
         browser.await(FRAMES + "[0].degrees[1] === 0");
     }
 
+    @Tag("slow")
     @Test
     void changeOfTheFileByAnotherProgramIsShownAtOnce() throws IOException {
         openFile(WITH_COMMENTS);
@@ -303,6 +312,7 @@ class MotionPageTest {
         browser.await(FRAMES + ".length === 1 && " + FRAMES + "[0].millis === 700");
     }
 
+    @Tag("slow")
     @Test
     void changeOnBothSidesIsDecidedByThePerson() throws IOException {
         openFile(WITH_COMMENTS);
@@ -320,6 +330,7 @@ class MotionPageTest {
         browser.await(FRAMES + "[0].degrees[1] === 12.5");
     }
 
+    @Tag("slow")
     @Test
     void draggedKeyframeChangesItsTime() throws IOException {
         openFile(WITH_COMMENTS);
@@ -332,6 +343,7 @@ class MotionPageTest {
         browser.await(FRAMES + "[1].millis < 1000 && " + FRAMES + "[1].millis % 20 === 0");
     }
 
+    @Tag("slow")
     @Test
     void tooFastWayIsMarked() throws IOException {
         openFile("500 " + STANDING + "\n20 " + STANDING.replaceFirst("0 0 -90", "90 0 -90") + "\n");
@@ -340,6 +352,7 @@ class MotionPageTest {
                 + " === 'neck yaw turns 90° in 20 ms; its motor needs 260 ms. Click to go there.'");
     }
 
+    @Tag("slow")
     @Test
     void postureOfARunBecomesAKeyframe() throws IOException {
         openFile("500 " + STANDING + "\n");
@@ -355,6 +368,7 @@ class MotionPageTest {
         assertThat(number(FRAMES + "[1].degrees[9]")).isCloseTo(knee, within(0.1));
     }
 
+    @Tag("slow")
     @Test
     void allButtonsHaveReadableLettersAndNames() {
         open("wave");

@@ -183,6 +183,7 @@ class ReplayPageTest {
                 .hasSize(51);
     }
 
+    @Tag("slow")
     @Test
     void runIsGivenAsTheLogOfASimSparkServer() {
         visit();
@@ -194,6 +195,7 @@ class ReplayPageTest {
         assertThat(log).contains("(RSG 0 1)").contains("(RDS 0 1)").contains("FieldLength");
     }
 
+    @Tag("slow")
     @Test
     void secondRunIsComparedWithGhosts() throws IOException {
         Files.copy(place.resolve("game.rec"), place.resolve("other.rec"));
@@ -208,6 +210,7 @@ class ReplayPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void singleFilePlaysWithoutTheStudio() throws IOException {
         browser.drawSharply();
@@ -250,6 +253,7 @@ class ReplayPageTest {
         return colour.getGreen() > Math.max(colour.getRed(), colour.getBlue()) + 25;
     }
 
+    @Tag("slow")
     @Test
     void whatARobotDrewIsOnTheGroundUntilASecondLater() {
         visit();
@@ -268,6 +272,7 @@ class ReplayPageTest {
         browser.await("!studio.view.drawings.group.visible");
     }
 
+    @Tag("slow")
     @Test
     void openingTheRoomTakesNothingOverUntilARecordingIsChosen() {
         browser.visit(studio.address() + "&quality=lowest&theme=light#replay");
@@ -304,6 +309,7 @@ class ReplayPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void barStaysAsHighWhileTwoRunsAreCompared() throws IOException {
         Files.copy(place.resolve("game.rec"), place.resolve("other.rec"));
@@ -321,6 +327,7 @@ class ReplayPageTest {
         browser.await("document.querySelector('.compare-line').innerText.includes('Apart, 0 to 0.05 m')");
     }
 
+    @Tag("slow")
     @Test
     void marksOfTheTimeLineHaveALegend() {
         visit();

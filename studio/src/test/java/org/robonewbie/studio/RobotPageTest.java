@@ -107,6 +107,7 @@ class RobotPageTest {
         browser.await("document.querySelectorAll('.map .truth').length === 6");
     }
 
+    @Tag("slow")
     @Test
     void onlyTheChosenRobotIsHeard() {
         browser.press("n");
@@ -125,6 +126,7 @@ class RobotPageTest {
                 .doesNotContain("one");
     }
 
+    @Tag("slow")
     @Test
     void drawingsOfOlderCyclesVanish() {
         pause();
@@ -137,6 +139,7 @@ class RobotPageTest {
         browser.await("document.querySelectorAll('.map .drawing').length === 0");
     }
 
+    @Tag("slow")
     @Test
     void logIsFilteredByLevel() {
         tell(1, now(), new TelemetryItem.LogEntry("DEBUG", "detail"));
@@ -149,6 +152,7 @@ class RobotPageTest {
                 + " && !document.querySelector('.log').textContent.includes('detail')");
     }
 
+    @Tag("slow")
     @Test
     void valuesOfTheTreeAreDrawnTogetherHeldAndSavedAsTable() {
         browser.click("#add-plot");
@@ -174,6 +178,7 @@ class RobotPageTest {
         browser.await("window.table?.includes('seconds,') && window.table.includes('joint angle/neck yaw')");
     }
 
+    @Tag("slow")
     @Test
     void allRoomsFollowOneMomentWhileTheSimulationGoesOn() {
         double then = now();
@@ -251,6 +256,7 @@ class RobotPageTest {
         Files.write(Files.createDirectories(pictures).resolve(name), browser.screenshot());
     }
 
+    @Tag("slow")
     @Test
     void emptyLogSaysHowToWriteIntoIt() {
         browser.await("document.querySelector('#log-sheet p')?.checkVisibility()"
@@ -261,6 +267,7 @@ class RobotPageTest {
         browser.await("document.querySelector('#log-sheet p').hidden && !document.querySelector('#log-level').hidden");
     }
 
+    @Tag("slow")
     @Test
     void namesInTheCameraPictureAreNotPrintedOverEachOther() {
         browser.click("[data-panel=surroundings] .panel-title");
@@ -280,6 +287,7 @@ class RobotPageTest {
         assertThat(overlaps).startsWith("0 of ").isNotEqualTo("0 of 0");
     }
 
+    @Tag("slow")
     @Test
     void pictureCurvesJointsAndWordsAreSeenTogetherOnASmallScreen() {
         browser.resize(1024, 768);

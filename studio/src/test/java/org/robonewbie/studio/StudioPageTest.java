@@ -109,6 +109,7 @@ class StudioPageTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void keysFollowTheNextRobot() {
         simulation.withRobot().withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 5, 1, 0, 180, Posture.STANDING);
@@ -120,6 +121,7 @@ class StudioPageTest {
         browser.await("studio.desk.mode === 'follow' && studio.desk.chosen === 1");
     }
 
+    @Tag("slow")
     @Test
     void buttonsPauseStepAndPlay() {
         openStudioWithRobot();
@@ -197,6 +199,7 @@ class StudioPageTest {
         assertThat(simulation.latest().ballPosition().x()).isCloseTo(0, within(0.3));
     }
 
+    @Tag("slow")
     @Test
     void robotIsDraggedWithTheMouseAndStaysUpright() {
         openStudioWithRobot();
@@ -226,6 +229,7 @@ class StudioPageTest {
         browser.mouse("mouseReleased", from[0] + right, from[1] + down);
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"1, orbit", "2, follow", "3, top", "4, eye"})
     void keysChooseTheCamera(String key, String mode) {
@@ -238,6 +242,7 @@ class StudioPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void arrowKeysTurnTheView() {
         openStudioWithRobot();
@@ -248,6 +253,7 @@ class StudioPageTest {
         browser.await("studio.desk.view.azimuthDegrees > " + (before + 3));
     }
 
+    @Tag("slow")
     @Test
     void realShadowsCanBeSwitchedOn() {
         openStudioWithRobot();
@@ -338,6 +344,7 @@ class StudioPageTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void phoneShowsAllControlsOfFieldAndReplay() {
         openStudioWithRobot();

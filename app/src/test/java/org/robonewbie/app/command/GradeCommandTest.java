@@ -208,6 +208,7 @@ class GradeCommandTest {
         assertThat(printed.out()).contains("its constructor threw java.lang.IllegalStateException: mistake");
     }
 
+    @Tag("slow")
     @Test
     void programThatLoopsForEverIsStoppedWithItsLine() throws IOException {
         Printed printed = Printed.by("grade", "raise-arms", program("while (trials == 0) { }"), "--seeds", "1");
@@ -216,6 +217,7 @@ class GradeCommandTest {
         assertThat(printed.out()).contains("think() has not returned for 4 s; it is in MyArms.java:");
     }
 
+    @Tag("slow")
     @Test
     void programThatTakesAllMemoryCostsOnlyItsPoints() throws IOException {
         Printed printed = Printed.by(

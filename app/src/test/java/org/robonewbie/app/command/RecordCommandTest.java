@@ -170,6 +170,7 @@ class RecordCommandTest {
         assertThat(Files.readString(folder.resolve("set/dataset.json"))).contains("\"complete\": false");
     }
 
+    @Tag("slow")
     @Test
     void agentThatEndsTheProcessDoesNotTakeTheRecordingWithIt() throws Exception {
         Path out = folder.resolve("set");

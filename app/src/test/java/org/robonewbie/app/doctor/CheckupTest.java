@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.StreamSupport;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.math.MathFingerprint;
@@ -143,6 +144,7 @@ class CheckupTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void exerciseIsGradedAsStudentsDoIt() {
         Finding finding = ExerciseCheckup.graded();

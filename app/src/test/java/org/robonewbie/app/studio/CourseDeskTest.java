@@ -85,6 +85,7 @@ class CourseDeskTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void programOfAFileIsJudgedWithEachSeed() throws Exception {
         Files.writeString(folder.resolve("RaiseArms.java"), RAISE_ARMS);

@@ -162,6 +162,7 @@ class ReferenceRecorderTest {
         assertThat(progress.toString(StandardCharsets.UTF_8)).contains("recording 1 of 1: d_fall_side_nonoise");
     }
 
+    @Tag("slow")
     @Test
     void aServerThatDoesNotWaitIsRefusedWithAdvice() throws IOException {
         try (Simulator simulator = start(false)) {
