@@ -192,7 +192,8 @@ public final class Competition {
     /** All that a result depends on: the trial itself, the programs, the limits. */
     private String circumstances(ContestTrial trial, Map<String, TeamProgram> programs) {
         Fingerprint all = new Fingerprint()
-                .add(trial.id() + " " + trial.seed() + " " + trial.seconds() + " " + trial.kickOff())
+                .add(trial.id() + " " + trial.seed() + " " + trial.seconds() + " " + trial.kickOff()
+                        + (trial.ownPlaces() ? " own places" : ""))
                 .add(trial.entrants().toString())
                 .add(trial.ball().toString())
                 .add(trial.parameters().assignments().toString())

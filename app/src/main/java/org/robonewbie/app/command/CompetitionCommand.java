@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import org.robonewbie.app.course.ExerciseContests;
 import org.robonewbie.app.program.CalledWronglyException;
@@ -18,6 +19,7 @@ import org.robonewbie.competition.contest.Conditions;
 import org.robonewbie.competition.contest.Contest;
 import org.robonewbie.competition.contest.Contests;
 import org.robonewbie.competition.contest.MatchContest;
+import org.robonewbie.competition.contest.MatchKind;
 import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamEntry;
@@ -39,7 +41,8 @@ import picocli.CommandLine.Parameters;
             "",
             "scoring     one trial of 180 s each: the earliest goal wins, else the ball nearest to the goal at the end",
             "penalties   attacker against goalkeeper, both roles, sudden death",
-            "matches     each team against each other one",
+            "matches     each team against each other one, on the small pitch",
+            "league      whole teams on the league's pitch, each against each other one at home and away",
             "walk, kick, stand, gymnastics   small contests for one robot",
             "exercise:NAME                   an exercise of the course, judged as \"robonewbie grade\" does",
             "",
@@ -54,6 +57,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie competition scoring --teams teams.properties --seed 7 --vary",
             "  robonewbie competition penalties --rounds 5 --teams teams.properties",
             "  robonewbie competition matches --players 3 Red=red Red.together=yes Blue=blue",
+            "  robonewbie competition league --players 3 Red=my-team Blue=Agent_Team Green=Agent_BetterSoccer",
             "  robonewbie competition walk --watch Agent_BetterSoccer Agent_SimpleWalkToBall",
             "  robonewbie competition exercise:dance --rounds 3 Red=red Blue=blue",
             "  robonewbie competition scoring \"Green=python3 green.py --port {port} --team {team}\"",
@@ -63,6 +67,8 @@ import picocli.CommandLine.Parameters;
                     + " to hand out."
         })
 final class CompetitionCommand implements Callable<Integer> {
+
+    private static final double HALF_SECONDS = 300;
 
     @Mixin
     final HelpOption help = new HelpOption();
@@ -92,7 +98,7 @@ final class CompetitionCommand implements Callable<Integer> {
     @Option(
             names = "--seconds",
             paramLabel = "T",
-            description = "Simulated seconds: scoring 180, penalties 30, matches 300.")
+            description = "Simulated seconds: scoring 180, penalties 30, matches and league 300.")
     private Optional<Double> seconds = Optional.empty();
 
     @Option(
@@ -101,7 +107,7 @@ final class CompetitionCommand implements Callable<Integer> {
             description = "penalties: rounds before sudden death; exercises: trials of each team (3).")
     private int rounds = 3;
 
-    @Option(names = "--players", paramLabel = "N", description = "matches: robots of each team, 1 to 11 (1).")
+    @Option(names = "--players", paramLabel = "N", description = "matches, league: robots of each team, 1 to 11 (1).")
     private int players = 1;
 
     @Option(names = "--parallel", paramLabel = "N", description = "Trials at the same time (one for each processor).")
@@ -203,7 +209,10 @@ final class CompetitionCommand implements Callable<Integer> {
             throw new CalledWronglyException("Teams stand in " + teamsFile.get()
                     + " and on the command line. Write all of them into the file, or leave --teams out.");
         }
-        int needed = kind.equals("penalties") || kind.equals(MatchContest.NAME) ? 2 : 1;
+        int needed = Set.of("penalties", MatchKind.MATCHES.word(), MatchKind.LEAGUE.word())
+                        .contains(kind)
+                ? 2
+                : 1;
         if (teams.size() < needed) {
             throw new CalledWronglyException("A contest of this kind needs at least " + needed + " team"
                     + (needed == 1 ? "" : "s") + ". Write for example: robonewbie competition " + kind
@@ -231,16 +240,21 @@ final class CompetitionCommand implements Callable<Integer> {
         return switch (kind) {
             case "scoring" -> Contests.scoring(conditions, seconds.orElse(Contests.SCORING_SECONDS));
             case "penalties" -> Contests.penalties(conditions, rounds, seconds.orElse(30.0));
-            case MatchContest.NAME -> new MatchContest(players, seconds.orElse(300.0), conditions);
+            case "matches" -> matches(MatchKind.MATCHES, conditions);
+            case "league" -> matches(MatchKind.LEAGUE, conditions);
             case "walk" -> Contests.walk(conditions);
             case "kick" -> Contests.kick(conditions);
             case "stand" -> Contests.stand(conditions);
             case "gymnastics" -> Contests.gymnastics(conditions);
             default ->
                 throw new CalledWronglyException("There is no contest \"" + kind
-                        + "\". There are: scoring, penalties, matches, walk, kick, stand, gymnastics,"
+                        + "\". There are: scoring, penalties, matches, league, walk, kick, stand, gymnastics,"
                         + " and exercise:NAME, such as exercise:dance.");
         };
+    }
+
+    private Contest matches(MatchKind matches, Conditions conditions) {
+        return new MatchContest(matches, players, seconds.orElse(HALF_SECONDS), conditions);
     }
 
     /** Prints the table in columns. */

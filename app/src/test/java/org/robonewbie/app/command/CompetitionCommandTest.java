@@ -36,6 +36,7 @@ class CompetitionCommandTest {
     @CsvSource(delimiter = '|', textBlock = """
             running Red=Agent_Wave             | There is no contest "running". There are: scoring, penalties
             penalties Red=Agent_Wave           | needs at least 2 teams
+            league Red=Agent_Team              | needs at least 2 teams
             scoring                            | needs at least 1 team.
             matches A=Agent_Wave B=Agent_Wave --players 12 | --players is 1 to 11
             exercise:kickk Red=Agent_Wave      | There is no exercise "kickk". Did you mean kick?
@@ -81,6 +82,29 @@ class CompetitionCommandTest {
             assertThat(files.map(file -> file.getFileName().toString()))
                     .contains("table.html", "table.csv", "table.json", "Red.html", "walk-Red.rec");
         }
+    }
+
+    @Test
+    void leagueOfWholeTeamsGoesOnWhereItWasAndKeepsItsTable() throws IOException {
+        Path results = folder.resolve("league");
+        String[] words = ("competition league Blue=Agent_Team Blue.together=yes Red=Agent_Team --players 2 --seconds 1"
+                        + " --results " + results)
+                .split(" ", -1);
+
+        Printed first = Printed.by(words);
+        byte[] table = Files.readAllBytes(results.resolve("table.csv"));
+        Files.delete(results.resolve("trials/league-Red-Blue.json"));
+        Printed again = Printed.by(words);
+
+        assertThat(first.exitCode()).as(first.err()).isZero();
+        assertThat(first.out().replaceAll(" +", " "))
+                .contains("League, 2 against 2: Each team plays each other one twice, at home and away, for 1 s.")
+                .contains("1. Blue 2 0 2 0 0:0 0 2")
+                .contains("1. Red 2 0 2 0 0:0 0 2");
+        assertThat(again.out()).contains("1 of 2 trials are over already", "[2/2] league-Red-Blue");
+        assertThat(results.resolve("table.csv")).hasBinaryContent(table);
+        assertThat(results.resolve("recordings/league-Blue-Red.rec")).isNotEmptyFile();
+        assertThat(results.resolve("certificates/Blue.html")).exists();
     }
 
     @Test

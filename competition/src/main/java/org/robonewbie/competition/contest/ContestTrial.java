@@ -16,6 +16,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  * @param seconds simulated seconds that it lasts at most
  * @param kickOff the side that kicks off
  * @param ball where the ball lies, as the first entrant sees the pitch, metres; empty for the centre spot
+ * @param ownPlaces whether robots begin where their programs have beamed them, instead of at the places of their entrants
  */
 public record ContestTrial(
         String id,
@@ -24,7 +25,8 @@ public record ContestTrial(
         List<Entrant> entrants,
         double seconds,
         TeamSide kickOff,
-        Optional<Vector3> ball) {
+        Optional<Vector3> ball,
+        boolean ownPlaces) {
 
     /** Makes the list unmodifiable. */
     public ContestTrial {
@@ -47,6 +49,13 @@ public record ContestTrial(
      */
     static ContestTrial alone(String id, long seed, Entrant entrant, double seconds) {
         return new ContestTrial(
-                id, seed, SoccerParameters.beginner(), List.of(entrant), seconds, TeamSide.LEFT, Optional.empty());
+                id,
+                seed,
+                SoccerParameters.beginner(),
+                List.of(entrant),
+                seconds,
+                TeamSide.LEFT,
+                Optional.empty(),
+                false);
     }
 }

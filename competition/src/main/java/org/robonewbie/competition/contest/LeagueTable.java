@@ -2,16 +2,21 @@ package org.robonewbie.competition.contest;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 /**
  * The table of a league: three points for a victory, one for a draw; among equal points the goal difference decides, then the
- * number of goals. Teams that are equal in all of that share a place.
+ * number of goals, then points and goal difference of the meetings between those that are equal. Teams that are equal in all of
+ * that share a place.
  */
 final class LeagueTable {
 
-    private static final List<String> COLUMNS = List.of("Played", "Won", "Drawn", "Lost", "Goals", "Points");
+    private static final List<String> COLUMNS =
+            List.of("Played", "Won", "Drawn", "Lost", "Goals", "Difference", "Points");
 
     private LeagueTable() {}
 
@@ -33,6 +38,7 @@ final class LeagueTable {
                     String.valueOf(drawn),
                     String.valueOf(lost),
                     goals + ":" + against,
+                    difference() > 0 ? "+" + difference() : String.valueOf(difference()),
                     String.valueOf(points()));
         }
 
@@ -77,13 +83,34 @@ final class LeagueTable {
     /** Ranks teams by the meetings that are over; those whose programs do not compile stand last. */
     static List<Ranked<Line>> of(List<String> teams, List<Fixture> fixtures, Predicate<String> compiled) {
         List<Line> lines = teams.stream().map(team -> line(team, fixtures)).toList();
+        Comparator<Line> inAll = Comparator.comparing((Line line) -> !compiled.test(line.team()))
+                .thenComparing(Comparator.comparingInt(Line::points)
+                        .thenComparingInt(Line::difference)
+                        .thenComparingInt(Line::goals)
+                        .reversed());
+        Map<String, Line> amongEquals = lines.stream()
+                .collect(Collectors.toMap(
+                        Line::team, line -> line(line.team(), between(equals(line, lines, inAll), fixtures))));
         return Ranked.ranking(
                 lines,
-                Comparator.comparing((Line line) -> !compiled.test(line.team()))
-                        .thenComparing(Comparator.comparingInt(Line::points)
+                inAll.thenComparing(
+                        line -> amongEquals.getOrDefault(line.team(), line),
+                        Comparator.comparingInt(Line::points)
                                 .thenComparingInt(Line::difference)
-                                .thenComparingInt(Line::goals)
                                 .reversed()));
+    }
+
+    private static Set<String> equals(Line line, List<Line> lines, Comparator<Line> order) {
+        return lines.stream()
+                .filter(other -> order.compare(line, other) == 0)
+                .map(Line::team)
+                .collect(Collectors.toSet());
+    }
+
+    private static List<Fixture> between(Set<String> teams, List<Fixture> fixtures) {
+        return fixtures.stream()
+                .filter(fixture -> teams.contains(fixture.home()) && teams.contains(fixture.away()))
+                .toList();
     }
 
     private static Line line(String team, List<Fixture> fixtures) {

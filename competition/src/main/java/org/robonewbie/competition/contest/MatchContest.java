@@ -3,22 +3,18 @@ package org.robonewbie.competition.contest;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import org.robonewbie.nao.TeamSide;
-import org.robonewbie.simulator.soccer.SoccerParameter;
-import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * Matches of small teams: each team plays once against each other one. A team whose program fails loses the match 0:3, or
- * higher if it was behind by more; if both fail, neither gets points.
+ * Matches of teams: each team plays against each other one. A team whose program fails loses the match 0:3, or higher if it was
+ * behind by more; if both fail, neither gets points.
  *
+ * @param kind pitch, rules and how often two teams meet
  * @param players robots of each team, 1 to 11
  * @param seconds simulated seconds of a match, in one half
  * @param conditions seeds
  */
-public record MatchContest(int players, double seconds, Conditions conditions) implements JudgedContest {
-
-    /** The name of this contest. */
-    public static final String NAME = "matches";
+public record MatchContest(MatchKind kind, int players, double seconds, Conditions conditions)
+        implements JudgedContest {
 
     private static final int FORFEIT_GOALS = 3;
 
@@ -39,24 +35,24 @@ public record MatchContest(int players, double seconds, Conditions conditions) i
 
     @Override
     public String name() {
-        return NAME;
+        return kind.word();
     }
 
     @Override
     public String title() {
-        return "Matches, " + players + " against " + players;
+        return kind.title() + ", " + players + " against " + players;
     }
 
     @Override
     public String rule() {
-        return "Each team plays each other one for " + Math.round(seconds)
-                + " s. Three points for a victory, one for a draw; then the difference of goals, then the goals"
-                + " decide.";
+        return kind.pairing() + " for " + Math.round(seconds)
+                + " s. Three points for a victory, one for a draw; then the difference of goals, then the goals,"
+                + " then the matches between those that are equal decide.";
     }
 
     @Override
     public List<ContestTrial> trials(List<String> teams, Results results) {
-        return Fixture.pairs(teams).stream().map(this::trial).toList();
+        return kind.pairs(teams).stream().map(this::trial).toList();
     }
 
     @Override
@@ -66,7 +62,7 @@ public record MatchContest(int players, double seconds, Conditions conditions) i
 
     @Override
     public Table table(List<String> teams, Results results) {
-        List<Fixture.Pair> pairs = Fixture.pairs(teams);
+        List<Fixture.Pair> pairs = kind.pairs(teams);
         List<Fixture> fixtures = pairs.stream()
                 .flatMap(pair -> results.find(id(pair)).map(result -> fixture(pair, result)).stream())
                 .flatMap(Optional::stream)
@@ -99,18 +95,15 @@ public record MatchContest(int players, double seconds, Conditions conditions) i
     }
 
     private ContestTrial trial(Fixture.Pair pair) {
-        SoccerParameters parameters = SoccerParameters.beginner()
-                .with(SoccerParameter.AUTOMATIC_KICK_OFF, 0)
-                .with(SoccerParameter.START_ANY_FIELD_POSITION, 0)
-                .with(SoccerParameter.BEAM_GRACE_TIME, 0);
         return new ContestTrial(
                 id(pair),
                 conditions.seedOf(pair.number()),
-                parameters,
+                kind.parameters(seconds),
                 List.of(entrant(pair.home()), entrant(pair.away())),
                 seconds,
-                pair.number() % 2 == 0 ? TeamSide.LEFT : TeamSide.RIGHT,
-                Optional.empty());
+                kind.kickOff(pair),
+                Optional.empty(),
+                kind.hasOwnPlaces());
     }
 
     private Entrant entrant(String team) {
@@ -122,14 +115,14 @@ public record MatchContest(int players, double seconds, Conditions conditions) i
                         .toList());
     }
 
-    private static String id(Fixture.Pair pair) {
-        return NAME + "-" + pair.home() + "-" + pair.away();
+    private String id(Fixture.Pair pair) {
+        return kind.word() + "-" + pair.home() + "-" + pair.away();
     }
 
-    private static List<String> idsOf(List<Fixture.Pair> pairs, String team, Results results) {
+    private List<String> idsOf(List<Fixture.Pair> pairs, String team, Results results) {
         return pairs.stream()
                 .filter(pair -> pair.home().equals(team) || pair.away().equals(team))
-                .map(MatchContest::id)
+                .map(this::id)
                 .filter(id -> results.find(id).isPresent())
                 .toList();
     }

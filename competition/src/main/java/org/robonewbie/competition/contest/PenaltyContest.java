@@ -117,7 +117,8 @@ record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) 
                         Entrant.of(keeper, Role.GOALKEEPER, new StartPlace(1, KEEPER_METRES - goalLine, 0, 0))),
                 seconds,
                 TeamSide.LEFT,
-                Optional.of(new Vector3(ballX, 0, parameters.get(SoccerParameter.BALL_RADIUS))));
+                Optional.of(new Vector3(ballX, 0, parameters.get(SoccerParameter.BALL_RADIUS))),
+                false);
     }
 
     private static String id(Fixture.Pair pair, int round, boolean homeAttacks) {

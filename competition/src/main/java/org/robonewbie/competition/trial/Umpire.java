@@ -123,7 +123,9 @@ final class Umpire implements SimulationObserver {
                 decide(0);
                 return;
             }
-            trial.entrants().forEach(entrant -> correctPlaces(entrant, world));
+            if (!trial.ownPlaces()) {
+                trial.entrants().forEach(entrant -> correctPlaces(entrant, world));
+            }
             kickOff(world);
         }
     }

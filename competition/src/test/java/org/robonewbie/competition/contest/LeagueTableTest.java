@@ -5,9 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.simulator.soccer.SoccerParameter;
 
 class LeagueTableTest {
 
@@ -20,9 +23,10 @@ class LeagueTableTest {
                 "A-B 1:0, A-C 0:3, B-C 1:0 | 1 C 3, 2 B 3, 3 A 3",
                 "A-B 2:2, A-C 1:1, B-C 1:1 | 1 A 2, 1 B 2, 3 C 2",
                 "A-B 0:5, A-C 0:5, B-C 2:2 | 1 B 4, 1 C 4, 3 A 0",
-                "A-B 1:0 | 1 A 3, 2 C 0, 3 B 0"
+                "A-B 1:0 | 1 A 3, 2 C 0, 3 B 0",
+                "A-B 0:1, A-C 2:1, C-A 2:1, B-C 1:2, C-B 2:1 | 1 C 9, 2 B 3, 3 A 3"
             })
-    void pointsThenDifferenceThenGoalsDecide(String games, String expected) {
+    void pointsThenDifferenceThenGoalsThenMeetingsDecide(String games, String expected) {
         List<Fixture> fixtures = Arrays.stream(games.split(", ", -1))
                 .map(LeagueTableTest::fixture)
                 .toList();
@@ -41,6 +45,26 @@ class LeagueTableTest {
         assertThat(pairs)
                 .extracting(pair -> pair.home() + pair.away())
                 .containsExactly("AB", "AC", "AD", "BC", "BD", "CD");
+    }
+
+    @Test
+    void inALeagueTwoTeamsMeetTwiceWithChangedSidesUnderTheLeaguesRules() {
+        List<ContestTrial> trials = new MatchContest(MatchKind.LEAGUE, 3, 300, Conditions.of(1))
+                .trials(List.of("A", "B", "C"), id -> Optional.empty());
+
+        assertThat(trials)
+                .extracting(ContestTrial::id)
+                .containsExactly("league-A-B", "league-A-C", "league-B-C", "league-B-A", "league-C-A", "league-C-B");
+        assertThat(trials).extracting(ContestTrial::seed).doesNotHaveDuplicates();
+        assertThat(trials).allSatisfy(trial -> {
+            assertThat(trial.robots()).isEqualTo(6);
+            assertThat(trial.ownPlaces()).isTrue();
+            assertThat(trial.kickOff()).isEqualTo(TeamSide.LEFT);
+            assertThat(trial.parameters().field().length()).isEqualTo(30);
+            assertThat(trial.parameters().get(SoccerParameter.RULE_HALF_TIME)).isGreaterThan(300);
+            assertThat(trial.parameters().get(SoccerParameter.MAX_TOUCH_GROUP_SIZE))
+                    .isEqualTo(2);
+        });
     }
 
     @ParameterizedTest

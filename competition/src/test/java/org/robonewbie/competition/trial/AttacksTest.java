@@ -29,6 +29,7 @@ import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Contests;
 import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.MatchContest;
+import org.robonewbie.competition.contest.MatchKind;
 import org.robonewbie.competition.contest.Role;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.programs.EatsMemory;
@@ -227,7 +228,7 @@ class AttacksTest {
     }
 
     private TrialResult match(Ground ground, TeamProgram honest, TeamProgram evil, Limits limits) throws Exception {
-        MatchContest contest = new MatchContest(1, 4, Conditions.of(1));
+        MatchContest contest = new MatchContest(MatchKind.MATCHES, 1, 4, Conditions.of(1));
         ContestTrial trial = contest.trials(List.of("Honest", "Evil"), id -> Optional.empty())
                 .get(0);
         Map<String, TeamProgram> programs = new LinkedHashMap<>(Map.of("Honest", honest, "Evil", evil));
