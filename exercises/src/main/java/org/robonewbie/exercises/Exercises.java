@@ -6,9 +6,12 @@ import java.util.Optional;
 import org.robonewbie.exercises.task.ArmBySideTask;
 import org.robonewbie.exercises.task.AroundTheBallTask;
 import org.robonewbie.exercises.task.BallDirectionTask;
+import org.robonewbie.exercises.task.BetterPassTask;
 import org.robonewbie.exercises.task.DanceTask;
+import org.robonewbie.exercises.task.DribblePastTask;
 import org.robonewbie.exercises.task.FasterWalkTask;
 import org.robonewbie.exercises.task.FindTheBallTask;
+import org.robonewbie.exercises.task.FormationTask;
 import org.robonewbie.exercises.task.GetUpTask;
 import org.robonewbie.exercises.task.GoToTheBallTask;
 import org.robonewbie.exercises.task.GoalkeeperTask;
@@ -237,7 +240,34 @@ public final class Exercises {
                     60,
                     "Push a wide box over a line, two robots together, without turning it.",
                     45,
-                    PushTogetherTask::new));
+                    PushTogetherTask::new),
+            new Exercise(
+                    24,
+                    "better-pass",
+                    "BetterPass",
+                    "A better pass",
+                    90,
+                    "Pass to the team mate to whom the way is free, twice.",
+                    50,
+                    BetterPassTask::new),
+            new Exercise(
+                    25,
+                    "formation",
+                    "MyFormation",
+                    "A better formation",
+                    120,
+                    "Three players: one at the ball, one before the goal, one free for a pass.",
+                    48,
+                    FormationTask::new),
+            new Exercise(
+                    26,
+                    "dribble-past",
+                    "DribblePast",
+                    "Past an opponent",
+                    90,
+                    "Dribble past one opponent on its left and the next on its right, and push nobody.",
+                    75,
+                    DribblePastTask::new));
 
     private Exercises() {}
 

@@ -12,6 +12,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.robonewbie.agent.Agent;
 
@@ -56,7 +57,7 @@ final class StartCodes {
 
     private static String classPath() {
         return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator, -1))
-                .filter(entry -> entry.contains("nao") || entry.contains("protocol") || entry.contains("agent"))
+                .filter(entry -> Stream.of("nao", "protocol", "agent", "team").anyMatch(entry::contains))
                 .filter(entry -> !entry.contains("simulator"))
                 .collect(Collectors.joining(File.pathSeparator));
     }

@@ -19,6 +19,7 @@ import org.robonewbie.examples.Agent_Dance;
 import org.robonewbie.examples.Agent_SimpleWalkToBall;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.team.Agent_Team;
 
 /** Programs that do not do what an exercise asks for pass none of them, and earn little. */
 class WrongProgramsTest {
@@ -44,17 +45,20 @@ class WrongProgramsTest {
             program("say everything", WrongProgramsTest::talk));
 
     /** What each exercise is not to be solved by, though the framework or an example gives it away. */
-    private static final Map<String, Supplier<Agent>> ONE_LINERS = Map.of(
-            "ball-direction", supplier(Robot::sayTheExactBearing),
-            "get-up", supplier(Robot::getUp),
-            "dance", Agent_Dance::new,
-            "kick", supplier(robot -> robot.play("kick-left")),
-            "goalkeeper", supplier(robot -> robot.play("dive-left")),
-            "faster-walk", supplier(robot -> robot.walk().towards(1, 0, 0)),
-            "score-a-goal", Agent_BetterSoccer::new,
-            "go-to-ball", Agent_SimpleWalkToBall::new,
-            "unseen-ball", supplier(Robot::turnAndSayWhatIsRemembered),
-            "rolling-ball", supplier(Robot::sayWhereTheBallWas));
+    private static final Map<String, Supplier<Agent>> ONE_LINERS = Map.ofEntries(
+            Map.entry("ball-direction", supplier(Robot::sayTheExactBearing)),
+            Map.entry("get-up", supplier(Robot::getUp)),
+            Map.entry("dance", Agent_Dance::new),
+            Map.entry("kick", supplier(robot -> robot.play("kick-left"))),
+            Map.entry("goalkeeper", supplier(robot -> robot.play("dive-left"))),
+            Map.entry("faster-walk", supplier(robot -> robot.walk().towards(1, 0, 0))),
+            Map.entry("score-a-goal", Agent_BetterSoccer::new),
+            Map.entry("go-to-ball", Agent_SimpleWalkToBall::new),
+            Map.entry("unseen-ball", supplier(Robot::turnAndSayWhatIsRemembered)),
+            Map.entry("rolling-ball", supplier(Robot::sayWhereTheBallWas)),
+            Map.entry("better-pass", Agent_Team::new),
+            Map.entry("formation", Agent_Team::new),
+            Map.entry("dribble-past", Agent_Team::new));
 
     static Stream<Arguments> onesForEachExercise() {
         return Exercises.all().stream()

@@ -3,16 +3,25 @@ package org.robonewbie.team;
 import java.util.List;
 import org.robonewbie.agent.Robot;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.team.tactics.KickChoice;
 import org.robonewbie.team.tactics.Plan;
 import org.robonewbie.team.tactics.TeamRole;
+import org.robonewbie.team.world.BallFilter;
+import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
-/** Shows in the studio what a player believes and plans: its role, its way, the ball and how it rolls, and whom it passes to. */
+/**
+ * Shows in the studio what a player believes and plans: its role, its way, the ball and how it rolls, where it wants the ball to go, and
+ * whom it passes to. Around the ball of the striker stands a rose: each possible kick and each direction of dribbling is a ray, the
+ * longer the more it gains.
+ */
 final class Board {
 
     private static final double HEAD_METRES = -0.5;
-    private static final double FOLLOWING_METRES = 0.677;
+    private static final double LONGEST_RAY_METRES = 1;
+    private static final String KICK_COLOUR = "white";
+    private static final String DRIBBLE_COLOUR = "grey";
 
     private final Robot nao;
     private final WorldModel world;
@@ -34,13 +43,40 @@ final class Board {
         }
         nao.drawPoint(seen(plan.target()), colour);
         if (plan.role() == TeamRole.STRIKER) {
-            nao.drawCircle(seen(world.ball()), 0.15, "orange");
-            nao.drawLine(
-                    seen(world.ball()),
-                    seen(world.ball().plus(world.ballVelocity().times(FOLLOWING_METRES))),
-                    "orange");
+            showBall();
+            showChoice(plan);
         }
         nao.plot("seconds since the ball was seen", Math.min(10, world.ballAgeSeconds()));
+    }
+
+    /** The ball, and how far it will roll. */
+    private void showBall() {
+        Spot rest = world.ball().plus(world.ballVelocity().times(BallFilter.ROLLING_SECONDS));
+        nao.drawCircle(seen(world.ball()), 0.15, "orange");
+        nao.drawLine(seen(world.ball()), seen(rest), "orange");
+    }
+
+    /** Where the ball is to go, to whom, and what else was possible. */
+    private void showChoice(Plan plan) {
+        boolean kick = plan.action() == Plan.Action.KICK;
+        if (!kick && plan.action() != Plan.Action.DRIBBLE) {
+            return;
+        }
+        List<KickChoice.Option> options =
+                new KickChoice(world, !kick || world.situation() == Situation.OPEN_PLAY, plan).options();
+        double most =
+                options.stream().mapToDouble(KickChoice.Option::gain).max().orElse(0);
+        options.stream().filter(option -> option.gain() > 0).forEach(option -> showRay(option, most));
+        nao.drawLine(seen(world.ball()), seen(plan.target()), kick ? KICK_COLOUR : DRIBBLE_COLOUR);
+        if (plan.receiver() > 0) {
+            nao.drawText(seen(plan.target()), "pass to " + plan.receiver(), KICK_COLOUR);
+        }
+    }
+
+    private void showRay(KickChoice.Option option, double most) {
+        boolean kick = option.plan().action() == Plan.Action.KICK;
+        Spot ray = Spot.polar(option.plan().headingDegrees(), LONGEST_RAY_METRES * option.gain() / most);
+        nao.drawLine(seen(world.ball()), seen(world.ball().plus(ray)), kick ? KICK_COLOUR : DRIBBLE_COLOUR);
     }
 
     private Vector3 seen(Spot spot) {

@@ -1,0 +1,86 @@
+package org.robonewbie.exercises.solution;
+
+import java.util.Comparator;
+import java.util.Optional;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.team.skill.Footwork;
+import org.robonewbie.team.skill.Gaze;
+import org.robonewbie.team.skill.Kick;
+import org.robonewbie.team.skill.Limbs;
+import org.robonewbie.team.tactics.TeamRole;
+import org.robonewbie.team.talk.Talk;
+import org.robonewbie.team.talk.TeamMessage;
+import org.robonewbie.team.world.Mate;
+import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.world.WorldModel;
+
+/** Passes to the mate to whom the way is freest, and keeps the direction of a kick. */
+public final class BetterPass extends Agent {
+
+    private final WorldModel world = new WorldModel();
+    private final Limbs body = new Limbs(nao, walk, motions, lookAround);
+    private final Kick kick = new Kick(body, new Footwork(walk));
+    private final Gaze gaze = new Gaze(body);
+    private Optional<Double> direction = Optional.empty();
+
+    /** Creates the solution. */
+    public BetterPass() {
+        fieldView.setTransformation(CameraTransformation.KINEMATICS);
+        walk.setStyle(Footwork.STYLE);
+    }
+
+    @Override
+    protected void think() {
+        world.update(nao, fieldView);
+        Talk.listen(nao, world);
+        gaze.look(world);
+        if (nao.getNumber() == 1) {
+            pass();
+        }
+        speak();
+    }
+
+    private void pass() {
+        if (world.ballFromHere().length() > 1 || world.ballAgeSeconds() > 1) {
+            direction = Optional.empty();
+            walk.stop();
+            return;
+        }
+        if (direction.isEmpty() && world.mates().size() == 2 && world.poseAgeSeconds() < 1) {
+            direction = freest().map(mate -> mate.place().minus(world.ball()).degrees());
+        }
+        if (direction.isPresent() && motions.isFinished()) {
+            kick.kick(world, direction.get());
+        }
+    }
+
+    private Optional<Mate> freest() {
+        return world.mates().stream().max(Comparator.comparingDouble(this::freeMetres));
+    }
+
+    /** How near an opponent comes to the way from the ball to a mate. */
+    private double freeMetres(Mate mate) {
+        return world.opponents().stream()
+                .mapToDouble(opponent -> opponent.distanceToWay(world.ball(), mate.place()))
+                .min()
+                .orElse(Double.POSITIVE_INFINITY);
+    }
+
+    private void speak() {
+        if (Talk.isMyTurn(nao.getTime(), nao.getNumber())) {
+            nao.say(new TeamMessage(
+                            nao.getNumber(),
+                            world.pose(),
+                            false,
+                            TeamRole.FORWARD,
+                            world.ball(),
+                            Spot.ORIGIN,
+                            0,
+                            9,
+                            0,
+                            Spot.ORIGIN)
+                    .encode());
+        }
+    }
+}
