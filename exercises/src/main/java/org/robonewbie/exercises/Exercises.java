@@ -265,7 +265,7 @@ public final class Exercises {
                     "DribblePast",
                     "Past an opponent",
                     90,
-                    "Dribble past one opponent on its left and the next on its right, and push nobody.",
+                    "Dribble past an opponent on its left, where the straight way does not go, and push nobody.",
                     75,
                     DribblePastTask::new));
 

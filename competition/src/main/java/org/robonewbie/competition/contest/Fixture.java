@@ -21,7 +21,15 @@ public record Fixture(String home, String away, int homeGoals, int awayGoals) {
      * @param away the other team
      * @param number counts the meetings from 1
      */
-    record Pair(String home, String away, int number) {}
+    record Pair(String home, String away, int number) {
+
+        /** The second meeting, on the other team's pitch. */
+        Pair again(int meeting) {
+            String host = away;
+            String guest = home;
+            return new Pair(host, guest, meeting);
+        }
+    }
 
     /** Pairs each team with each other one once, in the order of the list. */
     static List<Pair> pairs(List<String> teams) {

@@ -9,9 +9,9 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 /** What is different between the matches of a course and those of a league. */
 public enum MatchKind {
     /** Small teams on the small pitch without fouls; two teams meet once. */
-    MATCHES("matches", "Matches", "Each team plays each other one", beginners()),
+    MATCHES("matches", "Matches", "Each team plays each other one"),
     /** Whole teams on the league's pitch under the league's rules; two teams meet twice, the second time with changed sides. */
-    LEAGUE("league", "League", "Each team plays each other one twice, at home and away,", league());
+    LEAGUE("league", "League", "Each team plays each other one twice, at home and away,");
 
     /** So much longer than a match is its half, so that the contest and not the referee ends it. */
     private static final double SPARE_SECONDS = 60;
@@ -21,13 +21,11 @@ public enum MatchKind {
     private final String word;
     private final String title;
     private final String pairing;
-    private final SoccerParameters parameters;
 
-    MatchKind(String word, String title, String pairing, SoccerParameters parameters) {
+    MatchKind(String word, String title, String pairing) {
         this.word = word;
         this.title = title;
         this.pairing = pairing;
-        this.parameters = parameters;
     }
 
     /** {@return the contest's name on the command line} */
@@ -46,7 +44,7 @@ public enum MatchKind {
 
     /** Pitch and rules of a match that lasts as long as is said. */
     SoccerParameters parameters(double seconds) {
-        return this == LEAGUE ? parameters.with(SoccerParameter.RULE_HALF_TIME, seconds + SPARE_SECONDS) : parameters;
+        return this == LEAGUE ? league(seconds) : beginners();
     }
 
     /** Whether robots begin where their programs have beamed them. */
@@ -66,7 +64,7 @@ public enum MatchKind {
             return once;
         }
         List<Fixture.Pair> twice = new ArrayList<>(once);
-        once.forEach(pair -> twice.add(new Fixture.Pair(pair.away(), pair.home(), twice.size() + 1)));
+        once.forEach(pair -> twice.add(pair.again(twice.size() + 1)));
         return List.copyOf(twice);
     }
 
@@ -78,9 +76,10 @@ public enum MatchKind {
     }
 
     /** The league's rules, but robots may all be of one type, so that every program can take part. */
-    private static SoccerParameters league() {
+    private static SoccerParameters league(double seconds) {
         return SoccerParameters.league()
                 .with(SoccerParameter.SINGLE_HALF_TIME, 1)
+                .with(SoccerParameter.RULE_HALF_TIME, seconds + SPARE_SECONDS)
                 .with(SoccerParameter.MAX_ROBOT_TYPE_COUNT, MOST_PLAYERS)
                 .with(SoccerParameter.MIN_ROBOT_TYPES_COUNT, 1)
                 .with(SoccerParameter.MAX_SUM_TWO_ROBOT_TYPES, MOST_PLAYERS);

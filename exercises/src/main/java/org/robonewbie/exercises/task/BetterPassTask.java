@@ -26,7 +26,7 @@ public final class BetterPassTask implements Task {
     private static final int PASSES = 2;
     private static final double PASS_SECONDS = 25;
     private static final double OPPONENT_METRES = 0.8;
-    private static final double REACHED_METRES = 0.6;
+    private static final double REACHED_METRES = 0.8;
     private static final double STAYED_METRES = 0.9;
 
     /** The passer, both mates, the opponent: where they stand at the beginning of a pass. */

@@ -18,11 +18,16 @@ import org.robonewbie.team.world.WorldModel;
 /** Passes to the mate to whom the way is freest, and keeps the direction of a kick. */
 public final class BetterPass extends Agent {
 
+    /** An opponent is remembered for 4 s where it was, and the robot needs a moment to know its own place again. */
+    private static final double MEMORY_SECONDS = 6;
+
     private final WorldModel world = new WorldModel();
     private final Limbs body = new Limbs(nao, walk, motions, lookAround);
     private final Kick kick = new Kick(body, new Footwork(walk));
     private final Gaze gaze = new Gaze(body);
     private Optional<Double> direction = Optional.empty();
+    private boolean passed;
+    private double arrivedSeconds;
 
     /** Creates the solution. */
     public BetterPass() {
@@ -35,19 +40,25 @@ public final class BetterPass extends Agent {
         world.update(nao, fieldView);
         Talk.listen(nao, world);
         gaze.look(world);
-        if (nao.getNumber() == 1) {
+        if (nao.isFallen()) {
+            motions.startGetUp();
+        } else if (nao.getNumber() == 1) {
             pass();
         }
         speak();
     }
 
     private void pass() {
-        if (world.ballFromHere().length() > 1 || world.ballAgeSeconds() > 1) {
+        double metres = world.ballFromHere().length();
+        passed = metres > 0.9 || (passed && metres > 0.6);
+        if (passed || world.ballAgeSeconds() > 1) {
             direction = Optional.empty();
+            arrivedSeconds = world.seconds();
             walk.stop();
             return;
         }
-        if (direction.isEmpty() && world.mates().size() == 2 && world.poseAgeSeconds() < 1) {
+        boolean fresh = world.seconds() - arrivedSeconds > MEMORY_SECONDS;
+        if (direction.isEmpty() && fresh && world.mates().size() == 2) {
             direction = freest().map(mate -> mate.place().minus(world.ball()).degrees());
         }
         if (direction.isPresent() && motions.isFinished()) {

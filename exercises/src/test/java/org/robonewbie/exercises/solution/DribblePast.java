@@ -10,18 +10,17 @@ import org.robonewbie.team.skill.Limbs;
 import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
-/** Brings the ball to a point beside each opponent, on the side that is asked for. */
+/** Brings the ball to a point on the left of the opponent, and on from there. */
 public final class DribblePast extends Agent {
 
-    private static final double MIDDLE_X = 0.3;
     private static final double BEYOND_METRES = 0.15;
     private static final double ASIDE_METRES = 0.8;
+    private static final double CLOSE_METRES = 0.25;
 
     private final WorldModel world = new WorldModel();
     private final Dribble dribble = new Dribble(walk, new Footwork(walk));
     private final Gaze gaze = new Gaze(new Limbs(nao, walk, motions, lookAround));
-    private Optional<Spot> first = Optional.empty();
-    private Optional<Spot> second = Optional.empty();
+    private Optional<Spot> opponent = Optional.empty();
 
     /** Creates the solution. */
     public DribblePast() {
@@ -41,29 +40,16 @@ public final class DribblePast extends Agent {
     }
 
     private Spot target() {
-        remember();
-        double ball = world.ball().x();
-        if (first.isPresent() && ball < first.get().x() + BEYOND_METRES) {
-            return beside(first.get(), 1);
-        }
-        if (second.isPresent() && ball < second.get().x() + BEYOND_METRES) {
-            return beside(second.get(), -1);
-        }
-        return world.theirGoal();
+        world.opponents().stream().findFirst().ifPresent(seen -> opponent = Optional.of(seen));
+        return opponent.filter(seen -> world.ball().x() < seen.x() + BEYOND_METRES)
+                .map(this::besideIt)
+                .orElseGet(world::theirGoal);
     }
 
-    /** What is beside the ball is out of sight soon. */
-    private void remember() {
-        for (Spot opponent : world.opponents()) {
-            if (opponent.x() < MIDDLE_X) {
-                first = Optional.of(opponent);
-            } else {
-                second = Optional.of(opponent);
-            }
-        }
-    }
-
-    private static Spot beside(Spot opponent, int side) {
-        return opponent.plus(new Spot(2 * BEYOND_METRES, side * ASIDE_METRES));
+    /** First to the side, then straight ahead. */
+    private Spot besideIt(Spot seen) {
+        double y = seen.y() + ASIDE_METRES;
+        boolean straight = world.ball().y() > y - CLOSE_METRES || world.ball().x() > seen.x() - ASIDE_METRES;
+        return new Spot(seen.x() + (straight ? 2 * BEYOND_METRES : -ASIDE_METRES), y);
     }
 }
