@@ -14,14 +14,18 @@ import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 
 /**
- * Compiles javac to WebAssembly: takes it out of the JDK that runs this, compiles what makes it callable from a page, and calls {@code
- * CompileToWebAssembly}. All that needs files is left out.
+ * Compiles javac to WebAssembly: takes it out of the JDK that runs this, compiles what makes it callable from a page and what the
+ * studio proposes, and calls {@code CompileToWebAssembly}. All that needs files is left out.
  *
  * <p>Usage: {@code java -cp CLASS_PATH CompileCompiler.java FOLDER_OF_SOURCES WORK_FOLDER FILE}
  */
 final class CompileCompiler {
 
     private static final List<String> MODULES = List.of("jdk.compiler", "java.compiler", "jdk.internal.opt");
+
+    /** What the studio proposes while somebody writes; the page proposes the same. */
+    private static final String COMPLETION = "org/robonewbie/studio/completion";
+
     private static final String MAIN_CLASS = "org.robonewbie.web.compiler.CompilerInPage";
 
     private CompileCompiler() {}
@@ -39,7 +43,8 @@ final class CompileCompiler {
         }
         copy(sources.resolveSibling("resources"), classes);
         String libraries = javac + File.pathSeparator + withoutRobonewbie(System.getProperty("java.class.path"));
-        compile(sources, classes, libraries);
+        Path completion = sources.resolve("../../../../studio/src/main/java/" + COMPLETION).normalize();
+        compile(List.of(sources, completion), classes, libraries);
         Path compileToWebAssembly = sources.resolve("../../build/java/CompileToWebAssembly.java").normalize();
         int exitCode = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
@@ -59,11 +64,13 @@ final class CompileCompiler {
                 .collect(Collectors.joining(File.pathSeparator));
     }
 
-    private static void compile(Path sources, Path classes, String libraries) throws IOException {
+    private static void compile(List<Path> folders, Path classes, String libraries) throws IOException {
         List<String> arguments = new ArrayList<>(List.of(
                 "--limit-modules", "java.base", "-proc:none", "-d", classes.toString(), "-classpath", libraries));
-        try (Stream<Path> files = Files.walk(sources)) {
-            files.filter(file -> file.toString().endsWith(".java")).forEach(file -> arguments.add(file.toString()));
+        for (Path folder : folders) {
+            try (Stream<Path> files = Files.walk(folder)) {
+                files.filter(file -> file.toString().endsWith(".java")).forEach(file -> arguments.add(file.toString()));
+            }
         }
         int exitCode = ToolProvider.getSystemJavaCompiler().run(null, null, null, arguments.toArray(String[]::new));
         if (exitCode != 0) {

@@ -14,7 +14,7 @@ import org.robonewbie.studio.ModuleGraph;
 
 /**
  * Turns a folder with the studio's files and those of the web edition into a page: adds its style sheet, names the scripts that it
- * will need, and writes the list of files that the service worker keeps.
+ * will need, links it from the documentation, and writes the list of files that the service worker keeps.
  *
  * <p>Usage: {@code java -cp CLASS_PATH FinishPage.java FOLDER}
  */
@@ -23,6 +23,7 @@ final class FinishPage {
     private static final String LIST = "files.json";
     private static final String SERVICE_WORKER = "service-worker.js";
     private static final String STYLE = "    <link rel=\"stylesheet\" href=\"page/page.css\" />\n  </head>";
+    private static final String TRY = "<a class=\"try\" href=\"";
     private static final int VERSION_DIGITS = 16;
 
     private FinishPage() {}
@@ -33,7 +34,7 @@ final class FinishPage {
         ModuleGraph scripts = new ModuleGraph(name -> text(folder.resolve(name)));
         Files.writeString(
                 index, scripts.withPreloads(Files.readString(index)).replace("  </head>", STYLE));
-        offerToTry(folder.resolve("docs"));
+        offerToTry(folder);
         List<Path> files = files(folder);
         MessageDigest digest = MessageDigest.getInstance("SHA-256");
         for (Path file : files) {
@@ -47,12 +48,21 @@ final class FinishPage {
                 "{\n  \"version\": \"robonewbie-" + version + "\",\n  \"files\": [\n    " + names + "\n  ]\n}\n");
     }
 
-    /** The documentation beside this page leads back to it. */
-    private static void offerToTry(Path documentation) throws IOException {
-        try (Stream<Path> pages = Files.exists(documentation) ? Files.walk(documentation) : Stream.empty()) {
+    /** Each page of the documentation inside of this folder leads back to its front page. */
+    private static void offerToTry(Path folder) throws IOException {
+        Path documentation = folder.resolve("docs");
+        try (Stream<Path> pages = Files.walk(documentation)) {
             for (Path page : pages.filter(file -> file.toString().endsWith(".html")).toList()) {
                 String text = Files.readString(page);
-                Files.writeString(page, text.replaceFirst("(<a class=\"try\" href=\"[^\"]*\") hidden>", "$1>"));
+                if (text.contains(TRY)) {
+                    continue;
+                }
+                String way = "../".repeat(folder.relativize(page).getNameCount() - 1);
+                String offered = text.replaceFirst("<input id=\"search\"", TRY + way + "index.html\">Try it now</a>\n      $0");
+                if (offered.equals(text) && text.contains("class=\"brand\"")) {
+                    throw new IOException(page + " has no place for the link \"Try it now\".");
+                }
+                Files.writeString(page, offered);
             }
         }
     }

@@ -1,4 +1,4 @@
-/** Java's compiler, off the page's own thread: `{id, sources}` is answered by `{id, remarks, classes}`. */
+/** Java's compiler, off the page's own thread: `{id, sources}` is answered by `{id, remarks, classes}`, and with `at` by `{id, proposals}`. */
 import { load } from './compiler/webassembly-loader.js';
 
 /** @param {string} name */
@@ -26,9 +26,20 @@ function compile(exports, sources) {
   return { remarks, classes: files.map((/** @type {string} */ _, /** @type {number} */ i) => exports.classFile(i)) };
 }
 
+/** @param {any} exports @param {[string, string][]} sources the first one is being written @param {number} at index of the place */
+function complete(exports, sources, at) {
+  for (const [path, text] of sources) {
+    exports.takeSource(path, text);
+  }
+  const count = exports.complete(sources[0][0], at);
+  return { proposals: Array.from({ length: count }, (_, i) => exports.proposal(i)) };
+}
+
 onmessage = async ({ data }) => {
   try {
-    postMessage({ id: data.id, ...compile(await compiler, data.sources) });
+    const exports = await compiler;
+    const { id, sources, at } = data;
+    postMessage({ id, ...(at === undefined ? compile(exports, sources) : complete(exports, sources, at)) });
   } catch (failure) {
     postMessage({ id: data.id, failure: String(failure) });
   }

@@ -1,5 +1,5 @@
 /**
- * The simulator and its agent, off the page's own thread. A message such as `{begin: {agent, seed}}` or `{ask: command}` has the name of
+ * The simulator and its agent, off the page's own thread. A message such as `{begin: {agents, seed}}` or `{ask: command}` has the name of
  * a deed and what it needs. News are sent as texts, states as bytes.
  */
 import { load } from './webassembly-loader.js';
@@ -8,7 +8,8 @@ const TURN_MILLISECONDS = 20;
 const REPORT_MILLISECONDS = 200;
 const SHORTEST_SECONDS = 0.001;
 
-const FOR_PROGRAMS = location.search === '?programs';
+/** A service worker may answer with a script whose address has no more than its name, so that tells what is wanted. */
+const FOR_PROGRAMS = self.name === 'programs';
 
 const program = load(new URL(FOR_PROGRAMS ? 'programs/robonewbie.wasm' : 'field.wasm', import.meta.url).href);
 let last = performance.now();
@@ -44,9 +45,7 @@ function goOn(exports, begun) {
 
 /** @param {any} exports @param {Int8Array[]} classes @param {() => string} beginning gives why the program cannot run here */
 function beginWith(exports, classes, beginning) {
-  for (const each of classes) {
-    exports.takeClass(each);
-  }
+  take(exports, classes);
   const refusal = beginning();
   if (refusal) {
     postMessage({ refusal });
@@ -55,13 +54,39 @@ function beginWith(exports, classes, beginning) {
   }
 }
 
+/** The world stays. @param {any} exports @param {Int8Array[]} classes of the program that takes the place of the one that runs */
+function swap(exports, classes) {
+  take(exports, classes);
+  const refusal = exports.swapProgram();
+  last = performance.now();
+  if (refusal) {
+    postMessage({ refusal });
+  } else {
+    report(exports);
+  }
+}
+
+/** @param {any} exports @param {Int8Array[]} classes */
+function take(exports, classes) {
+  for (const each of classes) {
+    exports.takeClass(each);
+  }
+}
+
 /** What the page asks for, by the name of its message. @type {Record<string, (exports: any, data: any) => void>} */
 const DEEDS = {
-  begin: (exports, { agent, seed }) => {
-    exports.begin(agent, seed);
-    goOn(exports, agent);
+  begin: (exports, { agents, seed }) => {
+    exports.begin(agents.join(' '), seed);
+    goOn(exports, agents[0]);
   },
-  program: (exports, { classes, seed }) => beginWith(exports, classes, () => exports.beginProgram(seed)),
+  join: (exports, agent) => exports.join(agent),
+  program: (exports, { classes, seed, others, keep }) => {
+    if (keep && exports.isProgramRunning()) {
+      swap(exports, classes);
+    } else {
+      beginWith(exports, classes, () => exports.beginProgram(seed, others.join(' ')));
+    }
+  },
   exercise: (exports, wanted) => {
     language = wanted.language;
     beginWith(exports, wanted.classes, () => exports.beginExercise(wanted.name, wanted.trials));
@@ -72,9 +97,7 @@ const DEEDS = {
   stopProgram: (exports) => exports.stopProgram(),
   ask: (exports, command) => exports.ask(JSON.stringify(command)),
   score: (exports, { classes, exercise, seed }) => {
-    for (const each of classes) {
-      exports.takeClass(each);
-    }
+    take(exports, classes);
     postMessage({ result: exports.score(exercise, seed) });
   },
   call: (exports, { id, name, given }) => postMessage({ id, result: exports[name](...given) }),

@@ -25,14 +25,22 @@ async function begin(worker) {
   if (shared) {
     shelf.takeShared(shared.path, shared.text);
   }
-  const programs = new ProgramServer(new PageCompiler(() => worker.prepare()), worker, shelf);
+  const options = new URLSearchParams(location.search);
+  const choice = new AgentChoice(options.getAll('agent'));
+  const programs = new ProgramServer(new PageCompiler(() => worker.prepare()), worker, shelf, choice);
   const course = new CourseServer(worker, shelf, programs);
   const questions = new WorldQuestions(worker);
-  answerInsteadOfServer({ programs, course, ...new MotionServer(questions).parts, ...new ReplayServer(questions).parts });
-  const options = new URLSearchParams(location.search);
+  answerInsteadOfServer({
+    programs,
+    course,
+    ...new MotionServer(questions).parts,
+    ...new ReplayServer(questions).parts,
+  });
   options.set('token', TOKEN);
-  const choice = new AgentChoice(options.get('agent'));
-  const studio = new Studio(options, (listener) => new WorldConnection(worker, listener, choice, { programs, course, questions }));
+  const studio = new Studio(
+    options,
+    (listener) => new WorldConnection(worker, listener, choice, { programs, course, questions }),
+  );
   Object.assign(window, { studio });
   addTakeaways(() => studio.rooms.program, shelf);
   studio.start();

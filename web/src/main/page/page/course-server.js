@@ -68,7 +68,10 @@ export class CourseServer {
     }
     const news = JSON.parse(text);
     const wasOver = this.#attempt.state === 'OVER';
-    const sum = news.judged.reduce((/** @type {number} */ points, /** @type {any} */ trial) => points + trial.points, 0);
+    const sum = news.judged.reduce(
+      (/** @type {number} */ points, /** @type {any} */ trial) => points + trial.points,
+      0,
+    );
     const isOver = news.state === 'OVER';
     this.#attempt = {
       ...this.#attempt,

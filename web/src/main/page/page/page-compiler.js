@@ -3,7 +3,9 @@ import { insteadOfMissing } from './missing-classes.js';
 
 /**
  * @typedef {import('../state/program/remarks.js').Remark} Remark
+ * @typedef {import('../program/program-service.js').Proposal} Proposal
  * @typedef {{remarks: Remark[], classes: Int8Array[]}} Compiled
+ * @typedef {Record<string, Record<string, string>>} Comments by class and member
  */
 
 /** What is kept for times without a network as soon as somebody has programmed. */
@@ -13,6 +15,8 @@ export class PageCompiler {
   /** @type {Worker | undefined} */
   #worker;
   #asked = 0;
+  /** @type {Promise<Comments> | undefined} what the classes of RoboNewbie do */
+  #comments;
   #begun;
   /** @type {Map<number, {done: (made: any) => void, fail: (reason: Error) => void}>} */
   #waiting = new Map();
@@ -32,12 +36,24 @@ export class PageCompiler {
     return { remarks: remarks(made.remarks, shown, sources.get(shown) ?? ''), classes: made.classes };
   }
 
-  /** @param {[string, string][]} sources @returns {Promise<{remarks: string[], classes: Int8Array[]}>} */
-  #ask(sources) {
+  /**
+   * @param {Map<string, string>} sources text by path, the file in the editor first
+   * @param {number} at index of the place where somebody writes
+   * @returns {Promise<Proposal[]>}
+   */
+  async complete(sources, at) {
+    this.#comments ??= fetch('compiler/comments.json').then((answer) => answer.json());
+    const { proposals } = await this.#ask([...sources], at);
+    const comments = await this.#comments;
+    return proposals.map((/** @type {string} */ each) => proposal(each, comments));
+  }
+
+  /** @param {[string, string][]} sources @param {number} [at] @returns {Promise<any>} */
+  #ask(sources, at) {
     this.#worker ??= this.#begin();
     this.#asked += 1;
     const id = this.#asked;
-    this.#worker.postMessage({ id, sources });
+    this.#worker.postMessage({ id, sources, at });
     return new Promise((done, fail) => {
       this.#waiting.set(id, { done, fail });
     });
@@ -80,4 +96,11 @@ function remarks(lines, shown, text) {
       hint: insteadOfMissing(words.join('\t')),
     };
   });
+}
+
+/** @param {string} line of the compiler, with tabs between its parts @param {Comments} comments @returns {Proposal} */
+function proposal(line, comments) {
+  const [label, detail, kind, insert, own = '', owner = '', key = ''] = line.split('\t');
+  const documentation = own || comments[owner.replace(/\$.*/, '')]?.[key] || '';
+  return { label, detail, kind, insert, documentation };
 }

@@ -3,6 +3,8 @@ import { versionOf } from './browser-shelf.js';
 
 /** @typedef {import('./program-shelf.js').ProgramShelf} ProgramShelf */
 
+const SEED = 1;
+
 const EXAMPLES = [
   'Agent_Wave',
   'Agent_BasicStructure',
@@ -50,9 +52,11 @@ export class ProgramServer {
    * @param {import('./page-compiler.js').PageCompiler} compiler
    * @param {import('./world-process.js').World} world
    * @param {ProgramShelf} shelf
+   * @param {{others: string[]}} company the shipped agents that play beside a program
    */
-  constructor(compiler, world, shelf) {
+  constructor(compiler, world, shelf, company) {
     this.#shelf = shelf;
+    this.company = company;
     this.compiler = compiler;
     this.world = world;
   }
@@ -80,6 +84,7 @@ export class ProgramServer {
     const [path, search = ''] = place.split('?');
     const [, kind = '', ...rest] = path.split('/');
     const name = rest.map(decodeURIComponent).join('/');
+    const wish = new URLSearchParams(search);
     const body = String(options.body ?? '');
     switch (`${options.method ?? 'GET'} ${kind}`) {
       case 'GET ':
@@ -96,7 +101,7 @@ export class ProgramServer {
       case 'GET example':
         return new Response(await this.#example(name));
       case 'GET new':
-        return new Response(await this.#newProgram(name, new URLSearchParams(search).get('example') ?? ''));
+        return new Response(await this.#newProgram(name, wish.get('example') ?? ''));
       case 'PUT own':
         return this.#shelf.overwrite(name, body, new Headers(options.headers).get('Known-Version') ?? '');
       case 'PUT draft':
@@ -108,21 +113,24 @@ export class ProgramServer {
       case 'POST check':
         return Response.json((await this.#compile(name, body)).remarks);
       case 'POST complete':
-        return Response.json([]);
+        return Response.json(await this.compiler.complete(this.#sources(name, body), Number(wish.get('at'))));
       default:
-        return this.#runs(`${options.method ?? 'GET'} ${kind}`, name);
+        return Response.json(
+          await this.#runs(`${options.method ?? 'GET'} ${kind}`, name, wish.get('world') === 'keep'),
+        );
     }
   }
 
-  /** @param {string} order @param {string} name */
-  async #runs(order, name) {
+  /** @param {string} order @param {string} name @param {boolean} keep whether the world stays */
+  async #runs(order, name, keep) {
     if (order === 'POST run') {
-      await this.#start(name);
-    } else if (order === 'DELETE run') {
+      return this.#start(name, keep);
+    }
+    if (order === 'DELETE run') {
       this.world.postMessage({ stopProgram: true });
       this.#run = { ...this.#run, state: 'STOPPED' };
     }
-    return Response.json(this.#run);
+    return this.#run;
   }
 
   /** @param {string} path of a saved program @returns {Promise<Int8Array[]>} its classes */
@@ -135,26 +143,32 @@ export class ProgramServer {
     return classes;
   }
 
-  /** @param {string} path */
-  async #start(path) {
+  /** A program with mistakes changes nothing: the one before it goes on. @param {string} path @param {boolean} keep */
+  async #start(path, keep) {
     const { remarks, classes } = await this.#compile(path, this.#shelf.read('own', path) ?? '');
-    this.#run = { id: this.#run.id + 1, state: 'RUNNING', program: path, output: '', exitCode: 0 };
+    const run = { id: this.#run.id + 1, state: 'RUNNING', program: path, output: '', exitCode: 0 };
     if (remarks.some(({ serious }) => serious)) {
-      this.#run.state = 'REFUSED';
-    } else {
-      this.world.postMessage({ program: { classes, seed: 1 } });
+      return { ...run, state: 'REFUSED' };
     }
+    this.#run = run;
+    this.world.postMessage({ program: { classes, seed: SEED, others: this.company.others, keep } });
+    return run;
   }
 
   /** @param {string} path @param {string} text of the editor */
-  async #compile(path, text) {
+  #compile(path, text) {
+    return this.compiler.compile(this.#sources(path, text), path);
+  }
+
+  /** The file in the editor, and those that it names. @param {string} path @param {string} text */
+  #sources(path, text) {
     const sources = new Map([[path, text]]);
     for (const [other, saved] of this.#shelf.texts) {
       if (other !== path && text.includes(className(other))) {
         sources.set(other, saved);
       }
     }
-    return this.compiler.compile(sources, path);
+    return sources;
   }
 
   /** @param {string} name */

@@ -17,8 +17,10 @@ const fileName = (path) => path.split('/').at(-1) ?? '';
 
 /** @param {string} text of a program @param {string} path @returns {string} the class that its file is to be named after */
 export function publicClass(text, path) {
-  return /^\s*public\s+(?:(?:final|abstract|sealed)\s+)*(?:class|record|interface|enum)\s+(\w+)/m.exec(text)?.[1] ??
-    fileName(path).replace(/\.java$/, '');
+  return (
+    /^\s*public\s+(?:(?:final|abstract|sealed)\s+)*(?:class|record|interface|enum)\s+(\w+)/m.exec(text)?.[1] ??
+    fileName(path).replace(/\.java$/, '')
+  );
 }
 
 /** @param {string} text @param {string} name of the package it moves to */
@@ -61,7 +63,9 @@ export async function project(programs, shown) {
   /** @type {Template} */
   const template = await (await fetched('project.json')).json();
   if (template.libraries.length === 0) {
-    throw new Error('This page was built without the program that a project needs; Copy the text of your program instead.');
+    throw new Error(
+      'This page was built without the program that a project needs; Copy the text of your program instead.',
+    );
   }
   /** @type {Map<string, string | Uint8Array>} */
   const files = new Map();

@@ -23,12 +23,15 @@ export class WorldConnection {
       ({ data }) => this.#receive(data),
       (event) => this.#fail(event.message),
     );
-    choice.whenTaken((agent) => this.#begin(agent));
-    this.course.freePitch = () => this.#begin(choice.chosen);
+    choice.whenTaken(
+      () => this.#begin(),
+      (agent) => this.worker.postMessage({ join: agent }),
+    );
+    this.course.freePitch = () => this.#begin();
   }
 
   open() {
-    this.#begin(this.choice.chosen);
+    this.#begin();
   }
 
   /** @param {object} command such as `{do: 'pause'}` */
@@ -39,11 +42,10 @@ export class WorldConnection {
   /** A worker of the same page does not fall silent by itself. */
   checkSilence() {}
 
-  /** @param {string} agent */
-  #begin(agent) {
+  #begin() {
     this.programs.forget();
     this.course.forget();
-    this.worker.postMessage({ begin: { agent, seed: SEED } });
+    this.worker.postMessage({ begin: { agents: this.choice.all, seed: SEED } });
   }
 
   /** @param {any} data a text, the bytes of a state, or what the worker says of itself */

@@ -4,11 +4,11 @@ import { isBrowserNewEnough } from './old-browser.js';
 /** Only the larger of the two programs of this page can carry out what people write. */
 const NEEDS_PROGRAMS = ['program', 'exercise'];
 
-/** @param {string} search behind the name of the worker's script @returns {Worker} */
-const begin = (search) => new Worker(`world-worker.js${search}`, { type: 'module' });
+/** @param {'field' | 'programs'} name of the program that is wanted @returns {Worker} */
+const begin = (name) => new Worker('world-worker.js', { type: 'module', name });
 
 export class World {
-  #worker = begin('');
+  #worker = begin('field');
   /** @type {Worker | undefined} that can carry out programs */
   #prepared;
   /** @type {(event: MessageEvent) => void} */
@@ -25,7 +25,7 @@ export class World {
 
   /** Begins to load what programs need, while somebody reads or writes one. */
   prepare() {
-    this.#prepared ??= begin('?programs');
+    this.#prepared ??= begin('programs');
   }
 
   /** @param {object} data a deed of the worker, and what it needs */

@@ -96,6 +96,7 @@ class ArchitectureTest {
                     "org.robonewbie.nao..",
                     "org.robonewbie.protocol..",
                     "org.robonewbie.simulator..",
+                    "com.sun.source..",
                     "org.eclipse.jetty..",
                     "com.google.gson..",
                     "org.slf4j.."

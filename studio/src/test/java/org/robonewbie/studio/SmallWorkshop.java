@@ -3,7 +3,7 @@ package org.robonewbie.studio;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.studio.program.Proposal;
+import org.robonewbie.studio.completion.Proposal;
 import org.robonewbie.studio.program.Remark;
 import org.robonewbie.studio.program.RunningProgram;
 import org.robonewbie.studio.program.Workshop;

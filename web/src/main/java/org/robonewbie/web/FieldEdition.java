@@ -94,14 +94,24 @@ public final class FieldEdition {
     }
 
     /**
-     * Begins a world with a shipped agent, which is shown from now on.
+     * Begins a world with shipped agents, which is shown from now on.
      *
-     * @param agent name of its class
+     * @param agents names of their classes, separated by blanks
      * @param seed start of all random numbers
      */
     @JSExport
-    public static void begin(String agent, int seed) {
-        PageStage.begin(agent, seed);
+    public static void begin(String agents, int seed) {
+        PageStage.begin(agents, seed);
+    }
+
+    /**
+     * Lets one more shipped agent enter the world that is shown.
+     *
+     * @param agent name of its class
+     */
+    @JSExport
+    public static void join(String agent) {
+        PageStage.join(agent);
     }
 
     /**

@@ -1,6 +1,9 @@
 package org.robonewbie.web;
 
-import java.util.function.Function;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
@@ -16,14 +19,40 @@ final class PageStage {
     static final PageFeed.Page PAGE = new Page();
 
     private static @Nullable LiveWorld world;
+    private static Optional<FreePitch> pitch = Optional.empty();
     private static MemoryRecording recording = new MemoryRecording();
     private static int recordings;
 
     private PageStage() {}
 
-    /** Shows a shipped agent that plays alone. */
-    static void begin(String agent, int seed) {
-        show(feed -> new FreePitch(seed, feed, record()).with(ShippedAgents.make(agent)));
+    /** Shows shipped agents, whose names have blanks between them. */
+    static void begin(String agents, int seed) {
+        begin(agents, seed, empty -> {});
+    }
+
+    /** Shows somebody and, after that, shipped agents whose names have blanks between them. */
+    static void begin(String agents, int seed, Consumer<FreePitch> first) {
+        world = new LiveWorld(PAGE, feed -> {
+            FreePitch begun = new FreePitch(seed, feed, record());
+            pitch = Optional.of(begun);
+            return begun;
+        });
+        pitch.ifPresent(first);
+        named(agents).forEach(PageStage::join);
+    }
+
+    private static List<String> named(String agents) {
+        return Arrays.stream(agents.split(" ", -1)).filter(name -> !name.isEmpty()).toList();
+    }
+
+    /** Lets one more shipped agent enter the world that is shown. */
+    static void join(String agent) {
+        pitch.ifPresent(shown -> shown.with(ShippedAgents.make(agent)));
+    }
+
+    /** {@return the pitch that is shown; empty while an exercise is} */
+    static Optional<FreePitch> pitch() {
+        return pitch;
     }
 
     /** Begins another recording, which takes the place of the last one. */
@@ -43,14 +72,10 @@ final class PageStage {
         return Int8Array.copyFromJavaArray(recording.read(known));
     }
 
-    /** Shows a world from now on. */
-    static void show(Function<PageFeed, ? extends WatchedWorld> maker) {
-        show(new LiveWorld(PAGE, maker));
-    }
-
-    /** Shows a world from now on. */
-    static void show(LiveWorld next) {
-        world = next;
+    /** Shows the trials of an exercise from now on. */
+    static void show(LiveWorld trials) {
+        world = trials;
+        pitch = Optional.empty();
     }
 
     /** Does what the page asks for with one JSON object. */

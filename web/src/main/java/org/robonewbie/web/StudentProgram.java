@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.agent.Agent;
@@ -32,7 +33,7 @@ final class StudentProgram {
     static final double FOREVER_SECONDS = 1e6;
 
     private final Machine machine;
-    private final Supplier<AgentLink> entrance;
+    private final Function<Runnable, AgentLink> entrance;
     private final Runnable nextCycle;
     private final TelemetrySink viewer;
     private final List<AgentDriver> drivers = new ArrayList<>();
@@ -45,14 +46,14 @@ final class StudentProgram {
      *
      * @param program its classes
      * @param output what it prints
-     * @param entrance connects one more robot with the world; its link turns the world while it waits for a message
-     * @param nextCycle turns the world, for a program that waits in the middle of compiled code
+     * @param entrance connects one more robot with the world; what it is given turns the world while the robot enters
+     * @param nextCycle turns the world, while a robot enters or the program waits in the middle of compiled code
      * @param viewer receives what the robots think
      */
     StudentProgram(
             Program program,
             PrintStream output,
-            Supplier<AgentLink> entrance,
+            Function<Runnable, AgentLink> entrance,
             Runnable nextCycle,
             TelemetrySink viewer) {
         this.entrance = entrance;
@@ -90,9 +91,15 @@ final class StudentProgram {
     }
 
     private PatientLink enter() {
-        PatientLink own = new PatientLink(entrance.get());
+        PatientLink own = new PatientLink(entrance.apply(this::turn));
         links.add(own);
         return own;
+    }
+
+    /** Lets the robots of the program that have entered already answer, while another one enters. */
+    private void turn() {
+        nextCycle.run();
+        drivers.forEach(AgentDriver::goOn);
     }
 
     /** {@return whether a step of an agent has thrown an exception} */

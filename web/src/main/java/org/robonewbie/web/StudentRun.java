@@ -46,7 +46,7 @@ final class StudentRun {
     }
 
     private void attempt(BooleanSupplier program) {
-        if (state != State.RUNNING) {
+        if (!isRunning()) {
             return;
         }
         try {
@@ -83,9 +83,14 @@ final class StudentRun {
         leave.run();
     }
 
+    /** {@return whether it has neither ended nor been stopped} */
+    boolean isRunning() {
+        return state == State.RUNNING;
+    }
+
     /** Stops the program. */
     void stop() {
-        if (state == State.RUNNING) {
+        if (isRunning()) {
             state = State.STOPPED;
             leave.run();
         }

@@ -2,6 +2,8 @@ package org.robonewbie.web;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
@@ -107,15 +109,25 @@ public final class WebEdition {
     }
 
     /**
-     * Begins a world with a shipped agent, which is shown from now on.
+     * Begins a world with shipped agents, which is shown from now on.
      *
-     * @param agent name of its class
+     * @param agents names of their classes, separated by blanks
      * @param seed start of all random numbers
      */
     @JSExport
-    public static void begin(String agent, int seed) {
+    public static void begin(String agents, int seed) {
         leave();
-        PageStage.begin(agent, seed);
+        PageStage.begin(agents, seed);
+    }
+
+    /**
+     * Lets one more shipped agent enter the world that is shown.
+     *
+     * @param agent name of its class
+     */
+    @JSExport
+    public static void join(String agent) {
+        PageStage.join(agent);
     }
 
     /**
@@ -146,21 +158,49 @@ public final class WebEdition {
      * Begins a world with the program whose classes were taken.
      *
      * @param seed start of all random numbers
+     * @param others names of the shipped agents that play as well, separated by blanks
      * @return why the program cannot run here; empty if it runs
      */
     @JSExport
-    public static String beginProgram(int seed) {
+    public static String beginProgram(int seed, String others) {
+        return change((program, begun) -> {
+            leave();
+            PageStage.begin(others, seed, pitch -> pitch.with(program, begun));
+        });
+    }
+
+    /** {@return whether a program of a student runs on the pitch, so that another one can take its place} */
+    @JSExport
+    public static boolean isProgramRunning() {
+        return run != null && run.isRunning() && PageStage.pitch().isPresent();
+    }
+
+    /**
+     * Lets the program whose classes were taken take the place of the one that runs, while the world stays.
+     *
+     * @return why the program cannot run here; empty if it runs
+     */
+    @JSExport
+    public static String swapProgram() {
+        StudentRun old = Objects.requireNonNull(run, "no program runs");
+        return change((program, begun) -> PageStage.pitch().orElseThrow().swap(old, program, begun));
+    }
+
+    /** Loads the program whose classes were taken, and does what lets it play. */
+    private static String change(BiConsumer<Program, StudentRun> deed) {
         StudentRun begun = new StudentRun();
         try {
             Program program = loaded(takenClasses());
-            leave();
+            deed.accept(program, begun);
             run = begun;
-            PageStage.show(feed -> new FreePitch(seed, feed, PageStage.record()).with(program, begun));
             return "";
         } catch (IllegalArgumentException refused) {
+            stopProgram();
+            run = null;
             return String.valueOf(refused.getMessage());
         } catch (RuntimeException | Error mistake) {
             begun.fail(mistake);
+            run = begun;
             return "";
         }
     }

@@ -7,7 +7,6 @@ import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -15,8 +14,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import java.util.Set;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.web.Solutions;
 import org.robonewbie.web.bytecode.JavaSource;
@@ -28,8 +29,7 @@ class ExercisesInThePageTest {
 
     private static final String SHOWN = "document.querySelector('#program-room').innerText";
 
-    private static final Set<String> NOT_HERE =
-            Set.of("two-behaviours", "rolling-ball", "better-pass", "formation", "dribble-past");
+    private static final Set<String> NOT_HERE = Set.of("better-pass", "formation", "dribble-past");
 
     private final Chromium browser;
     private StaticServer server;
@@ -102,7 +102,7 @@ class ExercisesInThePageTest {
             """;
     private static final String SCORE = """
             window.score = (exercise, seed) => new Promise((done) => {
-              const worker = new Worker('world-worker.js?programs', { type: 'module' });
+              const worker = new Worker('world-worker.js', { type: 'module', name: 'programs' });
               worker.onmessage = ({ data }) => {
                 worker.terminate();
                 done(data.result ?? data.failure);
@@ -142,6 +142,23 @@ class ExercisesInThePageTest {
 
         browser.await(SHOWN + ".includes('Not yet passed')");
         browser.await(SHOWN + ".includes('Hint: ')");
+    }
+
+    @Test
+    void verdictIsGermanForWhoReadsGerman() {
+        open("#program/stop-at-30");
+        browser.await("studio.rooms.program.files.file?.path === 'StopAt30.java'");
+        browser.evaluate("fetch('api/course/language?code=de', { method: 'POST' }).then(() => true)");
+        browser.fill("#speed", "fastest");
+        browser.click("#program-check");
+        browser.await(SHOWN + ".includes('Not yet passed')");
+
+        Exercise exercise = Exercises.find("stop-at-30").orElseThrow();
+        Score here = Solutions.judged(
+                        exercise, JavaSource.compile(exercise.className(), exercise.startCode()), List.of(1L))
+                .get(0)
+                .in(Language.GERMAN);
+        assertThat(browser.evaluate(SHOWN).getAsString()).contains(here.finding(), here.hint());
     }
 
     @Test

@@ -3,16 +3,16 @@ package org.robonewbie.studio;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.robonewbie.web.KnownPrograms;
 
 /** Somebody programs in the static page: javac and the machine for its classes are there. */
 @InBrowser
@@ -20,6 +20,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ProgramInThePageTest {
 
     private static final String HEAD = "import org.robonewbie.agent.*;\nimport org.robonewbie.nao.Joint;\n";
+
+    private static final String ROOM = "document.querySelector('#program-room').innerText";
 
     private final Chromium browser;
     private StaticServer server;
@@ -47,6 +49,20 @@ class ProgramInThePageTest {
         browser.await("document.querySelector('#program-room').innerText.includes('left shoulder 31.2 degrees')");
 
         assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void programRunsInAPageThatWasThereBefore() {
+        browser.evaluate("navigator.serviceWorker.ready.then(() => true)");
+        browser.visit(server.address() + "#program");
+        browser.await("studio.rooms.program?.files?.file !== undefined");
+        assertThat(browser.evaluate("navigator.serviceWorker.controller !== null")
+                        .getAsBoolean())
+                .isTrue();
+
+        browser.click("#program-run");
+
+        browser.await(ROOM + ".includes('left shoulder 31.2 degrees')");
     }
 
     @Test
@@ -115,18 +131,24 @@ class ProgramInThePageTest {
                 .doesNotContain("Fake");
     }
 
-    @Test
-    void firstProgramOfTheReadmeRunsInTheFileThatIsOpen() throws IOException {
-        Matcher block =
-                Pattern.compile("(?ms)^```java\\R(.*?)^```").matcher(Files.readString(Path.of("..", "README.md")));
-        assertThat(block.find()).isTrue();
-        type(block.group(1));
+    static List<KnownPrograms.Text> documented() {
+        return KnownPrograms.documented();
+    }
+
+    @ParameterizedTest
+    @MethodSource("documented")
+    void programOfReadmeOrTutorialRuns(KnownPrograms.Text program) {
+        browser.fill("#speed", "fastest");
+        browser.await("studio.state.frame.cycle > 3000");
+        type(program.text());
         browser.click("#program-run");
 
-        browser.await("studio.state.frame.cycle > 100");
-        assertThat(browser.evaluate("document.querySelector('#program-state').innerText")
+        browser.await("studio.state.frame.cycle > 100 && studio.state.frame.cycle < 3000");
+        assertThat(browser.evaluate("studio.rooms.program.service.state()"
+                                + ".then(({ state, exitCode, output }) => `${state} ${exitCode} ${output}`)")
                         .getAsString())
-                .startsWith("MyAgent.java is running");
+                .matches("(?s)(RUNNING|ENDED) 0 .*")
+                .doesNotContain("Exception", "is not here");
     }
 
     @Test
@@ -172,6 +194,88 @@ class ProgramInThePageTest {
         assertThat(browser.evaluate("document.querySelector('#program-state').innerText")
                         .getAsString())
                 .contains("is running");
+    }
+
+    @Test
+    void savingSwapsTheProgramWhileTheWorldStays() {
+        browser.click("#program-run");
+        browser.await(ROOM + ".includes('left shoulder 31.2 degrees')");
+        browser.await("studio.state.frame.cycle > 300");
+        browser.click("#toggle");
+        browser.await("studio.state.frame.paused");
+        String ball = browser.evaluate("JSON.stringify(studio.state.frame.ball)").getAsString();
+        browser.click("#toggle");
+        String text = browser.evaluate("studio.rooms.program.editor.text").getAsString();
+        type(text.replace("angle < 30", "angle < 60"));
+
+        browser.evaluate("studio.rooms.program.save()");
+
+        browser.await(ROOM + ".includes('left shoulder 61.2 degrees')");
+        assertThat(browser.evaluate("studio.state.frame.cycle > 300").getAsBoolean())
+                .isTrue();
+        assertThat(browser.evaluate("JSON.stringify(studio.state.frame.ball)").getAsString())
+                .isEqualTo(ball);
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void programWithMistakesLeavesTheOneBeforeInItsPlace() {
+        browser.click("#program-run");
+        browser.await(ROOM + ".includes('left shoulder 31.2 degrees')");
+        type(HEAD + "public class MyAgent extends Agent {");
+
+        browser.evaluate("studio.rooms.program.save()");
+
+        browser.await("document.querySelector('#program-remarks').innerText.includes('reached end of file')");
+        assertThat(browser.evaluate("studio.rooms.program.service.state().then(({ state }) => state)")
+                        .getAsString())
+                .isEqualTo("RUNNING");
+    }
+
+    @Test
+    void programPlaysBesideAShippedAgent() {
+        browser.fill("#page-more", "Agent_SimpleSoccer");
+        browser.await("studio.state.scene.robots.length === 2");
+
+        browser.click("#program-run");
+
+        browser.await(ROOM + ".includes('left shoulder 31.2 degrees')");
+        browser.await("studio.state.scene.robots.map(({ team }) => team).sort().join() === 'Guests,RoboNewbie'");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "nao.setJoint, setJointSpeed, Turns a motor.",
+        "nao.setJoint, setJointSpeed, double degreesPerSecond",
+        "fieldView.ball().is, isVisible, in the last picture",
+        "this.raise, raiseArm, Raises the arm.",
+        "motions.sta, start, Starts a motion"
+    })
+    void editorProposesMembersWithTheirDocumentation(String begun, String member, String documentation) {
+        String before = HEAD + "public class MyAgent extends Agent {\n    /** Raises the arm. */\n"
+                + "    void raiseArm() {}\n    protected void think() {\n        " + begun;
+        type(before + "\n    }\n}\n");
+
+        String proposal = browser.evaluate("studio.rooms.program.service.complete('MyAgent.java',"
+                        + " studio.rooms.program.editor.text, " + before.length() + ").then((all) =>"
+                        + " JSON.stringify(all.find(({ label }) => label === '" + member + "') ?? all))")
+                .getAsString();
+
+        assertThat(proposal).contains("\"label\":\"" + member + "\"").contains(documentation);
+    }
+
+    @Test
+    void proposalIsChosenWithTheKeyboard() {
+        String before = HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        nao.setJointSp";
+        type(before + "\n    }\n}\n");
+        browser.evaluate("(({ view }) => { view.focus(); view.dispatch({ changes: { from: " + before.length()
+                + ", insert: 'e' }, selection: { anchor: " + (before.length() + 1)
+                + " }, userEvent: 'input.type' }); })(studio.rooms.program.editor)");
+        browser.await("studio.rooms.program.editor.view.dom.querySelector('.cm-tooltip-autocomplete') !== null");
+
+        browser.press("Enter");
+
+        browser.await("studio.rooms.program.editor.text.includes('nao.setJointSpeed()')");
     }
 
     private void type(String text) {

@@ -53,20 +53,31 @@ class SameRunInThePageTest {
     @ParameterizedTest
     @MethodSource("agents")
     void aMinuteHasTheSameRecordingInThePageAndOnTheJvm(Agent agent) throws IOException {
-        String here = recordingOnTheJvm(agent);
-
         browser.visit(server.address() + "webassembly-loader.js");
-        String there = browser.evaluate("new Promise((answer) => {"
-                        + " const worker = new Worker('world-worker.js', { type: 'module' });"
-                        + " worker.onmessage = ({ data }) => answer(data.result ?? data.failure);"
-                        + " worker.onerror = (event) => answer(event.message);"
-                        + " worker.postMessage({ call: { name: 'recordingSha256', given: ['"
-                        + agent.getClass().getSimpleName() + "', 1, " + SECONDS
-                        + "] } });"
-                        + "})")
-                .getAsString();
+        String there = browser.evaluate(recordingOf(agent)).getAsString();
 
-        assertThat(there).isEqualTo(here);
+        assertThat(there).isEqualTo(recordingOnTheJvm(agent));
+    }
+
+    @ParameterizedTest
+    @MethodSource("agents")
+    void aMinuteHasTheSameRecordingInFirefox(Agent agent, @TempDir Path profile) throws IOException {
+        try (Firefox firefox = Firefox.start(profile)) {
+            firefox.visit(server.address() + "webassembly-loader.js");
+            String there = firefox.evaluate(recordingOf(agent)).getAsString();
+
+            assertThat(there).isEqualTo(recordingOnTheJvm(agent));
+        }
+    }
+
+    private static String recordingOf(Agent agent) {
+        return "new Promise((answer) => {"
+                + " const worker = new Worker('world-worker.js', { type: 'module' });"
+                + " worker.onmessage = ({ data }) => answer(data.result ?? data.failure);"
+                + " worker.onerror = (event) => answer(event.message);"
+                + " worker.postMessage({ call: { name: 'recordingSha256', given: ['"
+                + agent.getClass().getSimpleName() + "', 1, " + SECONDS + "] } });"
+                + "})";
     }
 
     /** Runs the agent as the command line does. */

@@ -75,6 +75,40 @@ class WebEditionPageTest {
     }
 
     @Test
+    void fourRobotsPlayAndFromTheStartBringsThemBack() {
+        browser.await(CYCLE + " > 0");
+        browser.fill("#page-more", "Agent_SimpleSoccer");
+        browser.fill("#page-more", "Agent_BetterSoccer");
+        browser.fill("#page-more", "Agent_SimpleSoccer");
+        browser.await("studio.state.scene.robots.length === 4");
+
+        assertThat(browser.evaluate("document.querySelector('#page-more').disabled")
+                        .getAsBoolean())
+                .isTrue();
+        browser.await(CYCLE + " > 500");
+        browser.click("#page-again");
+        browser.await(CYCLE + " < 400 && " + CYCLE + " > 0");
+        browser.await("studio.state.scene.robots.length === 4");
+
+        assertThat(browser.evaluate(
+                                "studio.state.scene.robots.map(({ team, number }) => `${team} ${number}`).sort().join()")
+                        .getAsString())
+                .isEqualTo("Guests 1,Guests 2,RoboNewbie 1,RoboNewbie 2");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void addressNamesAllAgentsThatPlay() {
+        browser.visit(server.address() + "?agent=Agent_Dance&agent=Agent_SimpleSoccer");
+
+        browser.await("studio.state.scene?.robots.length === 2 && " + CYCLE + " > 100");
+
+        assertThat(browser.evaluate("document.querySelector('#page-agent').value")
+                        .getAsString())
+                .isEqualTo("Agent_Dance");
+    }
+
+    @Test
     void robotRoomShowsWhatTheRobotSensesAndThinks() {
         browser.await(CYCLE + " > 0");
 

@@ -3,18 +3,13 @@ package org.robonewbie.web;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonParser;
-import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
-import java.io.UncheckedIOException;
 import java.lang.reflect.Method;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,10 +22,6 @@ import org.robonewbie.web.bytecode.Program;
 /** Programs do the same in the machine of the page as in Java: each recording is the same to the last bit. */
 class SameRunInTheMachineTest {
 
-    private static final Path ROOT = Path.of("").toAbsolutePath().resolveSibling("");
-    private static final Path EXAMPLES = ROOT.resolve("examples/src/main/java/org/robonewbie/examples");
-    private static final Pattern BLOCK = Pattern.compile("(?ms)^```java\\R(.*?)^```");
-    private static final Pattern CLASS = Pattern.compile("public (?:final )?class (\\w+)");
     private static final List<String> OTHERWISE = List.of(
             "Agent_TwoBehaviours", // needs threads
             "Agent_KeyframeDeveloper", // needs files
@@ -43,32 +34,14 @@ class SameRunInTheMachineTest {
     @TempDir
     private Path folder;
 
-    static Stream<Text> programs() throws IOException {
-        List<Text> texts = new ArrayList<>();
-        try (Stream<Path> files = Files.list(EXAMPLES)) {
-            files.sorted().map(SameRunInTheMachineTest::read).forEach(text -> add(text, texts));
-        }
-        try (Stream<Path> files = Files.list(ROOT.resolve("docs/tutorial"))) {
-            Stream.concat(
-                            Stream.of(ROOT.resolve("README.md")),
-                            files.filter(file -> file.toString().endsWith(".md"))
-                                    .sorted())
-                    .flatMap(file -> BLOCK.matcher(read(file)).results())
-                    .forEach(block -> add(block.group(1), texts));
-        }
-        return texts.stream().filter(text -> !OTHERWISE.contains(text.name()));
-    }
-
-    private static void add(String text, List<Text> texts) {
-        Matcher name = CLASS.matcher(text);
-        if (name.find() && text.contains("void main(")) {
-            texts.add(new Text(name.group(1), text));
-        }
+    static Stream<KnownPrograms.Text> programs() {
+        return Stream.concat(KnownPrograms.examples().stream(), KnownPrograms.documented().stream())
+                .filter(program -> !OTHERWISE.contains(program.name()));
     }
 
     @ParameterizedTest
     @MethodSource("programs")
-    void programHasTheSameRecordingInTheMachineAndInJava(Text text) throws Exception {
+    void programHasTheSameRecordingInTheMachineAndInJava(KnownPrograms.Text text) throws Exception {
         Map<String, byte[]> classes = JavaSource.compile(text.name(), text.text());
 
         RunReport here = HeadlessRun.of(
@@ -93,27 +66,5 @@ class SameRunInTheMachineTest {
                 .getAsJsonObject()
                 .get("recordingSha256")
                 .getAsString();
-    }
-
-    private static String read(Path file) {
-        try {
-            return Files.readString(file);
-        } catch (IOException unreadable) {
-            throw new UncheckedIOException(unreadable);
-        }
-    }
-
-    /**
-     * A program.
-     *
-     * @param name of its class
-     * @param text its text
-     */
-    record Text(String name, String text) {
-
-        @Override
-        public String toString() {
-            return name;
-        }
     }
 }

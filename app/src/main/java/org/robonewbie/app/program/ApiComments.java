@@ -1,25 +1,16 @@
 package org.robonewbie.app.program;
 
-import com.sun.source.tree.ClassTree;
-import com.sun.source.tree.CompilationUnitTree;
-import com.sun.source.tree.MethodTree;
-import com.sun.source.tree.VariableTree;
 import com.sun.source.util.JavacTask;
-import com.sun.source.util.TreePathScanner;
 import com.sun.source.util.Trees;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import javax.lang.model.element.Element;
-import javax.lang.model.element.ExecutableElement;
-import javax.lang.model.element.TypeElement;
-import org.jspecify.annotations.Nullable;
+import org.robonewbie.studio.completion.ApiDocumentation;
 
 /** Documentation comments of the framework, read from the sources that come along with it. */
 final class ApiComments {
@@ -32,23 +23,12 @@ final class ApiComments {
 
     private ApiComments() {}
 
-    /** Finds the comment of a class or of one of its members; empty if its source is not there. */
-    static Optional<String> of(String className, Element element) {
+    /** Finds what a class or one of its members does; empty if its source is not there. */
+    static String of(String className, String key) {
         String outermost = className.replaceFirst("\\$.*", "");
-        if (!outermost.startsWith("org.robonewbie.")) {
-            return Optional.empty();
-        }
-        return Optional.ofNullable(
-                READ.computeIfAbsent(outermost, ApiComments::read).get(key(element)));
-    }
-
-    private static String key(Element element) {
-        Element enclosing = element.getEnclosingElement();
-        String owner = element instanceof TypeElement || enclosing == null ? "" : enclosing.getSimpleName() + ".";
-        String count = element instanceof ExecutableElement method
-                ? "/" + method.getParameters().size()
+        return outermost.startsWith("org.robonewbie.")
+                ? READ.computeIfAbsent(outermost, ApiComments::read).getOrDefault(key, "")
                 : "";
-        return owner + element.getSimpleName() + count;
     }
 
     /** The source of a class of the framework; empty if it does not come along. */
@@ -71,45 +51,6 @@ final class ApiComments {
     }
 
     private static Map<String, String> comments(JavacTask task) throws IOException {
-        CompilationUnitTree unit = task.parse().iterator().next();
-        Collector collector = new Collector(Trees.instance(task));
-        collector.scan(unit, "");
-        return collector.comments;
-    }
-
-    /** Reads the comments of a class and its members. */
-    private static final class Collector extends TreePathScanner<@Nullable Void, String> {
-
-        private final Map<String, String> comments = new HashMap<>();
-        private final Trees trees;
-
-        Collector(Trees trees) {
-            this.trees = trees;
-        }
-
-        @Override
-        public @Nullable Void visitClass(ClassTree type, String owner) {
-            keep(type.getSimpleName().toString());
-            return super.visitClass(type, type.getSimpleName() + ".");
-        }
-
-        @Override
-        public @Nullable Void visitMethod(MethodTree method, String owner) {
-            keep(owner + method.getName() + "/" + method.getParameters().size());
-            return null;
-        }
-
-        @Override
-        public @Nullable Void visitVariable(VariableTree variable, String owner) {
-            keep(owner + variable.getName());
-            return null;
-        }
-
-        private void keep(String key) {
-            String comment = trees.getDocComment(getCurrentPath());
-            if (comment != null) {
-                comments.put(key, comment);
-            }
-        }
+        return ApiDocumentation.comments(task.parse().iterator().next(), Trees.instance(task));
     }
 }

@@ -1,11 +1,17 @@
 package org.robonewbie.app.program;
 
+import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.util.JavacTask;
+import com.sun.source.util.Trees;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import javax.tools.Diagnostic;
+import org.robonewbie.studio.completion.BegunWord;
+import org.robonewbie.studio.completion.Completion;
+import org.robonewbie.studio.completion.Proposal;
 
 /** A Java file that somebody is working on: what the compiler says about it, and how it starts. */
 public final class StudentsProgram {
@@ -54,24 +60,26 @@ public final class StudentsProgram {
     }
 
     /**
-     * Something that could be written at a place.
-     *
-     * @param label its name
-     * @param detail parameters and type
-     * @param kind {@code method}, {@code property}, {@code constant}, {@code class} or {@code variable}
-     * @param insert what is written; an open parenthesis at its end is to be closed behind the parameters
-     * @param documentation what it does; empty if nothing is known
-     */
-    public record Proposal(String label, String detail, String kind, String insert, String documentation) {}
-
-    /**
      * Proposes what could be written.
      *
      * @param at index of the place
      * @return proposals that go on with the word before the place
      */
     public List<Proposal> complete(int at) {
-        return Completion.at(file, text, at, classPath);
+        BegunWord word = BegunWord.at(text, at);
+        return JavaSource.of(file, word.text())
+                .with(new CompilerMessages(), classPath, (task, classes) -> proposals(task, word.begun()));
+    }
+
+    private static List<Proposal> proposals(JavacTask task, String begun) throws IOException {
+        CompilationUnitTree unit = task.parse().iterator().next();
+        task.analyze();
+        return Completion.of(
+                new Completion.Compiler(Trees.instance(task), task.getElements(), task.getTypes()),
+                unit,
+                begun,
+                ApiComments::of,
+                CompilerMessages.frameworkTypes().map(Class::getName).toList());
     }
 
     private static Remark remark(CompilerMessages.Remark said) {

@@ -10,7 +10,7 @@ import org.robonewbie.app.program.ExampleSources;
 import org.robonewbie.app.program.GuestProcess;
 import org.robonewbie.app.program.StudentsProgram;
 import org.robonewbie.app.program.WaitingProcess;
-import org.robonewbie.studio.program.Proposal;
+import org.robonewbie.studio.completion.Proposal;
 import org.robonewbie.studio.program.Remark;
 import org.robonewbie.studio.program.RunningProgram;
 import org.robonewbie.studio.program.Workshop;
@@ -68,10 +68,7 @@ public final class ProgramWorkshop implements Workshop, AutoCloseable {
 
     @Override
     public List<Proposal> complete(Path file, String text, int at) {
-        return StudentsProgram.of(file, text, List.of(folder)).complete(at).stream()
-                .map(each ->
-                        new Proposal(each.label(), each.detail(), each.kind(), each.insert(), each.documentation()))
-                .toList();
+        return StudentsProgram.of(file, text, List.of(folder)).complete(at);
     }
 
     @Override

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.studio.completion.Proposal;
 
 /** What the compiler says about a program that is being written, and what it proposes. */
 class StudentsProgramTest {
@@ -39,7 +40,7 @@ class StudentsProgramTest {
         return StudentsProgram.of(folder.resolve("MyAgent.java"), BEGIN + line + END, List.of(folder));
     }
 
-    private List<StudentsProgram.Proposal> complete(String line) {
+    private List<Proposal> complete(String line) {
         return program(line).complete((BEGIN + line).length());
     }
 
@@ -76,21 +77,21 @@ class StudentsProgramTest {
         Files.writeString(folder.resolve("Arm.java"), "class Arm { static int raise() { return 1; } }");
 
         assertThat(program("int n = Arm.raise();").check()).isEmpty();
-        assertThat(complete("Arm.")).extracting(StudentsProgram.Proposal::label).contains("raise");
+        assertThat(complete("Arm.")).extracting(Proposal::label).contains("raise");
     }
 
     @Test
     void membersOfWhatStandsBeforeTheDotAreProposed() {
         assertThat(complete("nao.setJoint"))
-                .extracting(StudentsProgram.Proposal::label)
+                .extracting(Proposal::label)
                 .contains("setJointSpeed");
         assertThat(complete("nao.setJoint"))
                 .allSatisfy(each -> assertThat(each.label()).startsWith("setJoint"));
         assertThat(complete("word.len"))
-                .extracting(StudentsProgram.Proposal::insert)
+                .extracting(Proposal::insert)
                 .containsExactly("length()");
         assertThat(complete("Joint.NECK_Y"))
-                .extracting(StudentsProgram.Proposal::kind)
+                .extracting(Proposal::kind)
                 .containsExactly("constant");
     }
 
@@ -115,10 +116,10 @@ class StudentsProgramTest {
     void unfinishedProgramIsReadAsWellAsPossible() {
         String text = BEGIN + "if (word.";
 
-        List<StudentsProgram.Proposal> proposals = StudentsProgram.of(
+        List<Proposal> proposals = StudentsProgram.of(
                         folder.resolve("MyAgent.java"), text, List.of(folder))
                 .complete(text.length());
 
-        assertThat(proposals).extracting(StudentsProgram.Proposal::label).contains("isEmpty");
+        assertThat(proposals).extracting(Proposal::label).contains("isEmpty");
     }
 }

@@ -83,7 +83,17 @@ public final class SteppedSimulator implements AutoCloseable {
      * @return the agent's end
      */
     public AgentLink connect() {
-        SteppedLink link = new SteppedLink(this::cycle);
+        return connect(this::cycle);
+    }
+
+    /**
+     * Connects an agent among others of the same thread.
+     *
+     * @param turn called again and again while the agent waits for a message: lets the others answer, and calls {@link #cycle}
+     * @return the agent's end
+     */
+    public AgentLink connect(Runnable turn) {
+        SteppedLink link = new SteppedLink(turn);
         cycle.connect(link.worldEnd(), true);
         return link;
     }
@@ -197,6 +207,17 @@ public final class SteppedSimulator implements AutoCloseable {
      */
     public void restore(WorldState state) {
         cycle.restore(state);
+    }
+
+    /**
+     * Goes on from a saved state as if it had come about just now: the count of cycles, the numbers of the robots and the recording
+     * go on. Messages that were under way are left out.
+     *
+     * @param state the state of a simulation with the same settings
+     * @throws IllegalArgumentException if the settings differ or the state is damaged
+     */
+    public void goOnFrom(WorldState state) {
+        cycle.goOnFrom(state);
     }
 
     @Override

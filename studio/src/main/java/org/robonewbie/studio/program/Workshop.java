@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.studio.completion.Proposal;
 
 /** Who compiles and starts students' programs for the pages. Any thread may ask. */
 public interface Workshop {

@@ -1,22 +1,39 @@
 package org.robonewbie.web.compiler;
 
+import com.sun.source.tree.CompilationUnitTree;
+import com.sun.tools.javac.api.JavacTrees;
 import com.sun.tools.javac.main.JavaCompiler;
 import com.sun.tools.javac.main.Option;
+import com.sun.tools.javac.model.JavacElements;
+import com.sun.tools.javac.model.JavacTypes;
+import com.sun.tools.javac.tree.JCTree.JCCompilationUnit;
 import com.sun.tools.javac.util.Context;
 import com.sun.tools.javac.util.Options;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import javax.tools.Diagnostic;
 import javax.tools.DiagnosticListener;
 import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
+import org.robonewbie.studio.completion.Completion;
+import org.robonewbie.studio.completion.Proposal;
 
 /** One run of {@code javac}. */
 final class Compilation {
 
+    private final Context context = new Context();
     private final List<Diagnostic<? extends JavaFileObject>> remarks = new ArrayList<>();
 
-    private Compilation() {}
+    private Compilation(MemoryFiles files) {
+        DiagnosticListener<JavaFileObject> listener = remarks::add;
+        context.put(DiagnosticListener.class, listener);
+        context.put(JavaFileManager.class, files);
+        Options options = Options.instance(context);
+        options.put(Option.PROC, "none");
+        options.put(Option.G, "");
+        files.forgetMade();
+    }
 
     /**
      * Compiles files.
@@ -26,16 +43,8 @@ final class Compilation {
      * @return what javac has to say, in its order
      */
     static List<Diagnostic<? extends JavaFileObject>> of(MemoryFiles files, List<JavaFileObject> sources) {
-        Compilation compilation = new Compilation();
-        Context context = new Context();
-        DiagnosticListener<JavaFileObject> listener = compilation.remarks::add;
-        context.put(DiagnosticListener.class, listener);
-        context.put(JavaFileManager.class, files);
-        Options options = Options.instance(context);
-        options.put(Option.PROC, "none");
-        options.put(Option.G, "");
-        files.forgetMade();
-        JavaCompiler compiler = JavaCompiler.instance(context);
+        Compilation compilation = new Compilation(files);
+        JavaCompiler compiler = JavaCompiler.instance(compilation.context);
         try {
             compiler.compile(com.sun.tools.javac.util.List.from(sources));
         } catch (Throwable failure) {
@@ -43,5 +52,33 @@ final class Compilation {
         }
         compiler.close();
         return compilation.remarks;
+    }
+
+    /**
+     * Proposes what could be written.
+     *
+     * @param files the libraries
+     * @param sources the files with Java, the first one with a word that nobody writes at the place
+     * @param begun what of the word is there
+     * @param typeNames classes that are proposed where a class may stand
+     * @return proposals; instead of its documentation each has a tab, its class, a tab and its key
+     */
+    static List<Proposal> proposals(
+            MemoryFiles files, List<JavaFileObject> sources, String begun, Set<String> typeNames) {
+        Context context = new Compilation(files).context;
+        Options.instance(context).put(Option.PARAMETERS, "");
+        JavaCompiler compiler = JavaCompiler.instance(context);
+        compiler.keepComments = true;
+        compiler.genEndPos = true;
+        com.sun.tools.javac.util.List<JCCompilationUnit> units = compiler.parseFiles(sources);
+        CompilationUnitTree asked = units.head;
+        compiler.enterTrees(compiler.initModules(units));
+        compiler.attribute(compiler.todo);
+        Completion.Compiler known = new Completion.Compiler(
+                JavacTrees.instance(context), JavacElements.instance(context), JavacTypes.instance(context));
+        List<Proposal> proposals =
+                Completion.of(known, asked, begun, (className, key) -> "\t" + className + "\t" + key, typeNames);
+        compiler.close();
+        return proposals;
     }
 }

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Locale;
 import javax.tools.Diagnostic;
 import javax.tools.JavaFileObject;
+import org.robonewbie.studio.completion.BegunWord;
+import org.robonewbie.studio.completion.Proposal;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
@@ -16,7 +18,8 @@ import org.teavm.jso.typedarrays.Int8Array;
 public final class CompilerInPage {
 
     private static final MemoryFiles FILES = new MemoryFiles();
-    private static final List<JavaFileObject> SOURCES = new ArrayList<>();
+    private static final List<MemoryFile> SOURCES = new ArrayList<>();
+    private static final List<Proposal> PROPOSALS = new ArrayList<>();
     private static final List<Diagnostic<? extends JavaFileObject>> REMARKS = new ArrayList<>();
 
     private CompilerInPage() {}
@@ -69,7 +72,7 @@ public final class CompilerInPage {
     @JSExport
     public static int compile() {
         REMARKS.clear();
-        REMARKS.addAll(Compilation.of(FILES, SOURCES));
+        REMARKS.addAll(Compilation.of(FILES, List.copyOf(SOURCES)));
         SOURCES.clear();
         return REMARKS.size();
     }
@@ -88,6 +91,55 @@ public final class CompilerInPage {
         return remark.getKind() + "\t" + file + "\t" + remark.getLineNumber() + "\t" + remark.getColumnNumber() + "\t"
                 + remark.getStartPosition() + "\t" + remark.getEndPosition() + "\t" + remark.getCode() + "\t"
                 + remark.getMessage(Locale.ENGLISH);
+    }
+
+    /**
+     * Looks for what could be written in a file that was taken, and forgets all that were taken.
+     *
+     * @param path the file
+     * @param at index of the place
+     * @return the number of proposals
+     */
+    @JSExport
+    public static int complete(String path, int at) {
+        PROPOSALS.clear();
+        PROPOSALS.addAll(proposals(path, at));
+        SOURCES.clear();
+        return PROPOSALS.size();
+    }
+
+    private static List<Proposal> proposals(String path, int at) {
+        List<JavaFileObject> sources = new ArrayList<>();
+        String begun = "";
+        for (MemoryFile source : SOURCES) {
+            if (source.path().equals(path)) {
+                BegunWord word = BegunWord.at(source.text(), at);
+                begun = word.begun();
+                sources.add(0, new MemoryFile(path, word.text().getBytes(StandardCharsets.UTF_8)));
+            } else {
+                sources.add(source);
+            }
+        }
+        return Compilation.proposals(FILES, sources, begun, FILES.classesForPrograms());
+    }
+
+    /**
+     * Returns a proposal as tab-separated words: what is listed, parameters and type, kind, what is written, its documentation
+     * if the program itself has it, else nothing and then class and key of it.
+     *
+     * @param index from 0
+     * @return the proposal
+     */
+    @JSExport
+    public static String proposal(int index) {
+        Proposal proposal = PROPOSALS.get(index);
+        return String.join(
+                "\t",
+                proposal.label(),
+                proposal.detail(),
+                proposal.kind(),
+                proposal.insert(),
+                proposal.documentation());
     }
 
     /** {@return the names of the class files that were made, separated by blanks} */

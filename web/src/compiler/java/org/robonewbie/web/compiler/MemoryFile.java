@@ -58,6 +58,11 @@ final class MemoryFile implements JavaFileObject {
         return content;
     }
 
+    /** {@return its bytes as a text} */
+    String text() {
+        return new String(content, StandardCharsets.UTF_8);
+    }
+
     @Override
     public Kind getKind() {
         return kind;
@@ -112,7 +117,7 @@ final class MemoryFile implements JavaFileObject {
 
     @Override
     public CharSequence getCharContent(boolean ignoreEncodingErrors) {
-        return new String(content, StandardCharsets.UTF_8);
+        return text();
     }
 
     @Override

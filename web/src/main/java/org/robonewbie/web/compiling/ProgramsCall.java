@@ -19,14 +19,22 @@ public final class ProgramsCall extends SimpleReflectionPolicy {
     private static final Set<String> OF_CLASS =
             Set.of("getName", "getSimpleName", "isInstance", "toString", "desiredAssertionStatus");
 
+    /** Where TeaVM's library, which is of Java 21, declares what Java 17 declares in {@code Deque}, {@code List} and their like. */
+    private static final Set<String> SEQUENCED =
+            Set.of("java.util.SequencedCollection", "java.util.SequencedSet", "java.util.SequencedMap");
+
     /** Creates the policy; TeaVM finds it by its name. */
     public ProgramsCall() {}
 
     @Override
     protected void setup() {
-        selectClasses(type -> !WITHOUT_PROGRAMS && ProgramLibrary.has(type.name()))
+        selectClasses(type -> !WITHOUT_PROGRAMS && isOfPrograms(type.name()))
                 .foundByName()
                 .reflectableMembers(ProgramsCall::isCallable);
+    }
+
+    private static boolean isOfPrograms(String name) {
+        return ProgramLibrary.has(name) || SEQUENCED.contains(name);
     }
 
     private static boolean isCallable(IntrospectMember member) {

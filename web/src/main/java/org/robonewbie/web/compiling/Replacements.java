@@ -5,7 +5,7 @@ import org.teavm.extension.spi.substitution.SimpleSubstitutionPolicy;
 import org.teavm.extension.spi.substitution.SubstitutionSink;
 
 /**
- * Puts classes of this module in the place of those that TeaVM's class library lacks: {@code java.util.HexFormat} becomes {@code
+ * Puts classes of this module in the place of those that TeaVM's class library lacks, or has with mistakes: {@code java.util.HexFormat} becomes {@code
  * org.robonewbie.web.library.java.util.HexFormat}, and {@code StudentCode} becomes {@code PageStudentCode}.
  */
 public final class Replacements extends SimpleSubstitutionPolicy {
@@ -13,6 +13,7 @@ public final class Replacements extends SimpleSubstitutionPolicy {
     private static final String OURS = "org.robonewbie.web.library.";
     private static final Set<String> REPLACED = Set.of(
             "java.security.MessageDigest",
+            "java.util.Formatter",
             "java.util.HexFormat",
             "java.util.SplittableRandom",
             "org.slf4j.LoggerFactory");

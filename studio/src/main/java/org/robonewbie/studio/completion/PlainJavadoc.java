@@ -1,4 +1,4 @@
-package org.robonewbie.app.program;
+package org.robonewbie.studio.completion;
 
 /** Documentation comments as plain text. */
 final class PlainJavadoc {

@@ -1,4 +1,4 @@
-package org.robonewbie.app.program;
+package org.robonewbie.studio.completion;
 
 import java.util.stream.Collectors;
 import javax.lang.model.element.Element;
@@ -12,19 +12,21 @@ import javax.lang.model.util.Elements;
 final class ProposalWriter {
 
     private final Elements elements;
+    private final ApiDocumentation documentation;
 
-    ProposalWriter(Elements elements) {
+    ProposalWriter(Elements elements, ApiDocumentation documentation) {
         this.elements = elements;
+        this.documentation = documentation;
     }
 
-    StudentsProgram.Proposal write(Element element) {
+    Proposal write(Element element) {
         String name = element.getSimpleName().toString();
         if (element instanceof ExecutableElement method) {
             String insert = method.getParameters().isEmpty() ? name + "()" : name + "(";
             String detail = "(" + parameters(method) + ") " + shortName(method.getReturnType());
-            return new StudentsProgram.Proposal(name, detail, "method", insert, documentation(element));
+            return new Proposal(name, detail, "method", insert, documentation(element));
         }
-        return new StudentsProgram.Proposal(name, detail(element), kind(element), name, documentation(element));
+        return new Proposal(name, detail(element), kind(element), name, documentation(element));
     }
 
     private static String parameters(ExecutableElement method) {
@@ -59,9 +61,7 @@ final class ProposalWriter {
         }
         Element owner = element instanceof TypeElement ? element : element.getEnclosingElement();
         return owner instanceof TypeElement type
-                ? ApiComments.of(elements.getBinaryName(type).toString(), element)
-                        .map(PlainJavadoc::of)
-                        .orElse("")
+                ? documentation.of(elements.getBinaryName(type).toString(), ApiDocumentation.key(element))
                 : "";
     }
 }

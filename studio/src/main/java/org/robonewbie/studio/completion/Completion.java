@@ -1,17 +1,15 @@
-package org.robonewbie.app.program;
+package org.robonewbie.studio.completion;
 
 import com.sun.source.tree.CompilationUnitTree;
 import com.sun.source.tree.ErroneousTree;
 import com.sun.source.tree.IdentifierTree;
 import com.sun.source.tree.MemberSelectTree;
 import com.sun.source.tree.Scope;
-import com.sun.source.util.JavacTask;
 import com.sun.source.util.TreePath;
 import com.sun.source.util.TreePathScanner;
 import com.sun.source.util.Trees;
-import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -26,58 +24,55 @@ import javax.lang.model.element.TypeElement;
 import javax.lang.model.type.DeclaredType;
 import javax.lang.model.type.TypeKind;
 import javax.lang.model.type.TypeMirror;
+import javax.lang.model.util.Elements;
+import javax.lang.model.util.Types;
 import org.jspecify.annotations.Nullable;
 
 /** What could be written at a place of a program: the compiler reads it with a word at that place that nobody writes. */
-final class Completion {
+public final class Completion {
 
-    private static final String WORD = "__here__";
     private static final int MOST = 150;
 
-    private final JavacTask task;
-    private final Trees trees;
-    private final ProposalWriter writer;
+    private final Compiler compiler;
     private final List<Element> found = new ArrayList<>();
 
-    private Completion(JavacTask task) {
-        this.task = task;
-        this.trees = Trees.instance(task);
-        this.writer = new ProposalWriter(task.getElements());
+    private Completion(Compiler compiler) {
+        this.compiler = compiler;
     }
+
+    /**
+     * The compiler that has read the program.
+     *
+     * @param trees what it knows of places in the program
+     * @param elements what it knows of classes and their members
+     * @param types what it knows of types
+     */
+    public record Compiler(Trees trees, Elements elements, Types types) {}
 
     /**
      * Proposes what could be written.
      *
-     * @param file where the program is
-     * @param text its text
-     * @param at index of the place
-     * @param classPath folders and jars that it uses
+     * @param compiler the compiler, which has read and analysed the program with a {@link BegunWord}
+     * @param unit the file with the word
+     * @param begun what of the word is there
+     * @param documentation of classes that are not part of the program
+     * @param typeNames full names of classes that are proposed where a class may stand
+     * @return proposals that go on with the word, the likely ones first
      */
-    static List<StudentsProgram.Proposal> at(Path file, String text, int at, List<Path> classPath) {
-        int start = at;
-        while (start > 0 && Character.isJavaIdentifierPart(text.charAt(start - 1))) {
-            start--;
-        }
-        int end = at;
-        while (end < text.length() && Character.isJavaIdentifierPart(text.charAt(end))) {
-            end++;
-        }
-        String begun = text.substring(start, at);
-        String asked = text.substring(0, start) + WORD + text.substring(end);
-        return JavaSource.of(file, asked)
-                .with(new CompilerMessages(), classPath, (task, classes) -> new Completion(task).propose(begun));
-    }
-
-    private List<StudentsProgram.Proposal> propose(String begun) throws IOException {
-        CompilationUnitTree unit = task.parse().iterator().next();
-        task.analyze();
-        Optional<TreePath> place = Optional.ofNullable(new Finder().scan(unit, null));
-        place.ifPresent(this::collect);
+    public static List<Proposal> of(
+            Compiler compiler,
+            CompilationUnitTree unit,
+            String begun,
+            ApiDocumentation documentation,
+            Collection<String> typeNames) {
+        Completion completion = new Completion(compiler);
+        Optional.ofNullable(new Finder().scan(unit, null)).ifPresent(place -> completion.collect(place, typeNames));
+        ProposalWriter writer = new ProposalWriter(compiler.elements(), documentation);
         String wanted = begun.toLowerCase(Locale.ROOT);
-        return found.stream()
+        return completion.found.stream()
                 .filter(each -> startsWith(each, wanted))
                 .distinct()
-                .sorted(Comparator.comparingInt(this::rank))
+                .sorted(Comparator.comparingInt(Completion::rank))
                 .limit(MOST)
                 .map(writer::write)
                 .toList();
@@ -86,32 +81,33 @@ final class Completion {
     private static boolean startsWith(Element element, String wanted) {
         String name = element.getSimpleName().toString();
         return !name.contains("<")
-                && !name.equals(WORD)
+                && !name.equals(BegunWord.STAND_IN)
                 && !name.isEmpty()
                 && name.toLowerCase(Locale.ROOT).startsWith(wanted);
     }
 
     /** What all classes have comes last. */
-    private int rank(Element element) {
+    private static int rank(Element element) {
         return element.getEnclosingElement() != null
                         && element.getEnclosingElement().toString().equals("java.lang.Object")
                 ? 1
                 : 0;
     }
 
-    private void collect(TreePath place) {
-        Scope scope = trees.getScope(place);
+    private void collect(TreePath place, Collection<String> typeNames) {
+        Scope scope = compiler.trees.getScope(place);
         if (place.getLeaf() instanceof MemberSelectTree select) {
             collectMembers(new TreePath(place, select.getExpression()), scope);
         } else {
             collectVisible(scope);
+            collectTypes(typeNames);
         }
     }
 
     /** What stands behind a dot. */
     private void collectMembers(TreePath expression, Scope scope) {
-        Element element = trees.getElement(expression);
-        TypeMirror type = trees.getTypeMirror(expression);
+        Element element = compiler.trees.getElement(expression);
+        TypeMirror type = compiler.trees.getTypeMirror(expression);
         if (element instanceof PackageElement inside) {
             found.addAll(inside.getEnclosedElements());
         } else if (type != null && type.getKind() != TypeKind.ERROR) {
@@ -127,10 +123,10 @@ final class Completion {
 
     private void collectMembers(TypeMirror type, Scope scope, Predicate<Element> wanted) {
         TypeMirror bound =
-                type.getKind() == TypeKind.DECLARED ? type : task.getTypes().erasure(type);
+                type.getKind() == TypeKind.DECLARED ? type : compiler.types.erasure(type);
         if (bound instanceof DeclaredType declared && declared.asElement() instanceof TypeElement owner) {
-            task.getElements().getAllMembers(owner).stream()
-                    .filter(member -> trees.isAccessible(scope, member, declared))
+            compiler.elements.getAllMembers(owner).stream()
+                    .filter(member -> compiler.trees.isAccessible(scope, member, declared))
                     .filter(wanted)
                     .forEach(found::add);
         }
@@ -145,14 +141,12 @@ final class Completion {
                 collectMembers(type, scope, member -> true);
             }
         }
-        collectTypes();
     }
 
-    private void collectTypes() {
-        Stream<String> framework = CompilerMessages.frameworkTypes().map(Class::getName);
+    private void collectTypes(Collection<String> typeNames) {
         Stream<String> everyday = Stream.of("java.lang.Math", "java.lang.String", "java.lang.System", "java.util.List");
-        Stream.concat(framework, everyday)
-                .map(task.getElements()::getTypeElement)
+        Stream.concat(typeNames.stream(), everyday)
+                .map(compiler.elements::getTypeElement)
                 .filter(Objects::nonNull)
                 .forEach(found::add);
     }
@@ -162,14 +156,14 @@ final class Completion {
 
         @Override
         public @Nullable TreePath visitMemberSelect(MemberSelectTree select, @Nullable Void nothing) {
-            return select.getIdentifier().contentEquals(WORD)
+            return select.getIdentifier().contentEquals(BegunWord.STAND_IN)
                     ? getCurrentPath()
                     : super.visitMemberSelect(select, null);
         }
 
         @Override
         public @Nullable TreePath visitIdentifier(IdentifierTree identifier, @Nullable Void nothing) {
-            return identifier.getName().contentEquals(WORD) ? getCurrentPath() : null;
+            return identifier.getName().contentEquals(BegunWord.STAND_IN) ? getCurrentPath() : null;
         }
 
         /** A statement that is not finished yet. */

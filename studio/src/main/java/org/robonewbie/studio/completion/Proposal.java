@@ -1,4 +1,4 @@
-package org.robonewbie.studio.program;
+package org.robonewbie.studio.completion;
 
 /**
  * Something that could be written at a place in a program.
