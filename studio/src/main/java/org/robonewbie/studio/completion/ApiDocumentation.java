@@ -1,17 +1,11 @@
 package org.robonewbie.studio.completion;
 
-import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
-import com.sun.source.tree.MethodTree;
-import com.sun.source.tree.VariableTree;
-import com.sun.source.util.TreePathScanner;
 import com.sun.source.util.Trees;
-import java.util.HashMap;
 import java.util.Map;
 import javax.lang.model.element.Element;
 import javax.lang.model.element.ExecutableElement;
 import javax.lang.model.element.TypeElement;
-import org.jspecify.annotations.Nullable;
 
 /** Documentation of classes whose source the compiler does not read along with the program. */
 @FunctionalInterface
@@ -49,44 +43,6 @@ public interface ApiDocumentation {
      * @return plain texts by key
      */
     static Map<String, String> comments(CompilationUnitTree unit, Trees trees) {
-        Collector collector = new Collector(trees);
-        collector.scan(unit, "");
-        return collector.comments;
-    }
-
-    /** Reads the comments of a class and its members. */
-    final class Collector extends TreePathScanner<@Nullable Void, String> {
-
-        private final Map<String, String> comments = new HashMap<>();
-        private final Trees trees;
-
-        private Collector(Trees trees) {
-            this.trees = trees;
-        }
-
-        @Override
-        public @Nullable Void visitClass(ClassTree type, String owner) {
-            keep(type.getSimpleName().toString());
-            return super.visitClass(type, type.getSimpleName() + ".");
-        }
-
-        @Override
-        public @Nullable Void visitMethod(MethodTree method, String owner) {
-            keep(owner + method.getName() + "/" + method.getParameters().size());
-            return null;
-        }
-
-        @Override
-        public @Nullable Void visitVariable(VariableTree variable, String owner) {
-            keep(owner + variable.getName());
-            return null;
-        }
-
-        private void keep(String key) {
-            String comment = trees.getDocComment(getCurrentPath());
-            if (comment != null) {
-                comments.put(key, PlainJavadoc.of(comment));
-            }
-        }
+        return CommentCollector.read(unit, trees);
     }
 }
