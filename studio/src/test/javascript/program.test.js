@@ -62,6 +62,8 @@ test('the robot of the program is the one that came with it, also after a change
   assert.equal(ownRobot('B\t2', ['A\t1'], ['B\t2', 'C\t3']), 'B\t2');
   assert.equal(ownRobot('', ['A\t1'], ['A\t1']), 'A\t1');
   assert.equal(ownRobot('', [], []), '');
+  assert.equal(ownRobot('', ['A\t1', 'B\t1'], ['A\t1', 'B\t1'], true), 'A\t1');
+  assert.equal(ownRobot('', [], [], true), '');
 });
 
 test('plotted values stand beside the lines that plot them', () => {

@@ -46,7 +46,7 @@ function renamed(text, name) {
 
 export class ProgramServer {
   #shelf;
-  #run = { id: 0, state: 'NONE', program: '', output: '', exitCode: 0 };
+  #run = { id: 0, state: 'NONE', program: '', output: '', exitCode: 0, entersFirst: true };
 
   /**
    * @param {import('./page-compiler.js').PageCompiler} compiler
@@ -146,7 +146,7 @@ export class ProgramServer {
   /** A program with mistakes changes nothing: the one before it goes on. @param {string} path @param {boolean} keep */
   async #start(path, keep) {
     const { remarks, classes } = await this.#compile(path, this.#shelf.read('own', path) ?? '');
-    const run = { id: this.#run.id + 1, state: 'RUNNING', program: path, output: '', exitCode: 0 };
+    const run = { ...this.#run, id: this.#run.id + 1, state: 'RUNNING', program: path, output: '', exitCode: 0 };
     if (remarks.some(({ serious }) => serious)) {
       return { ...run, state: 'REFUSED' };
     }

@@ -84,8 +84,8 @@ final class FreePitch implements WatchedWorld {
      * @return this pitch
      */
     FreePitch with(Program program, StudentRun run) {
-        Player entered = new Player(
-                run.begin(new StudentProgram(program, run.output(), simulator::connect, this::cycle, feed)));
+        Player entered =
+                new Player(run.begin(new StudentProgram(program, run.output(), simulator::connect, this::cycle, feed)));
         student = Optional.of(entered);
         add(entered);
         return this;

@@ -42,7 +42,9 @@ final class PageStage {
     }
 
     private static List<String> named(String agents) {
-        return Arrays.stream(agents.split(" ", -1)).filter(name -> !name.isEmpty()).toList();
+        return Arrays.stream(agents.split(" ", -1))
+                .filter(name -> !name.isEmpty())
+                .toList();
     }
 
     /** Lets one more shipped agent enter the world that is shown. */

@@ -203,7 +203,8 @@ class ProgramInThePageTest {
         browser.await("studio.state.frame.cycle > 300");
         browser.click("#toggle");
         browser.await("studio.state.frame.paused");
-        String ball = browser.evaluate("JSON.stringify(studio.state.frame.ball)").getAsString();
+        String ball =
+                browser.evaluate("JSON.stringify(studio.state.frame.ball)").getAsString();
         browser.click("#toggle");
         String text = browser.evaluate("studio.rooms.program.editor.text").getAsString();
         type(text.replace("angle < 30", "angle < 60"));
@@ -265,15 +266,17 @@ class ProgramInThePageTest {
     }
 
     @Test
-    void proposalIsChosenWithTheKeyboard() {
-        String before = HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        nao.setJointSp";
+    void proposalIsChosenWithTheMouse() {
+        String before =
+                HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        nao.setJointSp";
         type(before + "\n    }\n}\n");
         browser.evaluate("(({ view }) => { view.focus(); view.dispatch({ changes: { from: " + before.length()
                 + ", insert: 'e' }, selection: { anchor: " + (before.length() + 1)
                 + " }, userEvent: 'input.type' }); })(studio.rooms.program.editor)");
-        browser.await("studio.rooms.program.editor.view.dom.querySelector('.cm-tooltip-autocomplete') !== null");
+        String proposal = "studio.rooms.program.editor.view.dom.querySelector('.cm-tooltip-autocomplete li')";
+        browser.await(proposal + " !== null");
 
-        browser.press("Enter");
+        browser.evaluate(proposal + ".dispatchEvent(new MouseEvent('mousedown', { bubbles: true }))");
 
         browser.await("studio.rooms.program.editor.text.includes('nao.setJointSpeed()')");
     }

@@ -40,7 +40,8 @@ class TryItNowTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"docs/index.html", "docs/tutorial/1-perception.html", "docs/exercises/de/01-raise-arms.html"})
+    @ValueSource(
+            strings = {"docs/index.html", "docs/tutorial/1-perception.html", "docs/exercises/de/01-raise-arms.html"})
     void linkLeadsToTheFrontPageOfWhatIsPublished(String page) throws IOException {
         Path file = PAGE.resolve(page);
 

@@ -72,7 +72,8 @@ class FreePitchTest {
 
     @Test
     void anotherProgramTakesThePlaceWhileTheWorldStays() {
-        FreePitch pitch = played(pitch(recording).with(program(raising(30)), run).with(new Agent_SimpleSoccer()));
+        FreePitch pitch =
+                played(pitch(recording).with(program(raising(30)), run).with(new Agent_SimpleSoccer()));
         WorldSnapshot before = snapshot(pitch);
         long cycle = pitch.cycles();
         StudentRun next = new StudentRun();

@@ -82,17 +82,11 @@ class StudentsProgramTest {
 
     @Test
     void membersOfWhatStandsBeforeTheDotAreProposed() {
-        assertThat(complete("nao.setJoint"))
-                .extracting(Proposal::label)
-                .contains("setJointSpeed");
+        assertThat(complete("nao.setJoint")).extracting(Proposal::label).contains("setJointSpeed");
         assertThat(complete("nao.setJoint"))
                 .allSatisfy(each -> assertThat(each.label()).startsWith("setJoint"));
-        assertThat(complete("word.len"))
-                .extracting(Proposal::insert)
-                .containsExactly("length()");
-        assertThat(complete("Joint.NECK_Y"))
-                .extracting(Proposal::kind)
-                .containsExactly("constant");
+        assertThat(complete("word.len")).extracting(Proposal::insert).containsExactly("length()");
+        assertThat(complete("Joint.NECK_Y")).extracting(Proposal::kind).containsExactly("constant");
     }
 
     @Test
@@ -116,8 +110,7 @@ class StudentsProgramTest {
     void unfinishedProgramIsReadAsWellAsPossible() {
         String text = BEGIN + "if (word.";
 
-        List<Proposal> proposals = StudentsProgram.of(
-                        folder.resolve("MyAgent.java"), text, List.of(folder))
+        List<Proposal> proposals = StudentsProgram.of(folder.resolve("MyAgent.java"), text, List.of(folder))
                 .complete(text.length());
 
         assertThat(proposals).extracting(Proposal::label).contains("isEmpty");

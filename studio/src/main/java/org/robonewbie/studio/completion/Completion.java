@@ -122,8 +122,7 @@ public final class Completion {
     }
 
     private void collectMembers(TypeMirror type, Scope scope, Predicate<Element> wanted) {
-        TypeMirror bound =
-                type.getKind() == TypeKind.DECLARED ? type : compiler.types.erasure(type);
+        TypeMirror bound = type.getKind() == TypeKind.DECLARED ? type : compiler.types.erasure(type);
         if (bound instanceof DeclaredType declared && declared.asElement() instanceof TypeElement owner) {
             compiler.elements.getAllMembers(owner).stream()
                     .filter(member -> compiler.trees.isAccessible(scope, member, declared))

@@ -22,13 +22,38 @@ class FormatterTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "%.0f", "%.1f", "%.2f", "%.3f", "%f", "%8.2f", "%-8.2f|", "%08.1f", "%+.2f", "% .1f", "%,.2f", "%(.1f", "%e",
+                "%.0f", "%.1f", "%.2f", "%.3f", "%f", "%8.2f", "%-8.2f|", "%08.1f", "%+.2f", "% .1f", "%,.2f", "%(.1f",
+                        "%e",
                 "%.3e", "%E", "%.0e", "%g", "%.4g", "%.6g", "%G", "%s", "%S", "%.3s", "%6.2s|", "%b", "%h"
             })
     void realNumberIsWrittenAsInJava(String format) {
         List<Double> numbers = new ArrayList<>(List.of(
-                0.0, -0.0, 0.5, 1.5, 2.5, 12.5, 0.05, 0.15, 0.25, 0.005, 0.995, 9.5, 99.5, 9.995, 1e-4, 9.9999e-5, 1e-5, 1e6,
-                999999.5, 123456789.0, 1e10, 1e22, 1e-300, 1e300, 100.0, 1000.0));
+                0.0,
+                -0.0,
+                0.5,
+                1.5,
+                2.5,
+                12.5,
+                0.05,
+                0.15,
+                0.25,
+                0.005,
+                0.995,
+                9.5,
+                99.5,
+                9.995,
+                1e-4,
+                9.9999e-5,
+                1e-5,
+                1e6,
+                999999.5,
+                123456789.0,
+                1e10,
+                1e22,
+                1e-300,
+                1e300,
+                100.0,
+                1000.0));
         numbers.addAll(List.of(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY));
         Random random = new Random(1);
         for (int i = 0; i < MANY; i++) {
@@ -42,7 +67,10 @@ class FormatterTest {
 
     @ParameterizedTest
     @ValueSource(
-            strings = {"%d", "%5d", "%-5d|", "%05d", "%+d", "% d", "%,d", "%(d", "%x", "%X", "%02x", "%#x", "%o", "%#o", "%s", "%h"})
+            strings = {
+                "%d", "%5d", "%-5d|", "%05d", "%+d", "% d", "%,d", "%(d", "%x", "%X", "%02x", "%#x", "%o", "%#o", "%s",
+                "%h"
+            })
     void wholeNumberIsWrittenAsInJava(String format) {
         for (long number : new long[] {0, 1, -1, 7, 10, 999, 1000, -1234567, Integer.MAX_VALUE, Integer.MIN_VALUE}) {
             assertSame(format, number);
@@ -65,7 +93,8 @@ class FormatterTest {
     @Test
     void localeChangesNothing() {
         assertThat(new Formatter(Locale.GERMAN).format("%.2f", 1.5).toString()).isEqualTo("1.50");
-        assertThat(new Formatter().format(Locale.GERMAN, "%.2f", 1.5).toString()).isEqualTo("1.50");
+        assertThat(new Formatter().format(Locale.GERMAN, "%.2f", 1.5).toString())
+                .isEqualTo("1.50");
     }
 
     @ParameterizedTest

@@ -199,7 +199,7 @@ export class RunDesk {
 
   /** Asks for what the program's robot tells; a page hears one robot at a time. */
   #listen() {
-    const key = ownRobot(this.#robot, this.#before, this.#keys());
+    const key = ownRobot(this.#robot, this.#before, this.#keys(), this.now.entersFirst);
     if (key !== this.#robot && !byId('program-room').hidden) {
       const [team, number] = key.split('\t');
       this.#robot = key;

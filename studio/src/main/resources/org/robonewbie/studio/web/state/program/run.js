@@ -2,7 +2,7 @@
  * What is said about a program that runs, and which robot is its own. Pure.
  *
  * @typedef {'NONE' | 'STARTING' | 'RUNNING' | 'ENDED' | 'STOPPED' | 'REFUSED'} RunState
- * @typedef {{id: number, state: RunState, program: string, output: string, exitCode: number}} ProgramRun
+ * @typedef {{id: number, state: RunState, program: string, output: string, exitCode: number, entersFirst?: boolean}} ProgramRun
  */
 import { fileName } from './remarks.js';
 
@@ -50,8 +50,12 @@ function endText(name, { output, exitCode }) {
  * @param {string} known key of the robot that was the program's until now
  * @param {readonly string[]} before keys of the robots that were there before the program was started first
  * @param {readonly string[]} now keys of the robots that are there
+ * @param {boolean} [entersFirst] whether the program had an empty pitch before it
  * @returns {string} its key, empty if it is not there yet
  */
-export function ownRobot(known, before, now) {
+export function ownRobot(known, before, now, entersFirst = false) {
+  if (entersFirst && !now.includes(known)) {
+    return now[0] ?? '';
+  }
   return now.includes(known) ? known : (now.findLast((key) => !before.includes(key)) ?? now.at(-1) ?? '');
 }

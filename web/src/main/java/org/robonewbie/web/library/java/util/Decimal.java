@@ -46,8 +46,7 @@ record Decimal(String digits, int point) {
             return new Decimal("1" + "0".repeat(digits.length()), point + 1);
         }
         char raised = (char) (digits.charAt(nines - 1) + 1);
-        return new Decimal(
-                digits.substring(0, nines - 1) + raised + "0".repeat(digits.length() - nines), point);
+        return new Decimal(digits.substring(0, nines - 1) + raised + "0".repeat(digits.length() - nines), point);
     }
 
     /** Writes so many digits behind the point. */

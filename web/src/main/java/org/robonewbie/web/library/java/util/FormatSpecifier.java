@@ -74,16 +74,15 @@ record FormatSpecifier(int index, String flags, int width, int precision, char c
 
     /** Writes a value. */
     String text(@Nullable Object value) {
-        String text =
-                switch (Character.toLowerCase(conversion)) {
-                    case 'b' -> padded(cut(value instanceof Boolean known ? known.toString() : "" + (value != null)));
-                    case 's' -> padded(cut(String.valueOf(value)));
-                    case 'h' -> padded(cut(value == null ? "null" : Integer.toHexString(value.hashCode())));
-                    case 'c' -> padded(value == null ? "null" : character(value));
-                    case 'd', 'o', 'x' -> value == null ? padded("null") : whole(value);
-                    case 'e', 'f', 'g' -> value == null ? padded(cut("null")) : real(value);
-                    default -> throw new UnknownFormatConversionException(String.valueOf(conversion));
-                };
+        String text = switch (Character.toLowerCase(conversion)) {
+            case 'b' -> padded(cut(value instanceof Boolean known ? known.toString() : "" + (value != null)));
+            case 's' -> padded(cut(String.valueOf(value)));
+            case 'h' -> padded(cut(value == null ? "null" : Integer.toHexString(value.hashCode())));
+            case 'c' -> padded(value == null ? "null" : character(value));
+            case 'd', 'o', 'x' -> value == null ? padded("null") : whole(value);
+            case 'e', 'f', 'g' -> value == null ? padded(cut("null")) : real(value);
+            default -> throw new UnknownFormatConversionException(String.valueOf(conversion));
+        };
         return Character.isUpperCase(conversion) ? text.toUpperCase(Locale.ROOT) : text;
     }
 
