@@ -235,6 +235,16 @@ public class Robot {
     }
 
     /**
+     * Asks the referee for pass mode: for up to four seconds, or until somebody touches the ball, the opponents must stay a metre away from
+     * it. The referee grants it in open play to a robot within half a metre of a ball that lies still, if no opponent is within a metre
+     * of it, and not more often than every three seconds. The team cannot score in the ten seconds after it, unless a second player
+     * touches the ball.
+     */
+    public final void requestPass() {
+        commands().requestPass();
+    }
+
+    /**
      * Draws a point.
      *
      * @param place metres from the head

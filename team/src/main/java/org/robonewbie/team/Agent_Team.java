@@ -18,6 +18,7 @@ import org.robonewbie.team.skill.Limbs;
 import org.robonewbie.team.tactics.KickOffPlaces;
 import org.robonewbie.team.tactics.Plan;
 import org.robonewbie.team.tactics.Roles;
+import org.robonewbie.team.tactics.SetPlay;
 import org.robonewbie.team.tactics.Strategy;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
@@ -169,6 +170,9 @@ public class Agent_Team extends Agent {
 
     private void play(Plan plan) {
         way = List.of(plan.target());
+        if (SetPlay.wantsPass(world, plan)) {
+            nao.requestPass();
+        }
         switch (plan.action()) {
             case GO -> way = feet.go(world, plan.target(), plan.headingDegrees());
             case KEEP -> keep(plan);

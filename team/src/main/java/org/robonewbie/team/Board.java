@@ -63,7 +63,7 @@ final class Board {
             return;
         }
         List<KickChoice.Option> options =
-                new KickChoice(world, !kick || world.situation() == Situation.OPEN_PLAY, plan).options();
+                new KickChoice(world, !kick || world.situation() == Situation.OPEN_PLAY, true, plan).options();
         double most =
                 options.stream().mapToDouble(KickChoice.Option::gain).max().orElse(0);
         options.stream().filter(option -> option.gain() > 0).forEach(option -> showRay(option, most));

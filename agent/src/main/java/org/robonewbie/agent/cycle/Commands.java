@@ -11,6 +11,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
+import org.robonewbie.protocol.effector.EffectorCommand.RequestPass;
 import org.robonewbie.protocol.effector.EffectorCommand.Say;
 import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
 import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
@@ -28,6 +29,7 @@ public final class Commands {
     private final boolean[] atEnd = new boolean[Joint.COUNT];
     private Optional<Say> say = Optional.empty();
     private Optional<Beam> beam = Optional.empty();
+    private boolean requestsPass;
 
     Commands(Senses senses, Motors motors, Mistakes mistakes) {
         this.senses = senses;
@@ -128,6 +130,11 @@ public final class Commands {
         beam = Optional.of(new Beam(x, y, degrees));
     }
 
+    /** Asks the referee for pass mode. */
+    public void requestPass() {
+        requestsPass = true;
+    }
+
     /** {@return whether the robot will be put somewhere else by the next message} */
     public boolean isBeaming() {
         return beam.isPresent();
@@ -146,9 +153,13 @@ public final class Commands {
         }
         beam.ifPresent(commands::add);
         say.ifPresent(commands::add);
+        if (requestsPass) {
+            commands.add(new RequestPass());
+        }
         commands.add(new Synchronise());
         beam = Optional.empty();
         say = Optional.empty();
+        requestsPass = false;
         return Collections.unmodifiableList(commands);
     }
 

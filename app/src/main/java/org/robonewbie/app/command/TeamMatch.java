@@ -2,9 +2,11 @@ package org.robonewbie.app.command;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.IntFunction;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.StartPose;
@@ -30,6 +32,7 @@ final class TeamMatch {
     private static final double KICKED_METRES_PER_SECOND = 1.2;
     private static final double TOUCH_METRES = 0.35;
     private static final double WAIT_SECONDS = 4;
+    private static final Set<PlayMode> IN_PLAY = EnumSet.of(PlayMode.PLAY_ON, PlayMode.PASS_LEFT, PlayMode.PASS_RIGHT);
 
     private final int home;
     private final List<Boolean> lying = new ArrayList<>();
@@ -42,10 +45,12 @@ final class TeamMatch {
     private int opponentsFalls;
     private int tried;
     private int reached;
+    private int kicks;
     private Moment now;
 
     /** What was counted. */
-    record Result(int goals, int against, int falls, int opponentsFalls, int passesTried, int passesReached) {}
+    record Result(
+            int goals, int against, int falls, int opponentsFalls, int kicks, int passesTried, int passesReached) {}
 
     private TeamMatch(int home, Trial trial) {
         this.home = home;
@@ -111,7 +116,7 @@ final class TeamMatch {
             countFalls();
             countPasses();
         }
-        return new Result(now.leftGoals(), now.rightGoals(), falls, opponentsFalls, tried, reached);
+        return new Result(now.leftGoals(), now.rightGoals(), falls, opponentsFalls, kicks, tried, reached);
     }
 
     private void countFalls() {
@@ -133,14 +138,16 @@ final class TeamMatch {
         double speed = now.ballVelocity().length();
         int nearest = nearest();
         boolean touched = nearest >= 0;
-        if (touched && speed > ballSpeed + KICKED_METRES_PER_SECOND && nearest < home && receivers[nearest] > 0) {
+        boolean kicked = touched && nearest < home && speed > ballSpeed + KICKED_METRES_PER_SECOND;
+        kicks += kicked ? 1 : 0;
+        if (kicked && receivers[nearest] > 0) {
             tried++;
             passer = Optional.of(nearest);
         } else if (touched && passer.isPresent() && nearest != passer.get()) {
             reached += nearest < home ? 1 : 0;
             passer = Optional.empty();
         }
-        passer = now.playMode() == PlayMode.PLAY_ON ? passer : Optional.empty();
+        passer = IN_PLAY.contains(now.playMode()) ? passer : Optional.empty();
         ballSpeed = speed;
     }
 

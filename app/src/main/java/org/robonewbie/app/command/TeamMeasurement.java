@@ -40,7 +40,7 @@ final class TeamMeasurement {
             results.add(result);
             out.println(String.format(
                     Locale.ROOT,
-                    "%2d v %-2d seed %-5d %2d : %-2d   falls %3d (others %3d)   passes %2d, reached %2d",
+                    "%2d v %-2d seed %-5d %2d : %-2d   falls %3d (others %3d)   kicks %2d   passes %2d, reached %2d",
                     players,
                     players == 1 ? 0 : players,
                     seed,
@@ -48,6 +48,7 @@ final class TeamMeasurement {
                     result.against(),
                     result.falls(),
                     result.opponentsFalls(),
+                    result.kicks(),
                     result.passesTried(),
                     result.passesReached()));
         }
@@ -61,13 +62,14 @@ final class TeamMeasurement {
                 results.stream().filter(each -> each.goals() == each.against()).count();
         return String.format(
                 Locale.ROOT,
-                "in all: %d won, %d drawn, %d lost; goals %.1f : %.1f; falls of each player %.1f; passes %.1f, reached %.1f",
+                "in all: %d won, %d drawn, %d lost; goals %.1f : %.1f; falls of each player %.1f; kicks %.1f; passes %.1f, reached %.1f",
                 wins,
                 draws,
                 results.size() - wins - draws,
                 mean(results, Result::goals),
                 mean(results, Result::against),
                 mean(results, Result::falls) / players,
+                mean(results, Result::kicks),
                 mean(results, Result::passesTried),
                 mean(results, Result::passesReached));
     }

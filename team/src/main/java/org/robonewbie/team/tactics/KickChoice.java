@@ -8,6 +8,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.skill.Footwork;
 import org.robonewbie.team.skill.Kick;
 import org.robonewbie.team.world.Mate;
+import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
@@ -38,6 +39,7 @@ public final class KickChoice {
 
     private final WorldModel world;
     private final boolean mayDribble;
+    private final boolean mayScore;
     private final Plan before;
 
     /**
@@ -45,11 +47,13 @@ public final class KickChoice {
      *
      * @param world the game
      * @param mayDribble whether the player may touch the ball more than once
+     * @param mayScore whether a goal would count
      * @param before what the player has done until now; to change costs time, so it must be worth it
      */
-    public KickChoice(WorldModel world, boolean mayDribble, Plan before) {
+    public KickChoice(WorldModel world, boolean mayDribble, boolean mayScore, Plan before) {
         this.world = world;
         this.mayDribble = mayDribble;
+        this.mayScore = mayScore;
         this.before = before;
     }
 
@@ -109,8 +113,6 @@ public final class KickChoice {
         Spot ball = world.ball();
         Spot end = ball.plus(Spot.polar(degrees, Kick.METRES));
         double seconds = Kick.seconds(world, degrees);
-        double lead = world.opponentDistance(ball) / OPPONENT_SPEED - seconds;
-        double undisturbed = DISTURBED + (1 - DISTURBED) * probability(2 * lead);
         double free = freeLane(ball, end);
         double goal = goalProbability(ball, degrees);
         Optional<Mate> receiver = nearest(end);
@@ -122,7 +124,16 @@ public final class KickChoice {
                 .map(Mate::number)
                 .orElse(0);
         Plan plan = new Plan(TeamRole.STRIKER, Plan.Action.KICK, end, degrees, number);
-        return new Option(plan, undisturbed * (goal * shot + (1 - goal) * rest));
+        return new Option(plan, undisturbed(seconds) * (goal * shot + (1 - goal) * rest));
+    }
+
+    /** How probable it is that no opponent comes between; in pass mode the referee sees to that. */
+    private double undisturbed(double seconds) {
+        if (world.situation() == Situation.OUR_PASS) {
+            return 1;
+        }
+        double lead = world.opponentDistance(world.ball()) / OPPONENT_SPEED - seconds;
+        return DISTURBED + (1 - DISTURBED) * probability(2 * lead);
     }
 
     /** The gain in each second if the ball gets to a place and the team keeps it with a probability: if not, half of the way was in vain. */
@@ -157,7 +168,7 @@ public final class KickChoice {
         double post = world.field().goalWidth() / 2 - 0.1;
         Spot left = new Spot(world.theirGoal().x(), post).minus(ball);
         Spot right = new Spot(world.theirGoal().x(), -post).minus(ball);
-        if (ball.distanceTo(world.theirGoal()) > Kick.METRES || left.x() <= 0) {
+        if (!mayScore || ball.distanceTo(world.theirGoal()) > Kick.METRES || left.x() <= 0) {
             return 0;
         }
         double toLeft = PortableMath.IEEEremainder(left.degrees() - degrees, 360) / SHOT_DEVIATION_DEGREES;

@@ -17,9 +17,13 @@ public final class SetPlay {
     private static final double OTHERS_METRES = 0.5;
     private static final double KEEP_AWAY_METRES = 0.6;
     private static final double PATIENCE_SECONDS = 11;
+    private static final double NO_GOAL_SECONDS = 10;
+    private static final double ASK_METRES = 0.5;
+    private static final double THREAT_METRES = 3;
 
     private Situation before = Situation.LINE_UP;
     private double forbiddenUntil;
+    private double noGoalUntil;
     private boolean forbidden;
 
     /** Creates a set play before the first kick-off. */
@@ -37,8 +41,12 @@ public final class SetPlay {
         if (taken && taker && !world.mates().isEmpty()) {
             forbiddenUntil = world.seconds() + FORBIDDEN_SECONDS;
         }
-        if ((isForbidden(world) && isTouchedByOthers(world)) || world.situation() != Situation.OPEN_PLAY) {
+        if ((isForbidden(world) && isTouchedByOthers(world))
+                || !world.situation().isOpen()) {
             forbiddenUntil = 0;
+        }
+        if (before == Situation.OUR_PASS && world.situation() == Situation.OPEN_PLAY && taker) {
+            noGoalUntil = world.seconds() + NO_GOAL_SECONDS;
         }
         forbidden = isForbidden(world);
         before = world.situation();
@@ -58,6 +66,33 @@ public final class SetPlay {
     /** {@return whether the player must leave the ball to others, since it has just taken a kick} */
     public boolean isForbidden() {
         return forbidden;
+    }
+
+    /**
+     * Looks whether a goal of this player would count. After pass mode it does not for ten seconds, unless a team mate has touched the
+     * ball meanwhile.
+     *
+     * @param world the game
+     * @return whether it makes sense to shoot
+     */
+    public boolean mayScore(WorldModel world) {
+        return world.seconds() > noGoalUntil;
+    }
+
+    /**
+     * Looks whether the player should ask for pass mode, which keeps the opponents a metre away from the ball for four seconds: if it is
+     * about to pass, and an opponent is coming. The referee decides.
+     *
+     * @param world the game
+     * @param plan what the player is about to do
+     * @return whether to ask
+     */
+    public static boolean wantsPass(WorldModel world, Plan plan) {
+        return plan.action() == Plan.Action.KICK
+                && plan.receiver() > 0
+                && world.situation() == Situation.OPEN_PLAY
+                && world.ballFromHere().length() < ASK_METRES
+                && world.opponentDistance(world.ball()) < THREAT_METRES;
     }
 
     /**

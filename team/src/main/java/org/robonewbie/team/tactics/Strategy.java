@@ -83,8 +83,8 @@ public final class Strategy {
             Spot place = SetPlay.wall(world);
             return new Plan(TeamRole.STRIKER, Action.GO, place, facing(place), 0);
         }
-        boolean kickOnly = setPlay.mayTouchOnce(world);
-        return new KickChoice(world, !kickOnly, plan).best();
+        boolean kickOnly = setPlay.mayTouchOnce(world) || world.situation() == Situation.OUR_PASS;
+        return new KickChoice(world, !kickOnly, setPlay.mayScore(world), plan).best();
     }
 
     private Plan waiting(TeamRole role) {

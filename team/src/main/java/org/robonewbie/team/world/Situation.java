@@ -9,13 +9,15 @@ public enum Situation {
     LINE_UP,
     /** Both teams may play the ball. */
     OPEN_PLAY,
+    /** This team has asked for pass mode: for a moment the opponents keep a metre away from the ball. */
+    OUR_PASS,
     /** This team kicks off. */
     OUR_KICK_OFF,
     /** The opponents kick off. */
     THEIR_KICK_OFF,
     /** This team has a kick-in, corner, goal kick or free kick; the opponents keep away. */
     OUR_KICK,
-    /** The opponents have a kick-in, corner, goal kick or free kick. */
+    /** The opponents have a kick-in, corner, goal kick, free kick or pass. */
     THEIR_KICK,
     /** The game is over. */
     OVER;
@@ -33,12 +35,18 @@ public enum Situation {
             case GAME_OVER -> OVER;
             case KICK_OFF_LEFT -> side == TeamSide.LEFT ? OUR_KICK_OFF : THEIR_KICK_OFF;
             case KICK_OFF_RIGHT -> side == TeamSide.RIGHT ? OUR_KICK_OFF : THEIR_KICK_OFF;
-            case PASS_LEFT, PASS_RIGHT -> OPEN_PLAY;
+            case PASS_LEFT -> side == TeamSide.LEFT ? OUR_PASS : THEIR_KICK;
+            case PASS_RIGHT -> side == TeamSide.RIGHT ? OUR_PASS : THEIR_KICK;
             default ->
                 mode.kicker()
                         .map(kicker -> kicker == side ? OUR_KICK : THEIR_KICK)
                         .orElse(OPEN_PLAY);
         };
+    }
+
+    /** {@return whether both teams may play the ball, even if the opponents have to keep away for a moment} */
+    public boolean isOpen() {
+        return this == OPEN_PLAY || this == OUR_PASS;
     }
 
     /** {@return whether only this team may play the ball} */
