@@ -14,7 +14,17 @@ from robonewbie.vector import RoboNewbieVectorEnv
 
 __all__ = ["RoboNewbieEnv", "RoboNewbieError", "RoboNewbieVectorEnv"]
 
-_LONGEST_CYCLES = {"Stand": 500, "Walk": 500, "Follow": 500, "GetUp": 500, "Kick": 250, "Reach": 100}
+_LONGEST_CYCLES = {
+    "Stand": 500,
+    "Walk": 500,
+    "Follow": 500,
+    "Run": 500,
+    "GetUp": 500,
+    "QuickGetUp": 200,
+    "Kick": 250,
+    "KickTo": 150,
+    "Reach": 100,
+}
 
 for _task, _cycles in _LONGEST_CYCLES.items():
     gymnasium.register(

@@ -1,4 +1,8 @@
-"""Draws learning curves as a picture (SVG): python -m robonewbie.curve walk.policy.csv run.policy.csv > curves.svg"""
+"""Draws learning curves as a picture (SVG).
+
+    python -m robonewbie.curve walk.policy.csv run.policy.csv > curves.svg
+    python -m robonewbie.curve Stand=Stand-1.policy.csv,Stand-2.policy.csv > stand.svg    the mean of several seeds, and their spread
+"""
 
 import csv
 import sys
@@ -26,11 +30,22 @@ def smoothed(values, window):
     return [sum(values[max(0, i - window + 1) : i + 1]) / len(values[max(0, i - window + 1) : i + 1]) for i in range(len(values))]
 
 
+def together(name, curves):
+    """Joins the curves of several seeds, as far as the shortest goes: name, cycles, mean, least and greatest rewards."""
+    length = min(len(xs) for xs, _ in curves)
+    rewards = list(zip(*(ys[:length] for _, ys in curves)))
+    mean = [sum(row) / len(row) for row in rewards]
+    return name, curves[0][0][:length], mean, [min(row) for row in rewards], [max(row) for row in rewards]
+
+
 def svg(curves):
-    """Draws curves: a name, cycles in millions, and rewards; thin as they are, thick averaged over a twentieth."""
-    most = max(x for _, xs, _ in curves for x in xs) or 1
-    low = min(0, *(y for _, _, ys in curves for y in ys))
-    high = max(y for _, _, ys in curves for y in ys)
+    """Draws curves: a name, cycles in millions, and rewards; thin as they are, thick averaged over a twentieth.
+
+    A curve of several seeds has its least and greatest rewards as well, between which it is shaded.
+    """
+    most = max(x for _, xs, *_ in curves for x in xs) or 1
+    low = min(0, *(y for _, _, *rows in curves for ys in rows for y in ys))
+    high = max(y for _, _, *rows in curves for ys in rows for y in ys)
     high = high if high > low else low + 1
 
     def points(xs, ys):
@@ -48,8 +63,11 @@ def svg(curves):
         parts.append(f'<polyline points="{points([0, most], [y, y])}" stroke="#ddd" fill="none"/>')
         parts.append(f'<text x="{LEFT - 6}" y="{points([0], [y]).split(",")[1]}" text-anchor="end">{y:.1f}</text>')
         parts.append(f'<text x="{points([x], [0]).split(",")[0]}" y="{HEIGHT - 22}" text-anchor="middle">{x:.1f}</text>')
-    for i, (name, xs, ys) in enumerate(curves):
+    for i, (name, xs, ys, *spread) in enumerate(curves):
         colour = COLOURS[i % len(COLOURS)]
+        if spread:
+            around = points(xs + xs[::-1], spread[0] + spread[1][::-1])
+            parts.append(f'<polygon points="{around}" fill="{colour}" fill-opacity="0.2"/>')
         parts.append(f'<polyline points="{points(xs, ys)}" stroke="{colour}" stroke-opacity="0.25" fill="none"/>')
         parts.append(
             f'<polyline points="{points(xs, smoothed(ys, max(1, len(ys) // 20)))}" stroke="{colour}" stroke-width="2" fill="none"/>'
@@ -64,7 +82,14 @@ def main(files=None):
     files = sys.argv[1:] if files is None else files
     if not files:
         sys.exit("Name the curves: python -m robonewbie.curve walk.policy.csv > curves.svg")
-    print(svg([(Path(file).name.removesuffix(".policy.csv"), *read(file)) for file in files]))
+    print(svg([_curve(file) for file in files]))
+
+
+def _curve(file):
+    name, equals, several = file.partition("=")
+    if equals:
+        return together(name, [read(one) for one in several.split(",")])
+    return (Path(file).name.removesuffix(".policy.csv"), *read(file))
 
 
 if __name__ == "__main__":

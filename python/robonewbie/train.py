@@ -15,7 +15,6 @@ from pathlib import Path
 
 import numpy as np
 
-HIDDEN = 64
 
 
 def fold(weights, bias, mean, variance, epsilon):
@@ -24,9 +23,11 @@ def fold(weights, bias, mean, variance, epsilon):
     return weights / deviation, bias - weights @ (mean / deviation)
 
 
-def policy_text(task, about, inputs, outputs, range_degrees, layers):
+def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=()):
     """Writes a policy as org.robonewbie.agent.policy.PolicyText reads it; layers are weights, bias and "tanh" or "cut"."""
     lines = [f"policy 1 {task}", *(f"# {line}" for line in about), f"numbers range-degrees {range_degrees:g}"]
+    if motion:
+        lines.append("numbers motion " + " ".join(f"{number:g}" for number in motion))
     lines += [f"input {name} {unit}" for name, unit in inputs]
     lines += [f"output joint.{name} {range_degrees:g} degrees" for name in outputs]
     for weights, bias, bend in layers:
@@ -49,13 +50,15 @@ def layers_of(model, normalisation):
 
 def _arguments(words):
     parser = argparse.ArgumentParser(prog="python -m robonewbie.train", description="Learns a task by PPO.")
-    parser.add_argument("task", help="Stand, Walk, Kick, Reach, or the name of a Java class of yours")
+    parser.add_argument("task", help="Stand, Follow, Run, KickTo, QuickGetUp, another task, or the name of a Java class of yours")
     parser.add_argument("--steps", type=int, default=300_000, help="cycles of all robots together (300000)")
     parser.add_argument("--robots", type=int, default=16, help="robots that learn side by side (16)")
     parser.add_argument("--round", type=int, default=128, help="steps of each robot between two updates (128)")
     parser.add_argument("--rate", type=float, default=3e-4, help="how fast it learns (0.0003)")
     parser.add_argument("--gamma", type=float, default=0.99, help="what a reward is worth one step later (0.99)")
     parser.add_argument("--noise", type=float, default=0.3, help="standard deviation of the first actions (0.3)")
+    parser.add_argument("--hold", type=int, default=0, help="steps for which a robot errs in the same way, by gSDE; 0: each step in another (0)")
+    parser.add_argument("--hidden", type=int, default=64, help="neurons in each of the two hidden layers (64)")
     parser.add_argument("--seed", type=int, default=1, help="chooses weights and episodes (1)")
     parser.add_argument("--out", type=Path, help="file of the policy (TASK.policy)")
     parser.add_argument("--resume", action="store_true", help="go on with a training that was stopped")
@@ -90,7 +93,9 @@ class Training:
                 gamma=wanted.gamma,
                 seed=wanted.seed,
                 device="cpu",
-                policy_kwargs={"net_arch": [HIDDEN, HIDDEN], "log_std_init": float(np.log(wanted.noise))},
+                use_sde=wanted.hold > 0,
+                sde_sample_freq=wanted.hold or -1,
+                policy_kwargs={"net_arch": [wanted.hidden, wanted.hidden], "log_std_init": float(np.log(_first_deviation(wanted)))},
             )
 
     def _beside(self, ending):
@@ -115,11 +120,13 @@ class Training:
         return policy_text(
             wanted.task,
             [f"learned by: python -m robonewbie.train {wanted.task} --steps {self.model.num_timesteps} --robots {wanted.robots} "
-             f"--round {wanted.round} --rate {wanted.rate:g} --gamma {wanted.gamma:g} --noise {wanted.noise:g} --seed {wanted.seed}"],
+             f"--round {wanted.round} --rate {wanted.rate:g} --gamma {wanted.gamma:g} --noise {wanted.noise:g} --hold {wanted.hold} "
+             f"--hidden {wanted.hidden} --seed {wanted.seed}"],
             [(entry["name"], entry["unit"]) for entry in described["observation"]],
             described["action"],
             described["rangeDegrees"],
             layers_of(self.model, self.normalised),
+            described["motion"],
         )
 
     def _add_to_curve(self):
@@ -141,6 +148,11 @@ class Training:
         while self.model.num_timesteps < self.wanted.steps:
             self.model.learn(self.wanted.robots * self.wanted.round, reset_num_timesteps=False)
             self.keep()
+
+
+def _first_deviation(wanted):
+    """With gSDE each of the last layer's inputs adds its own error."""
+    return wanted.noise / np.sqrt(wanted.hidden) if wanted.hold else wanted.noise
 
 
 def _pickled(normalised):

@@ -1,13 +1,15 @@
 """Training by PPO and what it writes; the parts with Stable-Baselines3 are skipped where it is not installed."""
 
+import io
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
-from robonewbie import curve, train
+from robonewbie import baselines, curve, train
 
 try:
     import stable_baselines3
@@ -46,13 +48,38 @@ class TrainTest(unittest.TestCase):
         self.assertIn("walk", [element.text for element in root.iter("{http://www.w3.org/2000/svg}text")])
         self.assertEqual(curve.smoothed([1, 3, 5], 2), [1, 2, 4])
 
+    def test_curves_of_several_seeds_are_one_line_with_their_spread(self):
+        with tempfile.TemporaryDirectory() as folder:
+            files = []
+            for seed, rewards in enumerate([(1, 2, 9), (3, 6)]):
+                file = Path(folder, f"Stand-{seed}.policy.csv")
+                lines = [f"{1000 * (i + 1)},{reward},50" for i, reward in enumerate(rewards)]
+                file.write_text("\n".join(["steps,reward,cycles", *lines]) + "\n", encoding="utf-8")
+                files.append(file)
+
+            joined = curve.together("Stand", [curve.read(file) for file in files])
+
+        self.assertEqual(joined, ("Stand", [0.001, 0.002], [2, 4], [1, 2], [3, 6]))
+        root = ElementTree.fromstring(curve.svg([joined]))
+        self.assertEqual(len(list(root.iter("{http://www.w3.org/2000/svg}polygon"))), 1)
+
+    def test_baselines_name_what_they_have(self):
+        with self.assertRaises(SystemExit), mock.patch("sys.stderr", io.StringIO()) as told:
+            baselines.main(["Stnd"])
+        self.assertIn("There is no baseline for Stnd. There are: Stand,", told.getvalue())
+
+    def test_policy_carries_the_motion_of_its_task(self):
+        text = train.policy_text("KickTo", ["learned"], [("gyro.left", "degrees/s")], ["NECK_YAW"], 30, [], [400, 0, -94.9])
+
+        self.assertIn("numbers motion 400 0 -94.9\n", text)
+
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_goes_on_and_writes_a_policy_that_does_what_the_model_does(self):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder, "my.policy")
             with self.assertRaisesRegex(SystemExit, "There is nothing to resume"):
                 train.main(["Reach", "--out", str(out), "--resume"])
-            words = ["Reach", "--robots", "2", "--round", "32", "--out", str(out)]
+            words = ["Reach", "--robots", "2", "--round", "32", "--hold", "4", "--hidden", "16", "--out", str(out)]
             train.main([*words, "--steps", "64"])
             with self.assertRaisesRegex(SystemExit, "There is a training in .* already. Go on with --resume"):
                 train.main([*words, "--steps", "64"])

@@ -27,6 +27,24 @@ class PolicyPlayerTest {
                 .hasMessageStartingWith("The policy moves wing, which is no joint.");
     }
 
+    @Test
+    void isToldOnlyWhatItWasTaught() {
+        PolicyPlayer player = player("command.distance", "m", "joint.LEFT_KNEE_PITCH");
+
+        assertThatCode(() -> player.setCommand("distance", 3)).doesNotThrowAnyException();
+        assertThatThrownBy(() -> player.setCommand("speed", 3))
+                .hasMessage("This policy cannot be told \"speed\". It can be told: distance.");
+        assertThatThrownBy(() -> player("gyro.left", "degrees/s", "joint.LEFT_KNEE_PITCH")
+                        .setCommand("speed", 3))
+                .hasMessage("This policy cannot be told \"speed\". It can be told: nothing.");
+    }
+
+    @Test
+    void takesHowFarAMotionHasGotOnlyIfItHasOne() {
+        assertThatThrownBy(() -> player("motion.sine-1", "1", "joint.LEFT_KNEE_PITCH"))
+                .hasMessageStartingWith("A robot does not feel motion.sine-1 in 1.");
+    }
+
     private static PolicyPlayer player(String input, String unit, String output) {
         return new PolicyPlayer(new Policy(
                 "test",

@@ -45,7 +45,7 @@ final class GymCommand implements Callable<Integer> {
             paramLabel = "TASK",
             defaultValue = "Walk",
             description =
-                    "Task of programs that name none: Stand, Walk, Follow, GetUp, Kick, Reach, or a class of yours (Walk).")
+                    "Task of programs that name none: Stand, Walk, Follow, Run, GetUp, QuickGetUp, Kick, KickTo, Reach, or a class of yours (Walk).")
     private String task = "Walk";
 
     @Option(

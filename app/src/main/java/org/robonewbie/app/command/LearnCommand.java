@@ -6,14 +6,22 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkReflex;
 import org.robonewbie.agent.walk.WalkStyle;
+import org.robonewbie.app.program.AgentFinder;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.ClassPathOption;
+import org.robonewbie.learning.gym.TaskCourse;
+import org.robonewbie.learning.policy.Course;
 import org.robonewbie.learning.policy.EvolutionStrategy;
+import org.robonewbie.learning.policy.Exam;
+import org.robonewbie.learning.policy.LessonFigures;
 import org.robonewbie.learning.policy.PolicyTraining;
 import org.robonewbie.learning.policy.TrainingPlan;
 import org.robonewbie.learning.policy.WalkCourse;
@@ -24,11 +32,11 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Lets a robot learn to walk or to run, and examines what was learned. */
+/** Lets a robot learn to walk, to run or any task for one robot, and examines what was learned. */
 @Command(
         name = "learn",
         description = {
-            "Learn to walk or to run by trying, or examine what was learned.",
+            "Learn to walk, to run, or a task of the Python package by trying, or examine what was learned.",
             "",
             "Writes the policy, FILE.csv with the curve and FILE.checkpoint after each generation; a training that was interrupted goes"
                     + " on with --resume. docs/policies.md explains how it learns and what came of it."
@@ -40,6 +48,9 @@ import picocli.CommandLine.Parameters;
             "  robonewbie learn walk --generations 500",
             "  robonewbie learn walk --generations 800 --resume",
             "  robonewbie learn walk --start walk.policy --spread 0.02 --rate 0.003 --out better.policy",
+            "  robonewbie learn Stand --option noise=0.3      a task of the Python package, or a class of yours",
+            "  robonewbie learn Stand --exam shipped --lessons 20",
+            "  robonewbie learn Stand --exam none             the same without having learned anything",
             "  robonewbie learn walk --exam walk.policy       how well it follows velocities that change every 3 s",
             "  robonewbie learn walk --exam shipped           the same for the policy of the framework",
             "  robonewbie learn walk --exam fast              the same for the walk engine alone, WalkStyle.FAST; or standard"
@@ -49,7 +60,9 @@ final class LearnCommand implements Callable<Integer> {
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Parameters(paramLabel = "TASK", description = "walk or run.")
+    @Parameters(
+            paramLabel = "TASK",
+            description = "walk, run, Stand, KickTo, QuickGetUp, another task, or a class of yours.")
     private String task = "walk";
 
     @Option(names = "--out", paramLabel = "FILE", description = "Where the policy goes (TASK.policy).")
@@ -67,11 +80,27 @@ final class LearnCommand implements Callable<Integer> {
     @Option(names = "--rate", paramLabel = "X", description = "How far the answer moves in a generation (0.01).")
     private double rate = 0.01;
 
-    @Option(names = "--seconds", paramLabel = "T", description = "Simulated length of a lesson (9).")
+    @Option(names = "--seconds", paramLabel = "T", description = "Simulated length of a lesson in walk and run (9).")
     private double seconds = 9;
 
-    @Option(names = "--push", paramLabel = "N", description = "Newtons of the hardest pushes (6).")
+    @Option(names = "--push", paramLabel = "N", description = "Newtons of the hardest pushes in walk and run (6).")
     private double push = 6;
+
+    @Option(
+            names = "--option",
+            paramLabel = "NAME=VALUE",
+            description =
+                    "What is different in the episodes of a task, such as noise=0.5 or push=10; docs/gym-protocol.md has all.")
+    private List<String> options = List.of();
+
+    @Option(
+            names = "--inputs",
+            paramLabel = "REGEX",
+            description = "Names of what the network takes in a task (all that is observed but joints).")
+    private String inputs = TaskCourse.USUAL_INPUTS;
+
+    @Mixin
+    private final ClassPathOption classPath = new ClassPathOption();
 
     @Option(names = "--seed", paramLabel = "S", description = "The same seed gives the same policy (1).")
     private long seed = 1;
@@ -88,7 +117,8 @@ final class LearnCommand implements Callable<Integer> {
     @Option(
             names = "--exam",
             paramLabel = "FILE",
-            description = "Do not learn, but examine: a policy, \"shipped\", \"fast\" or \"standard\".")
+            description =
+                    "Do not learn, but examine: a policy, \"shipped\", \"none\", and for walks \"fast\" or \"standard\".")
     private @Nullable String exam;
 
     @Option(names = "--lessons", paramLabel = "N", description = "Lessons of the exam (100).")
@@ -103,17 +133,25 @@ final class LearnCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         try {
-            WalkCourse course = WalkCourse.of(task);
+            Course course = course();
             return exam == null ? learn(course) : examine(course, exam);
         } catch (IllegalArgumentException | UncheckedIOException wrong) {
             throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         }
     }
 
-    private int learn(WalkCourse course) throws IOException {
+    private Course course() {
+        Optional<WalkCourse> walk = WalkCourse.named(task);
+        return walk.isPresent() ? walk.get() : TaskCourse.of(task, inputs, AgentFinder.loaderOf(classPath.folders()));
+    }
+
+    private TrainingPlan plan() {
+        return new TrainingPlan(seed, generations, pairs, spread, rate, seconds, push, options, threads);
+    }
+
+    private int learn(Course course) throws IOException {
         Path file = out == null ? Path.of(course.task() + ".policy") : out;
-        TrainingPlan plan = new TrainingPlan(seed, generations, pairs, spread, rate, seconds, push, threads);
-        PolicyTraining training = new PolicyTraining(course, plan, file, history(file));
+        PolicyTraining training = new PolicyTraining(course, plan(), file, history(file));
         training.run(begin(training), System.out::println);
         System.out.println("Written to " + file + "; its curve is " + training.curve() + ".");
         return ExitCode.OK;
@@ -143,26 +181,22 @@ final class LearnCommand implements Callable<Integer> {
         return start == null ? training.begin() : training.begin(PolicyFile.read(start));
     }
 
-    private int examine(WalkCourse course, String what) {
-        if (lessons < 1 || threads < 1 || !(seconds > 0)) {
-            throw new CalledWronglyException("--lessons, --threads and --seconds have to be greater than 0.");
+    private int examine(Course course, String what) {
+        if (lessons < 1) {
+            throw new CalledWronglyException("--lessons has to be greater than 0.");
         }
-        PolicyWalk walk = examined(course, what);
         if (dash > 0) {
-            return dash(walk);
+            return dash(walk(course, what));
         }
-        System.out.printf(
-                Locale.ROOT,
-                "%s, %d lessons of %.0f s: %s%n",
-                what,
-                lessons,
-                seconds,
-                PolicyTraining.examine(course, walk, lessons, seconds, push, threads));
+        LessonFigures figures = course instanceof WalkCourse walks
+                ? Exam.walk(walks, walk(course, what), lessons, seconds, push, threads)
+                : Exam.of(course, plan(), lessons, policy(course, what));
+        System.out.println(what + ", " + lessons + " lessons: " + figures);
         return ExitCode.OK;
     }
 
     private int dash(PolicyWalk walk) {
-        List<WalkDash> dashes = PolicyTraining.dash(walk, dash, push, lessons, threads);
+        List<WalkDash> dashes = Exam.dash(walk, dash, push, lessons, threads);
         dashes.forEach(System.out::println);
         System.out.printf(
                 Locale.ROOT,
@@ -173,12 +207,24 @@ final class LearnCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    private static PolicyWalk examined(WalkCourse course, String what) {
+    private static Policy policy(Course course, String what) {
         return switch (what) {
-            case "shipped" -> new PolicyWalk(PolicyFile.shipped(course.task()));
+            case "shipped" -> PolicyFile.shipped(shippedName(course.task()));
+            case "none" -> course.policy(List.of(), course.start(0));
+            default -> PolicyFile.read(Path.of(what));
+        };
+    }
+
+    /** The name of a shipped policy: {@code kick-to} for {@code KickTo}. */
+    private static String shippedName(String task) {
+        return task.replaceAll("(?<=[a-z])(?=[A-Z])", "-").toLowerCase(Locale.ROOT);
+    }
+
+    private static PolicyWalk walk(Course course, String what) {
+        return switch (what) {
             case "fast" -> new PolicyWalk(WalkStyle.FAST, WalkReflex.NONE);
             case "standard" -> new PolicyWalk(WalkStyle.STANDARD, WalkReflex.NONE);
-            default -> new PolicyWalk(PolicyFile.read(Path.of(what)));
+            default -> new PolicyWalk(policy(course, what));
         };
     }
 }

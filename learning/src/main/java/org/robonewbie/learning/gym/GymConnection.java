@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.nao.Joint;
 
 /** Serves one program: makes its environments and lets them act, see docs/gym-protocol.md. */
@@ -158,6 +159,9 @@ final class GymConnection {
         all.addProperty("reward", order.reward());
         all.addProperty("longestCycles", environment.task().longestCycles());
         all.addProperty("rangeDegrees", environment.task().rangeDegrees());
+        JsonArray motion = new JsonArray();
+        environment.task().motion().map(MotionGuide::numbers).orElse(List.of()).forEach(motion::add);
+        all.add("motion", motion);
         all.add("observation", observation);
         all.add("action", action);
         JsonArray truth = new JsonArray();

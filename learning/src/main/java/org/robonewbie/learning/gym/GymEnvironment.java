@@ -100,6 +100,7 @@ final class GymEnvironment implements AutoCloseable {
         drawn.apply(trial);
         GymTask task = task();
         drawn.command().ifPresent(task::takeCommand);
+        drawn.distance().ifPresent(task::takeDistance);
         task.begin(trial);
         Script pushes = pushes(drawn.pushNewtons().orElse(task.pushNewtons()), seed);
         trial.with(world -> {

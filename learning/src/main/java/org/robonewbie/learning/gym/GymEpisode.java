@@ -2,7 +2,9 @@ package org.robonewbie.learning.gym;
 
 import java.util.ArrayDeque;
 import java.util.List;
+import java.util.Optional;
 import java.util.Queue;
+import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.Motors;
@@ -16,12 +18,16 @@ import org.robonewbie.trial.SensorReadings;
 /** One attempt at a task: the robot that does what a learning program wants, and what it earns by that. */
 final class GymEpisode implements Performer {
 
+    private static final List<Joint> ALL_JOINTS = List.of(Joint.values());
+
     private final GymTask task;
     private final Measure measure;
     private final Performer motor = Performer.ofPolicy(this::speeds);
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
     private Posture firstPosture = Posture.ZERO;
+    private Optional<MotionGuide> guide = Optional.empty();
+    private int cycles;
     private final Queue<double[]> underWay = new ArrayDeque<>();
     private double[] action = {};
     private double value;
@@ -45,6 +51,7 @@ final class GymEpisode implements Performer {
     /** Takes the first posture, from which actions are counted. */
     void stand(Moment moment) {
         firstPosture = moment.robots().get(task.robot()).joints();
+        guide = task.motion().map(motion -> new MotionGuide(motion, firstPosture));
     }
 
     /** Begins when the scene is complete. */
@@ -93,16 +100,31 @@ final class GymEpisode implements Performer {
         return motor.respond(readings);
     }
 
+    /** How far the task's motion has got; nothing if it has none. */
+    double[] progress() {
+        return guide.map(one -> one.progress(cycles)).orElse(new double[0]);
+    }
+
     private double[] speeds(SensorReadings readings) {
         readings.sense(joints);
-        for (int i = 0; i < action.length; i++) {
-            Joint joint = task.joints().get(i);
-            double part = Math.max(-1, Math.min(1, action[i]));
-            double target = firstPosture.degrees(joint) + part * task.rangeDegrees();
-            motors.setTarget(joint, joint.clampDegrees(target), joint.maxDegreesPerSecond());
+        if (action.length > 0) {
+            move();
         }
         motors.endCycle();
         return motors.sentDegreesPerSecond();
+    }
+
+    private void move() {
+        cycles++;
+        double[] degrees =
+                guide.map(one -> one.posture(cycles)).orElse(firstPosture).toArray();
+        for (int i = 0; i < action.length; i++) {
+            double part = Math.max(-1, Math.min(1, action[i]));
+            degrees[task.joints().get(i).ordinal()] += part * task.rangeDegrees();
+        }
+        for (Joint joint : guide.isPresent() ? ALL_JOINTS : task.joints()) {
+            motors.setTarget(joint, joint.clampDegrees(degrees[joint.ordinal()]), joint.maxDegreesPerSecond());
+        }
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.Trial;
@@ -16,13 +17,13 @@ import org.robonewbie.trial.Trial;
  * m/s or 90°/s, together 1.5 at most); a fall costs 5, so that a dive never pays. The options {@code forward}, {@code left}
  * and {@code turn} set one command for the whole episode.
  */
-final class GymFollow extends GymTask {
+class GymFollow extends GymTask {
 
     private static final WalkVelocity MOST = new WalkVelocity(0.8, 0.2, 90);
     private static final double BACKWARD = 0.3;
     private static final int CYCLES_OF_COMMAND = 150;
     private static final int WINDOW = 20;
-    private static final double METRES_PER_SECOND = 0.3;
+    private static final double USUAL_METRES_PER_SECOND = 0.3;
     private static final double DEGREES_PER_SECOND = 90;
     private static final double MOST_ERROR = 1.5;
     private static final double FOR_A_FALL = 5;
@@ -30,8 +31,19 @@ final class GymFollow extends GymTask {
     private final Deque<Place> places = new ArrayDeque<>();
     private Optional<WalkVelocity> fixed = Optional.empty();
     private WalkVelocity wanted = WalkVelocity.ZERO;
+    private final double toleratedMetresPerSecond;
     private double earned;
     private int cycle;
+
+    /** Creates the task. */
+    GymFollow() {
+        this(USUAL_METRES_PER_SECOND);
+    }
+
+    /** Creates a task in which an error of the velocity of this size costs all that can be earned. */
+    GymFollow(double toleratedMetresPerSecond) {
+        this.toleratedMetresPerSecond = toleratedMetresPerSecond;
+    }
 
     @Override
     protected void takeCommand(WalkVelocity command) {
@@ -52,11 +64,16 @@ final class GymFollow extends GymTask {
     }
 
     private void choose() {
-        wanted = fixed.orElseGet(() -> new WalkVelocity(
-                        chance().between(-BACKWARD, MOST.forward()),
-                        chance().between(-MOST.left(), MOST.left()),
-                        chance().between(-MOST.turn(), MOST.turn()))
-                .within(MOST, BACKWARD));
+        wanted = fixed.orElseGet(() -> any(chance(), wanted));
+    }
+
+    /** Draws the next velocity to follow; the one before is zero at first. */
+    WalkVelocity any(Chance chance, WalkVelocity before) {
+        return new WalkVelocity(
+                        chance.between(-BACKWARD, MOST.forward()),
+                        chance.between(-MOST.left(), MOST.left()),
+                        chance.between(-MOST.turn(), MOST.turn()))
+                .within(MOST, BACKWARD);
     }
 
     @Override
@@ -94,7 +111,7 @@ final class GymFollow extends GymTask {
                 middle.ahead(now.point(0, 0, 0)) / seconds - wanted.forward(),
                 middle.left(now.point(0, 0, 0)) / seconds - wanted.left());
         double turnError = Math.abs(turned / seconds - wanted.turn());
-        return Math.min(MOST_ERROR, error / METRES_PER_SECOND + turnError / DEGREES_PER_SECOND);
+        return Math.min(MOST_ERROR, error / toleratedMetresPerSecond + turnError / DEGREES_PER_SECOND);
     }
 
     @Override

@@ -2,6 +2,7 @@ package org.robonewbie.learning.gym;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
@@ -20,7 +21,7 @@ import org.robonewbie.trial.Trial;
  * Get up from the front and stay up. Each second pays how upright the torso is times how high: 1 for a robot that stands. The
  * episode goes on to its end, so getting up early and standing long pays most.
  */
-final class GymGetUp extends GymTask {
+class GymGetUp extends GymTask {
 
     private static final double HIGH_METRES = 0.33;
     private static final double UPRIGHT_DEGREES = 20;
@@ -30,21 +31,27 @@ final class GymGetUp extends GymTask {
             .with(Joint.RIGHT_FOOT_PITCH, 70)
             .with(Joint.LEFT_HIP_PITCH, 20)
             .with(Joint.RIGHT_HIP_PITCH, 20);
-    private static final Motion TO_THE_GROUND = new Motion(
-            "fall",
-            List.of(
-                    new Keyframe(300, LEANING),
-                    new Keyframe(1500, LEANING),
-                    new Keyframe(600, Stance.POSTURE),
-                    new Keyframe(1000, Stance.POSTURE)));
-    private static final Scene LYING =
-            Scene.of(RobotStart.at(1.5, 0).after(TO_THE_STANCE, TO_THE_GROUND)).withBall(2.5, 2);
+    private static final Scene LYING = lying(posture -> posture);
     private static final List<Joint> BODY = Arrays.stream(Joint.values())
             .filter(joint -> !joint.name().startsWith("NECK"))
             .toList();
 
     private double earned;
     private boolean up;
+
+    /** The scene of a robot that has leaned forward until it fell, with postures that are changed in some way. */
+    static Scene lying(UnaryOperator<Posture> change) {
+        Posture leaning = change.apply(LEANING);
+        Posture resting = change.apply(Stance.POSTURE);
+        Motion fall = new Motion(
+                "fall",
+                List.of(
+                        new Keyframe(300, leaning),
+                        new Keyframe(1500, leaning),
+                        new Keyframe(600, resting),
+                        new Keyframe(1000, resting)));
+        return Scene.of(RobotStart.at(1.5, 0).after(TO_THE_STANCE, fall)).withBall(2.5, 2);
+    }
 
     @Override
     public Scene scene(Chance ofTheEpisode) {

@@ -1,8 +1,9 @@
 package org.robonewbie.learning.gym;
 
-import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.SensorReadings;
@@ -35,7 +36,11 @@ final class GymLearner {
 
     /** What is observed; values beyond the ranges are clamped. */
     List<ObservedQuantity> quantities() {
-        return Stream.concat(perception.quantities().stream(), task().extraQuantities().stream())
+        Stream<ObservedQuantity> progress = task().motion().isPresent()
+                ? MotionGuide.PROGRESS.stream().map(one -> new ObservedQuantity(one.name(), one.unit(), -1, 1))
+                : Stream.empty();
+        return Stream.of(perception.quantities().stream(), progress, task().extraQuantities().stream())
+                .flatMap(all -> all)
                 .map(quantity -> quantity.widened(ROOM))
                 .toList();
     }
@@ -74,9 +79,9 @@ final class GymLearner {
 
     /** What the robot perceives now. */
     double[] observation(List<ObservedQuantity> quantities) {
-        double[] extras = task().extras();
-        double[] all = Arrays.copyOf(felt, felt.length + extras.length);
-        System.arraycopy(extras, 0, all, felt.length, extras.length);
+        double[] all = Stream.of(felt, episode.progress(), task().extras())
+                .flatMapToDouble(DoubleStream::of)
+                .toArray();
         for (int i = 0; i < all.length; i++) {
             all[i] = quantities.get(i).clamped(all[i]);
         }

@@ -35,6 +35,9 @@ final class GymOptions {
     /** The fastest turn that can be commanded, degrees per second. */
     static final double MOST_TURN = 360;
 
+    /** The farthest that a kick can be wanted to go, metres. */
+    static final double MOST_DISTANCE = 8;
+
     /** What can be changed. */
     private enum Name {
         X,
@@ -50,7 +53,8 @@ final class GymOptions {
         MASS(0.1, 10),
         FORWARD(-MOST_SPEED, MOST_SPEED),
         LEFT(-MOST_SPEED, MOST_SPEED),
-        TURN(-MOST_TURN, MOST_TURN);
+        TURN(-MOST_TURN, MOST_TURN),
+        DISTANCE(0, MOST_DISTANCE);
 
         private final double least;
         private final double most;
@@ -183,6 +187,11 @@ final class GymOptions {
             return isAny(Name.FORWARD, Name.LEFT, Name.TURN)
                     ? Optional.of(new WalkVelocity(of(Name.FORWARD, 0), of(Name.LEFT, 0), of(Name.TURN, 0)))
                     : Optional.empty();
+        }
+
+        /** How far a kick is to go, in metres; empty if the task decides. */
+        Optional<Double> distance() {
+            return Optional.ofNullable(numbers.get(Name.DISTANCE));
         }
 
         /** By how much the pushes of an episode get harder each time, in newtons; empty if the task decides. */

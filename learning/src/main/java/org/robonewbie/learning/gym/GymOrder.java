@@ -22,17 +22,20 @@ public record GymOrder(String task, String reward) {
     private static final Catalogue<GymTask> TASKS = new Catalogue<>(
             "task",
             GymTask.class,
-            Map.of(
-                    "Stand", GymStand::new,
-                    "Follow", GymFollow::new,
-                    "GetUp", GymGetUp::new,
-                    "Walk", GymWalk::new,
-                    "Kick", GymKick::new,
-                    "Reach", GymReach::new,
-                    "Match1v1", () -> GymMatch.of(1),
-                    "Match2v2", () -> GymMatch.of(2),
-                    "Match11v11", () -> GymMatch.of(11),
-                    "KeeperAgainstAttacker", GymMatch::keeperAgainstAttacker));
+            Map.ofEntries(
+                    Map.entry("Stand", GymStand::new),
+                    Map.entry("Follow", GymFollow::new),
+                    Map.entry("Run", GymRun::new),
+                    Map.entry("GetUp", GymGetUp::new),
+                    Map.entry("QuickGetUp", GymQuickGetUp::new),
+                    Map.entry("Walk", GymWalk::new),
+                    Map.entry("Kick", GymKick::new),
+                    Map.entry("KickTo", GymKickTo::new),
+                    Map.entry("Reach", GymReach::new),
+                    Map.entry("Match1v1", () -> GymMatch.of(1)),
+                    Map.entry("Match2v2", () -> GymMatch.of(2)),
+                    Map.entry("Match11v11", () -> GymMatch.of(11)),
+                    Map.entry("KeeperAgainstAttacker", GymMatch::keeperAgainstAttacker)));
 
     /** The order of a program as it comes in a message; what it leaves out is taken from this one. */
     GymOrder completing(String message) {

@@ -2,6 +2,7 @@ package org.robonewbie.learning.gym;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Joint;
@@ -104,6 +105,14 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
         return moment.robots().get(robot);
     }
 
+    /**
+     * {@return the motion that an action corrects while it plays: angles are counted from where it wants the joints, and all joints
+     * follow it; none unless a subclass says otherwise}
+     */
+    public Optional<Motion> motion() {
+        return Optional.empty();
+    }
+
     /** {@return the joints that an action moves, those of both legs; the others stay as they are} */
     public List<Joint> joints() {
         return LEGS;
@@ -141,6 +150,16 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
     protected void takeCommand(WalkVelocity command) {
         throw new IllegalArgumentException(
                 "This task follows no command. Leave out forward, left and turn, or choose the task Follow.");
+    }
+
+    /**
+     * Takes the distance that is wanted in the whole episode, which the option {@code distance} has set.
+     *
+     * @param metres the distance
+     * @throws IllegalArgumentException if the task wants none, as most
+     */
+    protected void takeDistance(double metres) {
+        throw new IllegalArgumentException("This task wants no distance. Leave it out, or choose the task KickTo.");
     }
 
     /** {@return by how much pushes that come once per second get harder each time, in newtons; 0 for none} */

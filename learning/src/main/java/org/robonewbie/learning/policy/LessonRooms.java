@@ -8,27 +8,35 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
-import org.robonewbie.trial.Trial;
 
-/** Worlds in which lessons are given side by side; results come back in the order of the lessons. */
-final class LessonRooms implements AutoCloseable {
+/**
+ * Worlds in which lessons are given side by side; results come back in the order of the lessons.
+ *
+ * @param <R> a world
+ */
+final class LessonRooms<R> implements AutoCloseable {
 
     private final ExecutorService threads;
-    private final Queue<Trial> free = new ConcurrentLinkedQueue<>();
+    private final Consumer<R> end;
+    private final Queue<R> free = new ConcurrentLinkedQueue<>();
 
-    LessonRooms(int count) {
+    /** Opens worlds; the end closes each of them. */
+    LessonRooms(int count, Supplier<? extends R> open, Consumer<R> end) {
+        this.end = end;
         threads = Executors.newFixedThreadPool(count, work -> {
             Thread thread = new Thread(work, "lesson");
             thread.setDaemon(true);
             return thread;
         });
-        IntStream.range(0, count).forEach(i -> free.add(WalkLesson.room()));
+        IntStream.range(0, count).forEach(i -> free.add(open.get()));
     }
 
     /** Gives lessons, each in a room that is free. */
-    <T> List<T> give(List<? extends Function<Trial, T>> lessons) {
+    <T> List<T> give(List<? extends Function<R, T>> lessons) {
         List<Future<T>> results = lessons.stream()
                 .map(lesson -> threads.submit(() -> give(lesson)))
                 .toList();
@@ -46,8 +54,8 @@ final class LessonRooms implements AutoCloseable {
         }
     }
 
-    private <T> T give(Function<Trial, T> lesson) {
-        Trial room = free.remove();
+    private <T> T give(Function<R, T> lesson) {
+        R room = free.remove();
         try {
             return lesson.apply(room);
         } finally {
@@ -58,6 +66,6 @@ final class LessonRooms implements AutoCloseable {
     @Override
     public void close() {
         threads.shutdownNow();
-        free.forEach(Trial::close);
+        free.forEach(end);
     }
 }

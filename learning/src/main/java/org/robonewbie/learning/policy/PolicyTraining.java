@@ -14,13 +14,10 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.PolicyText;
-import org.robonewbie.agent.walk.PolicyWalk;
-import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.file.AtomicFile;
-import org.robonewbie.trial.Trial;
 
 /**
- * Learns a walk by an {@link EvolutionStrategy}, lesson by lesson. After each generation it writes the policy so far, a line of
+ * Learns a task by an {@link EvolutionStrategy}, lesson by lesson. After each generation it writes the policy so far, a line of
  * the curve as CSV, and all that is needed to go on.
  *
  * <pre>{@code
@@ -33,12 +30,9 @@ import org.robonewbie.trial.Trial;
  * @param output where the policy goes; curve and checkpoint are written beside it
  * @param history how the policy was learned with which it starts, in lines for people; none if it begins with the engine
  */
-public record PolicyTraining(WalkCourse course, TrainingPlan plan, Path output, List<String> history) {
+public record PolicyTraining(Course course, TrainingPlan plan, Path output, List<String> history) {
 
-    /** In which part of the lessons of a training the command stays the same. */
-    private static final double LONG_SHARE = 0.4;
-
-    private static final String CURVE = "generation,lessons,cycles,reward,falls,speedError,turnError\n";
+    private static final String CURVE = "generation," + LessonFigures.columns() + "\n";
 
     /** Copies the list. */
     public PolicyTraining {
@@ -86,7 +80,7 @@ public record PolicyTraining(WalkCourse course, TrainingPlan plan, Path output, 
     }
 
     private String question() {
-        return course.task() + " " + plan.words();
+        return course.task() + " " + course.words(plan);
     }
 
     /**
@@ -100,14 +94,14 @@ public record PolicyTraining(WalkCourse course, TrainingPlan plan, Path output, 
     public Policy run(EvolutionStrategy.State start, Consumer<String> progress) throws IOException {
         EvolutionStrategy.State state = start;
         beginCurve(start.generation());
-        try (LessonRooms rooms = new LessonRooms(plan.threads())) {
+        try (LessonRooms<Classroom> rooms = rooms(course, plan)) {
             while (state.generation() < plan.generations()) {
-                List<WalkFigures> figures = generation(rooms, state);
+                List<LessonFigures> figures = generation(rooms, state);
                 state = plan.strategy()
                         .tell(
                                 state,
                                 figures.stream()
-                                        .mapToDouble(WalkFigures::reward)
+                                        .mapToDouble(LessonFigures::reward)
                                         .toArray());
                 keep(state, figures, progress);
             }
@@ -126,33 +120,25 @@ public record PolicyTraining(WalkCourse course, TrainingPlan plan, Path output, 
         AtomicFile.write(curve(), CURVE + known);
     }
 
-    private List<WalkFigures> generation(LessonRooms rooms, EvolutionStrategy.State state) {
+    /** Opens as many worlds as lessons are given at the same time. */
+    static LessonRooms<Classroom> rooms(Course course, TrainingPlan plan) {
+        return new LessonRooms<>(plan.threads(), () -> course.open(plan), Classroom::close);
+    }
+
+    private List<LessonFigures> generation(LessonRooms<Classroom> rooms, EvolutionStrategy.State state) {
         EvolutionStrategy strategy = plan.strategy();
         List<double[]> candidates = strategy.ask(state);
-        int cycles = (int) Math.round(plan.seconds() / Cycle.SECONDS);
         return rooms.give(IntStream.range(0, candidates.size())
-                .mapToObj(i -> (Function<Trial, WalkFigures>) room -> {
-                    PolicyWalk walk = course.walk(candidates.get(i));
-                    long seed = strategy.seedOfTrial(state, i);
-                    return WalkLesson.give(room, course, walk, seed, plan.newtons(), LONG_SHARE, cycles);
-                })
+                .mapToObj(i -> (Function<Classroom, LessonFigures>)
+                        room -> room.give(strategy.seedOfTrial(state, i), candidates.get(i)))
                 .toList());
     }
 
-    private void keep(EvolutionStrategy.State state, List<WalkFigures> figures, Consumer<String> progress)
+    private void keep(EvolutionStrategy.State state, List<LessonFigures> figures, Consumer<String> progress)
             throws IOException {
-        WalkFigures all = new WalkFigures();
+        LessonFigures all = new LessonFigures();
         figures.forEach(all::add);
-        String line = String.format(
-                Locale.ROOT,
-                "%d,%d,%d,%.4f,%d,%.4f,%.3f%n",
-                state.generation(),
-                figures.size(),
-                Math.round(all.seconds() / Cycle.SECONDS),
-                all.reward(),
-                all.falls(),
-                all.error(),
-                all.turnError());
+        String line = state.generation() + "," + all.row() + "\n";
         Files.writeString(curve(), line, StandardCharsets.UTF_8, StandardOpenOption.APPEND);
         AtomicFile.write(output, PolicyText.format(policy(state)));
         new TrainingState(question(), state).write(checkpoint());
@@ -162,49 +148,5 @@ public record PolicyTraining(WalkCourse course, TrainingPlan plan, Path output, 
     private Policy policy(EvolutionStrategy.State state) {
         String last = "learned by: robonewbie learn " + question() + " --generations " + state.generation();
         return course.policy(Stream.concat(history.stream(), Stream.of(last)).toList(), state.mean());
-    }
-
-    /**
-     * Examines a walk in lessons that no training has.
-     *
-     * @param course what is commanded
-     * @param walk the walk
-     * @param lessons how many
-     * @param seconds length of each
-     * @param newtons strength of the hardest pushes
-     * @param threads how many at the same time; the result does not depend on it
-     * @return how it did
-     */
-    public static WalkFigures examine(
-            WalkCourse course, PolicyWalk walk, int lessons, double seconds, double newtons, int threads) {
-        int cycles = (int) Math.round(seconds / Cycle.SECONDS);
-        WalkFigures all = new WalkFigures();
-        try (LessonRooms rooms = new LessonRooms(threads)) {
-            rooms.give(IntStream.range(0, lessons)
-                            .mapToObj(i -> (Function<Trial, WalkFigures>)
-                                    room -> WalkLesson.give(room, course, walk, -1L - i, newtons, 0, cycles))
-                            .toList())
-                    .forEach(all::add);
-        }
-        return all;
-    }
-
-    /**
-     * Lets a walk dash straight ahead with its largest speed, from the stance.
-     *
-     * @param walk the walk
-     * @param metres how far
-     * @param newtons strength of the hardest pushes
-     * @param times how often, each time with another seed that no training has
-     * @param threads how many at the same time; the result does not depend on it
-     * @return the dashes
-     */
-    public static List<WalkDash> dash(PolicyWalk walk, double metres, double newtons, int times, int threads) {
-        try (LessonRooms rooms = new LessonRooms(threads)) {
-            return rooms.give(IntStream.range(0, times)
-                    .mapToObj(
-                            i -> (Function<Trial, WalkDash>) room -> WalkDash.run(room, walk, -1L - i, newtons, metres))
-                    .toList());
-        }
     }
 }

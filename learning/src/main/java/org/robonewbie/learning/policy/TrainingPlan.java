@@ -1,5 +1,6 @@
 package org.robonewbie.learning.policy;
 
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -12,6 +13,7 @@ import java.util.Locale;
  * @param rate how far the answer moves in a generation
  * @param seconds length of a lesson
  * @param newtons strength of the hardest pushes
+ * @param options what is different in the episodes of a task, such as {@code noise=0.5}
  * @param threads how many lessons are given at the same time; the result does not depend on it
  */
 public record TrainingPlan(
@@ -22,31 +24,25 @@ public record TrainingPlan(
         double rate,
         double seconds,
         double newtons,
+        List<String> options,
         int threads) {
 
     /**
-     * Checks the numbers.
+     * Checks the numbers and copies the list.
      *
      * @throws IllegalArgumentException if one is too small
      */
     public TrainingPlan {
+        options = List.copyOf(options);
         if (generations < 1 || pairs < 1 || threads < 1 || !(spread > 0 && rate > 0 && seconds > 0) || newtons < 0) {
             throw new IllegalArgumentException("Generations, pairs, threads, spread, rate and seconds have to be"
                     + " greater than 0, and newtons not below.");
         }
     }
 
-    /** What decides about the result, in words that can be given again; the number of generations only says where it ends. */
-    String words() {
-        return String.format(
-                Locale.ROOT,
-                "--seed %d --pairs %d --spread %s --rate %s --seconds %s --push %s",
-                seed,
-                pairs,
-                spread,
-                rate,
-                seconds,
-                newtons);
+    /** {@return how somebody learns, in words that can be given again; the number of generations only says where it ends} */
+    public String words() {
+        return String.format(Locale.ROOT, "--seed %d --pairs %d --spread %s --rate %s", seed, pairs, spread, rate);
     }
 
     EvolutionStrategy strategy() {

@@ -2,8 +2,9 @@ package org.robonewbie.learning.policy;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
+import java.util.Optional;
 import java.util.Random;
+import java.util.stream.Stream;
 import org.robonewbie.agent.policy.Network;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.walk.FastWalk;
@@ -11,6 +12,8 @@ import org.robonewbie.agent.walk.LearnedReflex;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.trial.Trial;
 
 /**
  * What is learned in lessons: to follow velocities that change every 3 s. What is changed are the coordinates of a gait and the
@@ -31,7 +34,8 @@ public record WalkCourse(
         int stepMillis,
         double straightShare,
         double leastAhead,
-        double toleratedMetresPerSecond) {
+        double toleratedMetresPerSecond)
+        implements Course {
 
     /** Walks into any direction: forward with up to 0.8 m/s. */
     public static final WalkCourse WALK =
@@ -39,6 +43,9 @@ public record WalkCourse(
 
     /** Runs straight ahead with 0.9 to 1.3 m/s, with short steps. */
     public static final WalkCourse RUN = new WalkCourse("run", new WalkVelocity(1.3, 0.2, 60), 0.3, 160, 1, 0.7, 0.6);
+
+    /** In which part of the lessons of a training the command stays the same. */
+    private static final double LONG_SHARE = 0.4;
 
     private static final int HIDDEN = 16;
     private static final int[] LAYERS = {LearnedReflex.INPUTS.size(), HIDDEN, LearnedReflex.OUTPUTS.size()};
@@ -51,19 +58,46 @@ public record WalkCourse(
      * Looks a course up.
      *
      * @param task {@code walk} or {@code run}
-     * @return the course
-     * @throws IllegalArgumentException if there is none
+     * @return the course; empty if there is none of this name
      */
-    public static WalkCourse of(String task) {
-        return List.of(WALK, RUN).stream()
-                .filter(course -> course.task().equals(task.toLowerCase(Locale.ROOT)))
-                .findAny()
-                .orElseThrow(() -> new IllegalArgumentException(
-                        "There is nothing to learn called \"" + task + "\". There are: walk, run."));
+    public static Optional<WalkCourse> named(String task) {
+        return Stream.of(WALK, RUN).filter(course -> course.task().equals(task)).findAny();
     }
 
-    /** The first guess: the standard gait, and a network that corrects nothing yet. */
-    double[] start(long seed) {
+    @Override
+    public String words(TrainingPlan plan) {
+        if (!plan.options().isEmpty()) {
+            throw new IllegalArgumentException("Lessons in " + task + " have no options. Leave out --option.");
+        }
+        return plan.words() + " --seconds " + plan.seconds() + " --push " + plan.newtons();
+    }
+
+    @Override
+    public Classroom open(TrainingPlan plan) {
+        Trial room = WalkLesson.room();
+        int cycles = (int) Math.round(plan.seconds() / Cycle.SECONDS);
+        return new Classroom() {
+
+            @Override
+            public LessonFigures give(long seed, double... numbers) {
+                return WalkLesson.give(room, WalkCourse.this, walk(numbers), seed, plan.newtons(), LONG_SHARE, cycles);
+            }
+
+            @Override
+            public LessonFigures examine(long seed, Policy policy) {
+                return WalkLesson.give(room, WalkCourse.this, new PolicyWalk(policy), seed, plan.newtons(), 0, cycles);
+            }
+
+            @Override
+            public void close() {
+                room.close();
+            }
+        };
+    }
+
+    /** The standard gait, and a network that corrects nothing yet. */
+    @Override
+    public double[] start(long seed) {
         Random random = new Random(seed);
         random.nextLong();
         double[] start = Arrays.copyOf(WalkStyle.coordinates(), GAIT + WEIGHTS);
@@ -75,15 +109,15 @@ public record WalkCourse(
         return start;
     }
 
-    /** The numbers of a policy that is to be improved. */
-    double[] start(Policy policy) {
+    @Override
+    public double[] start(Policy policy) {
         double[] start = Arrays.copyOf(policy.numbers("gait", GAIT), GAIT + WEIGHTS);
         System.arraycopy(policy.network().numbers(), 0, start, GAIT, WEIGHTS);
         return start;
     }
 
-    /** By how much the numbers are usually changed. */
-    double[] units() {
+    @Override
+    public double[] units() {
         double[] units = new double[GAIT + WEIGHTS];
         Arrays.fill(units, 1);
         Arrays.fill(units, 0, GAIT, GAIT_UNIT);
@@ -97,8 +131,8 @@ public record WalkCourse(
         return new PolicyWalk(style, new LearnedReflex(network(numbers)));
     }
 
-    /** The policy of a candidate. */
-    Policy policy(List<String> about, double... numbers) {
+    @Override
+    public Policy policy(List<String> about, double... numbers) {
         return PolicyWalk.policy(
                 task, about, stepMillis, most, backward, Arrays.copyOf(numbers, GAIT), network(numbers));
     }

@@ -5,6 +5,8 @@ import java.util.Random;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.learning.rehearsal.MotorPuppet;
+import org.robonewbie.learning.rehearsal.Puppet;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Keyframe;
@@ -41,7 +43,7 @@ final class WalkLesson {
     private final Random random;
     private final HandPushes pushes;
     private final boolean isLong;
-    private final WalkFigures figures = new WalkFigures();
+    private final LessonFigures figures = new LessonFigures();
     private WalkVelocity wanted = WalkVelocity.ZERO;
 
     private WalkLesson(WalkCourse course, long seed, double newtons, double longShare) {
@@ -58,14 +60,14 @@ final class WalkLesson {
     }
 
     /** Gives a lesson and tells what came of it. */
-    static WalkFigures give(
+    static LessonFigures give(
             Trial room, WalkCourse course, PolicyWalk walk, long seed, double newtons, double longShare, int cycles) {
-        WalkStudent student = new WalkStudent(walk);
+        Puppet student = new MotorPuppet(walk);
         room.reset(seed, student.performer());
         return new WalkLesson(course, seed, newtons, longShare).run(room, student, cycles);
     }
 
-    private WalkFigures run(Trial room, WalkStudent student, int most) {
+    private LessonFigures run(Trial room, Puppet student, int most) {
         Moment before = room.now();
         for (int cycle = 0; cycle < most; cycle++) {
             if (cycle == 0 || (cycle % COMMAND_CYCLES == 0 && !isLong)) {

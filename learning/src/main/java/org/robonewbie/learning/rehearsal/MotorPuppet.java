@@ -1,9 +1,11 @@
 package org.robonewbie.learning.rehearsal;
 
 import java.util.List;
+import java.util.Optional;
+import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.agent.perception.TorsoMotion;
+import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkEngine;
-import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.motion.Interpolation;
@@ -12,11 +14,15 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionPlayer;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.PostureFollower;
+import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.SensorReadings;
 
-/** The motion player and the walk engine alone, without an agent around them: much faster, and the walk may have any style. */
-final class MotorPuppet implements Puppet {
+/**
+ * The motion player and the walk engine alone, without an agent around them: much faster, and the walk may be any one, a learned one
+ * too.
+ */
+public final class MotorPuppet implements Puppet {
 
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
@@ -25,8 +31,13 @@ final class MotorPuppet implements Puppet {
     private MotionPlayer player = new MotionPlayer(new Motion("hold", List.of()), Interpolation.LINEAR);
     private boolean walking;
 
-    MotorPuppet(WalkStyle style) {
-        engine = new WalkEngine(style);
+    /**
+     * Creates a robot that rests.
+     *
+     * @param walk how it walks
+     */
+    public MotorPuppet(PolicyWalk walk) {
+        engine = new WalkEngine(walk.style(), walk.reflex());
     }
 
     @Override
@@ -53,6 +64,7 @@ final class MotorPuppet implements Puppet {
         readings.sense(joints);
         engine.feel(
                 new TorsoMotion(SimSparkFrame.toBody(readings.gyro()), SimSparkFrame.toBody(readings.acceleration())));
+        engine.feel(pressure(readings.feet().left()), pressure(readings.feet().right()));
         if (engine.isStanding()) {
             walking = false;
             player.step(motors);
@@ -69,5 +81,11 @@ final class MotorPuppet implements Puppet {
             follower.begin();
         }
         follower.follow(engine.next());
+    }
+
+    private static FootPressure pressure(Optional<FootForce> foot) {
+        return foot.map(felt ->
+                        new FootPressure(SimSparkFrame.toBody(felt.point()), SimSparkFrame.toBody(felt.force())))
+                .orElse(FootPressure.NONE);
     }
 }

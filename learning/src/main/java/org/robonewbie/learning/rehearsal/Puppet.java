@@ -5,17 +5,25 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Performer;
 
 /** A robot that does what a {@link Rehearsal} says; told nothing, it holds its joints. */
-interface Puppet {
+public interface Puppet {
 
-    /** What moves it in a trial. */
+    /** {@return what moves it in a trial} */
     Performer performer();
 
-    /** Starts a motion. */
+    /**
+     * Starts a motion.
+     *
+     * @param motion the motion
+     */
     void play(Motion motion);
 
-    /** Walks from now on. */
+    /**
+     * Walks from now on.
+     *
+     * @param velocity the velocity
+     */
     void walk(WalkVelocity velocity);
 
-    /** Whether it still plays a motion or walks. */
+    /** {@return whether it still plays a motion or walks} */
     boolean isBusy();
 }

@@ -8,7 +8,9 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.Stance;
+import org.robonewbie.agent.walk.WalkReflex;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
@@ -78,7 +80,7 @@ public final class Rehearsal implements AutoCloseable {
 
     /** A robot without noise that stands with all joints at 0. */
     static Rehearsal standing(WalkStyle style) {
-        MotorPuppet puppet = new MotorPuppet(style);
+        MotorPuppet puppet = new MotorPuppet(new PolicyWalk(style, WalkReflex.NONE));
         Trial idle = IDLE.poll();
         if (idle == null) {
             Scene scene = Scene.of(ROBOT).withBall(BALL_ASIDE).withoutNoise();

@@ -26,7 +26,7 @@ class GymEnvironmentTest {
     private static final double[] NOTHING = new double[12];
 
     @ParameterizedTest
-    @ValueSource(strings = {"Stand", "Walk", "Follow", "GetUp", "Kick", "Reach"})
+    @ValueSource(strings = {"Stand", "Walk", "Follow", "Run", "GetUp", "QuickGetUp", "Kick", "KickTo", "Reach"})
     void equalSeedsGiveEqualEpisodesAndOthersOthers(String task) {
         GymEnvironment used = environment(task);
         track(used, 3);

@@ -74,8 +74,8 @@ class GymServerTest {
 
         assertThat(text(make("Fly", 1)))
                 .startsWith(
-                        "\1There is no task \"Fly\". There are: Follow, GetUp, KeeperAgainstAttacker, Kick, Match11v11, Match1v1, Match2v2, Reach, Stand,"
-                                + " Walk. A class of your own must extend");
+                        "\1There is no task \"Fly\". There are: Follow, GetUp, KeeperAgainstAttacker, Kick, KickTo, Match11v11, Match1v1, Match2v2, QuickGetUp,"
+                                + " Reach, Run, Stand, Walk. A class of your own must extend");
         assertThat(text(make("Walk\nforward=0.5", 1)))
                 .isEqualTo(
                         "\1This task follows no command. Leave out forward, left and turn, or choose the task Follow.");
@@ -96,7 +96,7 @@ class GymServerTest {
         assertThat(text(make("Reach\nspeed=9", 1)))
                 .isEqualTo(
                         "\1There is no option \"speed\". There are: reward, x, y, heading, ball_x, ball_y, push, delay, cycles, noise, friction, mass,"
-                                + " forward, left, turn.");
+                                + " forward, left, turn, distance.");
     }
 
     @Test

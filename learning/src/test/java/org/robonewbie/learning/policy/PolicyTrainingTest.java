@@ -78,20 +78,20 @@ class PolicyTrainingTest {
     @Tag("slow")
     @Test
     void shippedWalkFallsLessAtItsSpeedThanTheEngineAlone() {
-        WalkFigures learned = examine(new PolicyWalk(PolicyFile.shipped("walk")));
-        WalkFigures engine = examine(new PolicyWalk(
+        LessonFigures learned = examine(new PolicyWalk(PolicyFile.shipped("walk")));
+        LessonFigures engine = examine(new PolicyWalk(
                 WalkStyle.STANDARD.withMost(WalkCourse.WALK.most(), WalkCourse.WALK.backward()), WalkReflex.NONE));
 
         assertThat(learned.falls()).isLessThan(engine.falls());
         assertThat(learned.fallsIn20Minutes()).isLessThanOrEqualTo(1);
     }
 
-    private static WalkFigures examine(PolicyWalk walk) {
-        return PolicyTraining.examine(WalkCourse.WALK, walk, 100, 12, 6, 2);
+    private static LessonFigures examine(PolicyWalk walk) {
+        return Exam.walk(WalkCourse.WALK, walk, 100, 12, 6, 2);
     }
 
     private PolicyTraining training(String file, int generations, int threads) {
-        TrainingPlan plan = new TrainingPlan(1, generations, 1, 0.02, 0.005, 1, 6, threads);
+        TrainingPlan plan = new TrainingPlan(1, generations, 1, 0.02, 0.005, 1, 6, List.of(), threads);
         return new PolicyTraining(WalkCourse.WALK, plan, folder.resolve(file), List.of("born on a Monday"));
     }
 }

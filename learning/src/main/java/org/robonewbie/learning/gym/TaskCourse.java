@@ -1,0 +1,172 @@
+package org.robonewbie.learning.gym;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Random;
+import java.util.TreeMap;
+import org.robonewbie.agent.policy.MotionGuide;
+import org.robonewbie.agent.policy.Network;
+import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.policy.Quantity;
+import org.robonewbie.learning.policy.Classroom;
+import org.robonewbie.learning.policy.Course;
+import org.robonewbie.learning.policy.TrainingPlan;
+
+/**
+ * A task as something to learn by trying: episodes are the lessons, and what is changed are the weights of a network. It takes what
+ * the robot feels, usually without the angles of its joints, how far the task's motion has got, and what is wanted.
+ *
+ * <pre>{@code
+ * Course course = TaskCourse.of("Stand", TaskCourse.USUAL_INPUTS, getClass().getClassLoader());
+ * }</pre>
+ */
+public final class TaskCourse implements Course {
+
+    private static final int HIDDEN = 16;
+
+    /** An output's bias, which changes the posture as a whole, is moved by the multiple of a weight. */
+    private static final double BIAS_UNIT = 4;
+
+    /** What a network takes unless something else is wanted: all but the angles of the joints. */
+    public static final String USUAL_INPUTS = "(?!joint\\.).*";
+
+    private static final String JOINT = "joint.";
+    private static final String RANGE = "range-degrees";
+
+    /** The usual size of what goes into the first layer, by its unit; half the range of what is not listed. */
+    private static final Map<String, Double> USUAL =
+            Map.of("degrees", 30.0, "degrees/s", 100.0, "m/s²", 10.0, "N", 50.0, "1", 1.0);
+
+    private final String task;
+    private final String wanted;
+    private final ClassLoader classes;
+    private final GymTask model;
+    private final List<ObservedQuantity> inputs;
+    private final int[] layers;
+
+    private TaskCourse(String task, String wanted, ClassLoader classes) {
+        this.task = task;
+        this.wanted = wanted;
+        this.classes = classes;
+        try (GymEnvironment sample = environment(GymOptions.NONE)) {
+            model = sample.task();
+            inputs = sample.quantities().stream()
+                    .filter(quantity -> quantity.name().matches(wanted))
+                    .toList();
+        }
+        layers = new int[] {inputs.size(), HIDDEN, model.joints().size()};
+    }
+
+    /**
+     * Looks a task up.
+     *
+     * @param task its name, such as {@code Stand}, or the name of a class that extends {@link GymTask}
+     * @param inputs a regular expression for the names of what the network takes, such as {@link #USUAL_INPUTS}
+     * @param classes where to look for the class
+     * @return the course
+     * @throws IllegalArgumentException if there is none, if several robots learn in it, or if nothing is called like the inputs
+     */
+    public static TaskCourse of(String task, String inputs, ClassLoader classes) {
+        TaskCourse course = new TaskCourse(task, inputs, classes);
+        if (course.inputs.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "Nothing that is observed in " + task + " has a name like " + inputs + ".");
+        }
+        if (course.model.learners() > 1) {
+            throw new IllegalArgumentException("In " + task + " several robots learn; choose a task for one.");
+        }
+        return course;
+    }
+
+    private GymEnvironment environment(GymOptions options) {
+        return new GymEnvironment(new GymOrder(task, "").episodes(classes), options);
+    }
+
+    @Override
+    public String task() {
+        return task;
+    }
+
+    @Override
+    public String words(TrainingPlan plan) {
+        StringBuilder words = new StringBuilder(plan.words());
+        if (!wanted.equals(USUAL_INPUTS)) {
+            words.append(" --inputs '").append(wanted).append("'");
+        }
+        plan.options().forEach(option -> words.append(" --option ").append(option));
+        return words.toString();
+    }
+
+    /** {@inheritDoc} The last layer begins with zeros, so that nothing is corrected yet. */
+    @Override
+    public double[] start(long seed) {
+        Random random = new Random(seed);
+        random.nextLong();
+        double[] start = new double[Network.size(layers)];
+        double[] units = units();
+        int hidden = Network.size(layers[0], layers[1]);
+        for (int i = 0; i < hidden; i++) {
+            start[i] = units[i] * random.nextGaussian() / Math.sqrt(layers[0]);
+        }
+        return start;
+    }
+
+    @Override
+    public double[] start(Policy policy) {
+        policy.require(inputs(), outputs());
+        double[] numbers = policy.network().numbers();
+        if (numbers.length != Network.size(layers)) {
+            throw new IllegalArgumentException("The policy \"" + policy.task() + "\" has " + numbers.length
+                    + " numbers where " + Network.size(layers) + " are needed. Was it learned in another way?");
+        }
+        return numbers;
+    }
+
+    /** {@inheritDoc} A weight of the first layer is moved the less the larger its input usually is. */
+    @Override
+    public double[] units() {
+        double[] units = new double[Network.size(layers)];
+        Arrays.fill(units, 1);
+        for (int i = 0; i < HIDDEN; i++) {
+            for (int j = 0; j < inputs.size(); j++) {
+                units[i * (inputs.size() + 1) + 1 + j] = 1 / usual(inputs.get(j));
+            }
+        }
+        for (int i = Network.size(layers[0], HIDDEN); i < units.length; i += HIDDEN + 1) {
+            units[i] = BIAS_UNIT;
+        }
+        return units;
+    }
+
+    private static double usual(ObservedQuantity quantity) {
+        return USUAL.getOrDefault(quantity.unit(), (quantity.greatest() - quantity.least()) / 2);
+    }
+
+    private List<Quantity> inputs() {
+        return inputs.stream()
+                .map(input -> new Quantity(input.name(), input.unit()))
+                .toList();
+    }
+
+    private List<Quantity> outputs() {
+        String unit = String.format(Locale.ROOT, "%.0f degrees", model.rangeDegrees());
+        return model.joints().stream()
+                .map(joint -> new Quantity(JOINT + joint, unit))
+                .toList();
+    }
+
+    @Override
+    public Policy policy(List<String> about, double... numbers) {
+        Map<String, List<Double>> others = new TreeMap<>();
+        others.put(RANGE, List.of(model.rangeDegrees()));
+        model.motion().ifPresent(motion -> others.put(MotionGuide.MOTION, MotionGuide.numbers(motion)));
+        return new Policy(task, about, others, inputs(), outputs(), Network.of(layers, numbers));
+    }
+
+    @Override
+    public Classroom open(TrainingPlan plan) {
+        return new TaskClassroom(environment(GymOrder.options(plan.options().stream())), this);
+    }
+}
