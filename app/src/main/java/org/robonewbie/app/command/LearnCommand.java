@@ -99,6 +99,12 @@ final class LearnCommand implements Callable<Integer> {
             description = "Names of what the network takes in a task (all that is observed but joints).")
     private String inputs = TaskCourse.USUAL_INPUTS;
 
+    @Option(
+            names = "--hidden",
+            paramLabel = "N",
+            description = "Hidden neurons of the network in a task; 0 for no hidden layer (16).")
+    private int hidden = TaskCourse.USUAL_HIDDEN;
+
     @Mixin
     private final ClassPathOption classPath = new ClassPathOption();
 
@@ -142,7 +148,7 @@ final class LearnCommand implements Callable<Integer> {
 
     private Course course() {
         Optional<WalkCourse> walk = WalkCourse.named(task);
-        return walk.isPresent() ? walk.get() : TaskCourse.of(task, inputs, AgentFinder.loaderOf(classPath.folders()));
+        return walk.isPresent() ? walk.get() : TaskCourse.of(task, inputs, hidden, AgentFinder.loaderOf(classPath.folders()));
     }
 
     private TrainingPlan plan() {

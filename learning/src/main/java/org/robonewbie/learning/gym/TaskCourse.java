@@ -19,14 +19,15 @@ import org.robonewbie.learning.policy.TrainingPlan;
  * the robot feels, usually without the angles of its joints, how far the task's motion has got, and what is wanted.
  *
  * <pre>{@code
- * Course course = TaskCourse.of("Stand", TaskCourse.USUAL_INPUTS, getClass().getClassLoader());
+ * Course course = TaskCourse.of("Stand", TaskCourse.USUAL_INPUTS, 16, getClass().getClassLoader());
  * }</pre>
  */
 public final class TaskCourse implements Course {
 
-    private static final int HIDDEN = 16;
+    /** How many hidden neurons a network has unless another number is wanted. */
+    public static final int USUAL_HIDDEN = 16;
 
-    /** An output's bias, which changes the posture as a whole, is moved by the multiple of a weight. */
+    /** Behind a hidden layer an output's bias, which changes the posture as a whole, is moved by the multiple of a weight. */
     private static final double BIAS_UNIT = 4;
 
     /** What a network takes unless something else is wanted: all but the angles of the joints. */
@@ -41,14 +42,16 @@ public final class TaskCourse implements Course {
 
     private final String task;
     private final String wanted;
+    private final int hidden;
     private final ClassLoader classes;
     private final GymTask model;
     private final List<ObservedQuantity> inputs;
     private final int[] layers;
 
-    private TaskCourse(String task, String wanted, ClassLoader classes) {
+    private TaskCourse(String task, String wanted, int hidden, ClassLoader classes) {
         this.task = task;
         this.wanted = wanted;
+        this.hidden = hidden;
         this.classes = classes;
         try (GymEnvironment sample = environment(GymOptions.NONE)) {
             model = sample.task();
@@ -56,7 +59,10 @@ public final class TaskCourse implements Course {
                     .filter(quantity -> quantity.name().matches(wanted))
                     .toList();
         }
-        layers = new int[] {inputs.size(), HIDDEN, model.joints().size()};
+        int outputs = model.joints().size();
+        layers = hidden == 0
+                ? new int[] {inputs.size(), outputs}
+                : new int[] {inputs.size(), hidden, outputs};
     }
 
     /**
@@ -64,12 +70,16 @@ public final class TaskCourse implements Course {
      *
      * @param task its name, such as {@code Stand}, or the name of a class that extends {@link GymTask}
      * @param inputs a regular expression for the names of what the network takes, such as {@link #USUAL_INPUTS}
+     * @param hidden how many hidden neurons there are; 0 for a network without a hidden layer
      * @param classes where to look for the class
      * @return the course
-     * @throws IllegalArgumentException if there is none, if several robots learn in it, or if nothing is called like the inputs
+     * @throws IllegalArgumentException if there is none, if hidden is negative, if several robots learn in it, or if nothing is called like the inputs
      */
-    public static TaskCourse of(String task, String inputs, ClassLoader classes) {
-        TaskCourse course = new TaskCourse(task, inputs, classes);
+    public static TaskCourse of(String task, String inputs, int hidden, ClassLoader classes) {
+        if (hidden < 0) {
+            throw new IllegalArgumentException(hidden + " hidden neurons: give a number from 0.");
+        }
+        TaskCourse course = new TaskCourse(task, inputs, hidden, classes);
         if (course.inputs.isEmpty()) {
             throw new IllegalArgumentException(
                     "Nothing that is observed in " + task + " has a name like " + inputs + ".");
@@ -95,6 +105,9 @@ public final class TaskCourse implements Course {
         if (!wanted.equals(USUAL_INPUTS)) {
             words.append(" --inputs '").append(wanted).append("'");
         }
+        if (hidden != USUAL_HIDDEN) {
+            words.append(" --hidden ").append(hidden);
+        }
         plan.options().forEach(option -> words.append(" --option ").append(option));
         return words.toString();
     }
@@ -106,11 +119,15 @@ public final class TaskCourse implements Course {
         random.nextLong();
         double[] start = new double[Network.size(layers)];
         double[] units = units();
-        int hidden = Network.size(layers[0], layers[1]);
-        for (int i = 0; i < hidden; i++) {
+        for (int i = 0; i < sizeOfHidden(); i++) {
             start[i] = units[i] * random.nextGaussian() / Math.sqrt(layers[0]);
         }
         return start;
+    }
+
+    /** How many numbers the hidden layer has. */
+    private int sizeOfHidden() {
+        return hidden == 0 ? 0 : Network.size(layers[0], hidden);
     }
 
     @Override
@@ -129,12 +146,12 @@ public final class TaskCourse implements Course {
     public double[] units() {
         double[] units = new double[Network.size(layers)];
         Arrays.fill(units, 1);
-        for (int i = 0; i < HIDDEN; i++) {
+        for (int i = 0; i < layers[1]; i++) {
             for (int j = 0; j < inputs.size(); j++) {
                 units[i * (inputs.size() + 1) + 1 + j] = 1 / usual(inputs.get(j));
             }
         }
-        for (int i = Network.size(layers[0], HIDDEN); i < units.length; i += HIDDEN + 1) {
+        for (int i = sizeOfHidden(); i < units.length && hidden > 0; i += hidden + 1) {
             units[i] = BIAS_UNIT;
         }
         return units;

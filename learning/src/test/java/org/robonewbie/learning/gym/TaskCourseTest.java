@@ -84,7 +84,7 @@ class TaskCourseTest {
         assertThatThrownBy(() -> course("Match1v1"))
                 .hasMessage("In Match1v1 several robots learn; choose a task for one.");
         assertThatThrownBy(() -> course("Stnd")).hasMessageStartingWith("There is no task \"Stnd\". There are: ");
-        assertThatThrownBy(() -> TaskCourse.of("Stand", "wing.*", CLASSES))
+        assertThatThrownBy(() -> TaskCourse.of("Stand", "wing.*", 16, CLASSES))
                 .hasMessage("Nothing that is observed in Stand has a name like wing.*.");
         assertThatThrownBy(() -> course("Stand").start(PolicyFile.shipped("walk")))
                 .hasMessageContaining("Is it for another task?");
@@ -101,7 +101,7 @@ class TaskCourseTest {
     }
 
     private static Course course(String task) {
-        return TaskCourse.of(task, TaskCourse.USUAL_INPUTS, CLASSES);
+        return TaskCourse.of(task, TaskCourse.USUAL_INPUTS, TaskCourse.USUAL_HIDDEN, CLASSES);
     }
 
     /** Raises the left arm by some degrees and holds it there. */
