@@ -16,7 +16,7 @@ import org.robonewbie.nao.motion.Posture;
  * the first posture, or to that of the motion that the policy carries, moved by what the network says.
  *
  * <pre>{@code
- * private final PolicyPlayer kick = new PolicyPlayer(PolicyFile.shipped("kick"));
+ * private final PolicyPlayer kick = new PolicyPlayer(PolicyFile.shipped("kick-to"));
  *
  * @Override
  * protected void think() {

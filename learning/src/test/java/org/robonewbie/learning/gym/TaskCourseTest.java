@@ -13,6 +13,7 @@ import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.learning.policy.Course;
+import org.robonewbie.learning.policy.EvolutionStrategy;
 import org.robonewbie.learning.policy.Exam;
 import org.robonewbie.learning.policy.LessonFigures;
 import org.robonewbie.learning.policy.PolicyTraining;
@@ -90,6 +91,29 @@ class TaskCourseTest {
                 .hasMessageContaining("Is it for another task?");
         assertThatThrownBy(() -> Exam.of(course("Stand"), plan(1), 1, PolicyFile.shipped("walk")))
                 .hasStackTraceContaining("step.sine-of-2-pi-phase in 1, which is not observed in Stand.");
+    }
+
+    @Test
+    void shippedKickComesNearerToWhatIsWantedThanTheMotionAlone() {
+        Course kick = TaskCourse.of("KickTo", "command.*", 0, CLASSES);
+
+        LessonFigures learned = Exam.of(kick, plan(1), 20, PolicyFile.shipped("kick-to"));
+        LessonFigures alone = Exam.of(kick, plan(1), 20, kick.policy(List.of(), kick.start(1)));
+
+        assertThat(learned.falls()).isZero();
+        assertThat(learned.reward()).isGreaterThan(alone.reward() + 0.15);
+    }
+
+    @Test
+    void trainingGoesOnFromTheShippedKick() throws IOException {
+        Course kick = TaskCourse.of("KickTo", "command.*", 0, CLASSES);
+        PolicyTraining training = training(kick, plan(1));
+        EvolutionStrategy.State start = training.begin(PolicyFile.shipped("kick-to"));
+
+        Policy next = training.run(start, line -> {});
+
+        assertThat(start.mean()).hasSameSizeAs(kick.start(1));
+        assertThat(next.network().numbers()).isNotEqualTo(start.mean());
     }
 
     private PolicyTraining training(Course course, TrainingPlan plan) {
