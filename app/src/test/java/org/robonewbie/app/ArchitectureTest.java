@@ -97,6 +97,7 @@ class ArchitectureTest {
                     "org.robonewbie.protocol..",
                     "org.robonewbie.simulator..",
                     "com.sun.source..",
+                    "javax.lang.model..",
                     "org.eclipse.jetty..",
                     "com.google.gson..",
                     "org.slf4j.."
