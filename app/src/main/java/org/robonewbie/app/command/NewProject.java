@@ -133,6 +133,7 @@ final class NewProject {
 
     private void write(String template, Path file) throws IOException {
         String text = read(template)
+                .replace("{{team}}", origin == Origin.TEAM ? read("team.md") : "")
                 .replace("{{name}}", name)
                 .replace("{{version}}", version)
                 .replace("{{build}}", tool == BuildTool.MAVEN ? "mvn" : "gradle")

@@ -60,6 +60,10 @@ class NewCommandTest {
         assertThat(project.resolve("src/main/java/org/example/team/tactics/Strategy.java"))
                 .content()
                 .doesNotContain("org.robonewbie.team");
+        assertThat(project.resolve("README.md"))
+                .content()
+                .contains("## Your team", "src/main/java/org/example/team/MyAgent.java 11 --team Mine")
+                .doesNotContain("{{");
     }
 
     @Test

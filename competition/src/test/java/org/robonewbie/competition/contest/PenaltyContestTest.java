@@ -77,7 +77,7 @@ class PenaltyContestTest {
                 .hasSize(4);
         Table table = contest.table(TEAMS, id -> Optional.ofNullable(results.get(id)));
         assertThat(table.rows()).extracting(Table.Row::team).containsExactly("B", "A");
-        assertThat(table.rows().get(0).cells()).containsExactly("1", "1", "0", "0", "2:1", "3");
+        assertThat(table.rows().get(0).cells()).containsExactly("1", "1", "0", "0", "2:1", "+1", "3");
     }
 
     @Test
