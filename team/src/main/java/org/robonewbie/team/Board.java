@@ -34,8 +34,18 @@ final class Board {
     /** Draws the plan and the way of this cycle. */
     void show(Plan plan, List<Spot> way) {
         nao.tellPose(world.pose().x(), world.pose().y(), world.pose().headingDegrees());
+        nao.drawText(
+                new Vector3(0, 0, 0.3),
+                plan.role() + " " + plan.action(),
+                plan.role().colour());
+        nao.plot("seconds since the ball was seen", Math.min(10, world.ballAgeSeconds()));
+        if (!world.isFallen()) { // else nobody could tell where on the pitch the lines belong
+            showWay(plan, way);
+        }
+    }
+
+    private void showWay(Plan plan, List<Spot> way) {
         String colour = plan.role().colour();
-        nao.drawText(new Vector3(0, 0, 0.3), plan.role() + " " + plan.action(), colour);
         Spot before = world.place();
         for (Spot bend : way) {
             nao.drawLine(seen(before), seen(bend), colour);
@@ -46,7 +56,6 @@ final class Board {
             showBall();
             showChoice(plan);
         }
-        nao.plot("seconds since the ball was seen", Math.min(10, world.ballAgeSeconds()));
     }
 
     /** The ball, and how far it will roll. */
