@@ -84,7 +84,7 @@ public final class PolicyPlayer {
     }
 
     /**
-     * Tells what is wanted.
+     * Sets what is wanted.
      *
      * @param name what the policy can be told, such as {@code distance} of a kick
      * @param value how much, in the unit with which it was learned; 0 until it is told

@@ -148,7 +148,9 @@ final class LearnCommand implements Callable<Integer> {
 
     private Course course() {
         Optional<WalkCourse> walk = WalkCourse.named(task);
-        return walk.isPresent() ? walk.get() : TaskCourse.of(task, inputs, hidden, AgentFinder.loaderOf(classPath.folders()));
+        return walk.isPresent()
+                ? walk.get()
+                : TaskCourse.of(task, inputs, hidden, AgentFinder.loaderOf(classPath.folders()));
     }
 
     private TrainingPlan plan() {

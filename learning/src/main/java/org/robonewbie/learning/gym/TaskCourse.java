@@ -60,9 +60,7 @@ public final class TaskCourse implements Course {
                     .toList();
         }
         int outputs = model.joints().size();
-        layers = hidden == 0
-                ? new int[] {inputs.size(), outputs}
-                : new int[] {inputs.size(), hidden, outputs};
+        layers = hidden == 0 ? new int[] {inputs.size(), outputs} : new int[] {inputs.size(), hidden, outputs};
     }
 
     /**
