@@ -34,7 +34,8 @@ class PassModeTest {
     void aRobotAtTheBallGetsPassModeForFourSeconds() {
         try (Trial trial = trial(0.4, 2)) {
             assertThat(modeAfter(trial, 1)).isEqualTo(PlayMode.PASS_LEFT);
-            assertThat(modeAfter(trial, 3.5)).isEqualTo(PlayMode.PLAY_ON);
+            assertThat(modeAfter(trial, 3.5)).isEqualTo(PlayMode.PASS_LEFT);
+            assertThat(modeAfter(trial, 4.5)).isEqualTo(PlayMode.PLAY_ON);
         }
     }
 
@@ -60,6 +61,7 @@ class PassModeTest {
         assertThat(Situation.OUR_PASS.isOurs()).isFalse();
     }
 
+    /** The play mode so many seconds after the beginning. */
     private static PlayMode modeAfter(Trial trial, double seconds) {
         trial.run(seconds);
         Moment now = trial.now();
