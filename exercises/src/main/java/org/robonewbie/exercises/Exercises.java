@@ -76,7 +76,7 @@ public final class Exercises {
                     "BallDirection",
                     "How exact is the view?",
                     60,
-                    "Tell the ball's direction to 0.5°, however head and body lean.",
+                    "Say the ball's direction to 0.5°, however head and body lean.",
                     12,
                     BallDirectionTask::new),
             new Exercise(

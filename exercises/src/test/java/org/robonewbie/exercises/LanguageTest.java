@@ -107,7 +107,7 @@ class LanguageTest {
                 "The program ended the whole process (exit code 0). Does it call System.exit?"
                         + "|Das Programm hat den ganzen Prozess beendet (Exit-Code 0). Ruft es System.exit auf?",
                 "1 of 2 gates, 0.40 m from the ball at best, things moved by 0.00 m, 24 s"
-                        + "|1 von 2 Toren, dem Ball bis auf 0.40 m nahe, Dinge um 0.00 m bewegt, 24 s",
+                        + "|1 von 2 Toren, kam dem Ball bis auf 0.40 m nahe, Hindernisse um 0.00 m verschoben, 24 s",
                 "reached the top, and stood there for 3 s|erreichte die Kuppe, und stand dort 3 s",
                 "nobody has written this|nobody has written this"
             })

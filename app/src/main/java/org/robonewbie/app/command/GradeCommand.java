@@ -272,8 +272,8 @@ final class GradeCommand implements Callable<Integer> {
         System.out.println(CommandWord.here()
                 .in("Written: " + file + System.lineSeparator()
                         + language.language().translated(exercise.goal()) + System.lineSeparator()
-                        + "Change it, watch it with: robonewbie run " + file + System.lineSeparator()
-                        + "and grade it with: robonewbie grade " + exercise.name() + " " + file));
+                        + "Change it, then see it in the scene of the exercise, with points and a hint:"
+                        + System.lineSeparator() + "robonewbie grade " + exercise.name() + " " + file + " --watch"));
         return ExitCode.OK;
     }
 

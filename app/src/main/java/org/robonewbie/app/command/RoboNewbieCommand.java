@@ -109,7 +109,15 @@ public final class RoboNewbieCommand {
     /** The examples below each help text name this program as it has to be written here. */
     private static void proposeWhatCanBeCopied(CommandLine commandLine) {
         CommandWord word = CommandWord.here();
-        commandLine.getCommandSpec().usageMessage().sectionMap().put("footer", help -> word.in(help.footer()));
+        commandLine
+                .getCommandSpec()
+                .usageMessage()
+                .sectionMap()
+                .put(
+                        "footer",
+                        help -> new HelpExamples(
+                                        word, help.commandSpec().usageMessage().width())
+                                .text(help.commandSpec().usageMessage().footer()));
         commandLine.getSubcommands().values().forEach(RoboNewbieCommand::proposeWhatCanBeCopied);
     }
 

@@ -12,6 +12,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.Diagnostic;
@@ -102,12 +104,14 @@ final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
             .map(constant -> ((Enum<?>) constant).name())
             .toList();
 
-    private static final List<String> METHODS = TYPES.values().stream()
-            .flatMap(type -> Arrays.stream(type.getMethods()))
-            .filter(method -> method.getDeclaringClass() != Object.class)
-            .map(Method::getName)
-            .distinct()
-            .toList();
+    /** What each object has and a student hardly means. */
+    private static final Set<String> INHERITED = Set.of("equals", "hashCode", "toString");
+
+    private static final List<String> METHODS = methods(TYPES.values().stream()).toList();
+
+    /** Such as {@code location: class org.robonewbie.nao.motion.Posture}. */
+    private static final Pattern OWNER =
+            Pattern.compile("symbol: +method[^\\n]*\\R.*\\b(?:class|interface|of type) (?:\\w+\\.)*(\\w+)");
 
     private final List<Diagnostic<? extends JavaFileObject>> all = new ArrayList<>();
     private final Set<String> imports = new TreeSet<>();
@@ -168,6 +172,7 @@ final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
         }
         return meant(mistake)
                 .map(meant -> "Did you mean " + meant + "?")
+                .or(() -> offers(mistake))
                 .orElseGet(() -> BeginnersHints.of(String.valueOf(mistake.getCode()), text(mistake)));
     }
 
@@ -183,7 +188,39 @@ final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
         }
         boolean constant = written.equals(written.toUpperCase(Locale.ROOT));
         boolean type = Character.isUpperCase(written.charAt(0)) && !constant;
-        return Spelling.nearest(written, constant ? CONSTANTS : type ? List.copyOf(TYPES.keySet()) : METHODS);
+        return Spelling.nearest(
+                written, constant ? CONSTANTS : type ? List.copyOf(TYPES.keySet()) : methodsWhere(mistake));
+    }
+
+    /** Of a class of the framework only its own methods can be meant. */
+    private static List<String> methodsWhere(Diagnostic<? extends JavaFileObject> mistake) {
+        return owner(mistake)
+                .map(type -> methods(Stream.of(type)).sorted().toList())
+                .orElse(METHODS);
+    }
+
+    /** What can be called where nothing similar to the written name is. */
+    private static Optional<String> offers(Diagnostic<? extends JavaFileObject> mistake) {
+        if (!isUnknown(mistake)) {
+            return Optional.empty();
+        }
+        return owner(mistake)
+                .map(type ->
+                        type.getSimpleName() + " has the methods " + String.join(", ", methodsWhere(mistake)) + ".");
+    }
+
+    /** The class of the framework in which the compiler has looked for a method. */
+    private static Optional<Class<?>> owner(Diagnostic<? extends JavaFileObject> mistake) {
+        Matcher place = OWNER.matcher(mistake.getMessage(Locale.ROOT));
+        return place.find() ? Optional.ofNullable(TYPES.get(place.group(1))) : Optional.empty();
+    }
+
+    private static Stream<String> methods(Stream<Class<?>> types) {
+        return types.flatMap(type -> Arrays.stream(type.getMethods()))
+                .filter(method -> method.getDeclaringClass() != Object.class)
+                .map(Method::getName)
+                .filter(name -> !INHERITED.contains(name))
+                .distinct();
     }
 
     /** What the compiler has underlined. */

@@ -41,6 +41,21 @@ class CompilerMessagesTest {
                 .doesNotContain("Did you mean");
     }
 
+    @Test
+    void methodsOfTheClassItselfAreOfferedWhereNothingIsSimilar() throws IOException {
+        String imports = "import org.robonewbie.nao.Joint; import org.robonewbie.nao.motion.Posture;";
+
+        String messages = messagesFor(imports, "double angle = Posture.ZERO.get(Joint.NECK_YAW);");
+
+        assertThat(messages).contains("Posture has the methods degrees").doesNotContain("Did you mean");
+    }
+
+    @Test
+    void methodOfTheVariablesTypeIsMeantAndNotThatOfAnotherOne() throws IOException {
+        assertThat(messagesFor("", "double way = fieldView.ball().distanc();")).contains("Did you mean distance?");
+        assertThat(messagesFor("", "motions.performs(\"wave\");")).doesNotContain("Did you mean perform?");
+    }
+
     private String messagesFor(String imports, String line) throws IOException {
         Path file = Files.writeString(
                 folder.resolve("Walker.java"),

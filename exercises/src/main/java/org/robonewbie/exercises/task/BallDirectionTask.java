@@ -103,7 +103,9 @@ public final class BallDirectionTask implements Task {
     @Override
     public Score score() {
         double error = sumOfErrors / Math.max(1, words);
-        String finding = String.format(Locale.ROOT, "told %d times, mean error %.2f°", words, error);
+        String finding = words == 0
+                ? "said nothing"
+                : String.format(Locale.ROOT, "said it %d times, mean error %.2f°", words, error);
         if (words < FEWEST_WORDS) {
             return Score.failed(
                     0, finding, "Say it at least 40 times, such as nao.say(\"ball:-12.3\"), when the ball is visible.");

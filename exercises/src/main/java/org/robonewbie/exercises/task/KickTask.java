@@ -24,6 +24,7 @@ public final class KickTask implements Task {
 
     private static final double FAR_METRES = 2;
     private static final double STAYED_METRES = 0.4;
+    private static final double TOUCHED_METRES = 0.01;
     private static final double BALL_AHEAD = 0.209;
     private static final double BALL_ASIDE = 0.036;
     private static final double ERROR_METRES = 0.006;
@@ -115,7 +116,10 @@ public final class KickTask implements Task {
                 : Score.failed(
                         3 * metres,
                         finding,
-                        "Look down to see before which foot the ball lies. The foot must be quick where the ball is: a short"
-                                + " keyframe there.");
+                        metres < TOUCHED_METRES
+                                ? "The foot has not touched the ball. Watch the trial: does it pass beside the ball, above it, or"
+                                        + " stop before it?"
+                                : "Look down to see before which foot the ball lies. The foot must be quick where the ball is:"
+                                        + " a short keyframe there.");
     }
 }

@@ -116,6 +116,6 @@ public final class RollingBallTask implements Task {
     }
 
     private String told(int shot) {
-        return words[shot] < FEWEST_WORDS ? "not told" : String.format(Locale.ROOT, "%.2f m wrong", error(shot));
+        return words[shot] < FEWEST_WORDS ? "not said" : String.format(Locale.ROOT, "%.2f m wrong", error(shot));
     }
 }

@@ -69,7 +69,7 @@ public final class UnseenBallTask implements Task {
         double error = sumOfErrors / Math.max(1, words);
         String finding = String.format(
                 Locale.ROOT,
-                "turned by %.0f°, told the unseen ball %d times%s%s",
+                "turned by %.0f°, said %d times where the unseen ball is%s%s",
                 turned,
                 words,
                 words == 0 ? "" : String.format(Locale.ROOT, ", mean error %.1f°", error),

@@ -85,7 +85,7 @@ public final class WhereAmITask implements Task {
     }
 
     private static String told(double error) {
-        return Double.isInfinite(error) ? "not told" : String.format(Locale.ROOT, "%.2f m wrong", error);
+        return Double.isInfinite(error) ? "not said" : String.format(Locale.ROOT, "%.2f m wrong", error);
     }
 
     private Place somewhere() {
