@@ -47,7 +47,9 @@ class CompilerMessagesTest {
 
         String messages = messagesFor(imports, "double angle = Posture.ZERO.get(Joint.NECK_YAW);");
 
-        assertThat(messages).contains("Posture has the methods degrees").doesNotContain("Did you mean");
+        assertThat(messages)
+                .contains("Posture has the methods clamped, degrees,")
+                .doesNotContain("Did you mean");
     }
 
     @Test
