@@ -28,6 +28,8 @@ public final class PolicyText {
 
     private static final String HEAD = "policy 1 ";
     private static final String REMARK = "#";
+    private static final int WORDS = 3;
+    private static final int WIDEST_LAYER = 1024;
 
     private String task = "";
     private final List<String> about = new ArrayList<>();
@@ -79,6 +81,11 @@ public final class PolicyText {
     }
 
     private void readStatement(String... words) {
+        if (words.length < WORDS) {
+            throw new IllegalArgumentException(
+                    "Something is missing. Examples of whole lines: \"input tilt.pitch 10 degrees\","
+                            + " \"numbers range 20\", \"layer 1 1 tanh\".");
+        }
         switch (words[0]) {
             case "numbers" ->
                 numbers.put(
@@ -93,6 +100,10 @@ public final class PolicyText {
 
     private void beginLayer(int from, String... rest) {
         int to = Integer.parseInt(rest[0]);
+        if (rest.length < 2 || from < 1 || from > WIDEST_LAYER || to < 1 || to > WIDEST_LAYER) {
+            throw new IllegalArgumentException(
+                    "A layer has 1 to " + WIDEST_LAYER + " inputs and outputs, and tanh or cut: \"layer 12 6 tanh\".");
+        }
         layers.add(new Layer(
                 from, to, Layer.Bend.valueOf(rest[1].toUpperCase(Locale.ROOT)), new double[Layer.size(from, to)]));
         weights = new double[0];

@@ -58,6 +58,9 @@ class PolicyTextTest {
                     1 0.5 -0.25           | 1 NaN 2           | All numbers have to be finite.
                     0 1 -1                | # nothing         | The policy "balance" is not complete.
                     input tilt 10 degrees | weather fine x    | There are: numbers, input, output, layer.
+                    input tilt 10 degrees | input tilt        | Something is missing.
+                    layer 2 2 tanh        | layer 2 1025 tanh | A layer has 1 to 1024 inputs and outputs
+                    layer 2 2 tanh        | layer 2 0 tanh    | A layer has 1 to 1024 inputs and outputs
                     input tilt 10 degrees | # nothing         | The network takes 2 numbers and gives 1, but 1 inputs
                     """)
     void saysWhatIsWrong(String line, String instead, String message) {

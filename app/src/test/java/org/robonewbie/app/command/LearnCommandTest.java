@@ -49,7 +49,7 @@ class LearnCommandTest {
     void saysWhatIsWrong() {
         assertThatThrownBy(() -> command("fly").call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessage("There is nothing to learn called \"fly\". There are: walk, run.");
+                .hasMessageStartingWith("There is no task \"fly\". There are: Follow, GetUp, ");
         assertThatThrownBy(
                         () -> learn(folder.resolve("none.policy"), "--resume").call())
                 .isInstanceOf(CalledWronglyException.class)

@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.zip.GZIPOutputStream;
+import org.robonewbie.agent.policy.PolicyPlayer;
+import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.running.Surroundings;
 import org.robonewbie.competition.team.TeamList;
 import org.robonewbie.competition.team.WrongEntryException;
@@ -54,6 +56,8 @@ enum FuzzedReader {
     PLAN(bytes -> inFile(bytes, ExperimentPlan::read)),
     /** Properties beside a program. */
     PROPERTIES(bytes -> inFile(bytes, file -> Surroundings.properties(file.toString()))),
+    /** Learned policies. */
+    POLICY(bytes -> new PolicyPlayer(PolicyText.parse(text(bytes)))),
     /** Lists of teams. */
     TEAMS(bytes -> TeamList.parse(text(bytes).lines().toList()));
 
@@ -93,7 +97,7 @@ enum FuzzedReader {
         } catch (IOException | MotionFormatException | WrongEntryException refused) {
             requireReason(refused);
         } catch (IllegalArgumentException refused) {
-            if (this != STATE && this != PLAN) {
+            if (this != STATE && this != PLAN && this != POLICY) {
                 throw refused;
             }
             requireReason(refused);
