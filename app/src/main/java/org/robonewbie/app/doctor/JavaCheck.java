@@ -2,9 +2,8 @@ package org.robonewbie.app.doctor;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.stream.Collectors;
-import javax.tools.ToolProvider;
+import org.robonewbie.app.program.CompilerOfThisJava;
 import org.robonewbie.nao.math.MathFingerprint;
 
 /** Looks at the Java that runs this program. */
@@ -25,21 +24,12 @@ final class JavaCheck {
     }
 
     static Finding compiler() {
-        return hasCompiler()
+        return CompilerOfThisJava.isThere()
                 ? Finding.well("Compiler", "agents can be run from their .java files")
                 : Finding.notable(
                         "Compiler",
                         "none in " + System.getProperty("java.home"),
                         "To run .java files install a JDK instead of a Java run-time (JRE).");
-    }
-
-    /** A Java that was made smaller may lack even the class that is asked. */
-    private static boolean hasCompiler() {
-        try {
-            return Optional.ofNullable(ToolProvider.getSystemJavaCompiler()).isPresent();
-        } catch (NoClassDefFoundError withoutModule) {
-            return false;
-        }
     }
 
     static Finding mathematics() {

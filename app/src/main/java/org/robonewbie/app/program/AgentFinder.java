@@ -38,7 +38,7 @@ public final class AgentFinder {
      */
     public AgentProgram find(String name) {
         if (name.endsWith(".java")) {
-            return JavaSource.of(Path.of(name)).compile(classPath);
+            return source(name).compile(classPath);
         }
         return examples.find(name).or(() -> findOwnClass(name)).orElseThrow(() -> unknown(name));
     }
@@ -52,13 +52,18 @@ public final class AgentFinder {
      */
     public Supplier<Class<?>> findClass(String name) {
         if (name.endsWith(".java")) {
-            return JavaSource.of(Path.of(name)).load(classPath);
+            return source(name).load(classPath);
         }
         String className = examples.classNames().getOrDefault(name, name);
         if (ownClass(className).isEmpty()) {
             throw unknown(name);
         }
         return () -> ownClass(className).orElseThrow();
+    }
+
+    private static JavaSource source(String name) {
+        CompilerOfThisJava.require();
+        return JavaSource.of(Path.of(name));
     }
 
     /**

@@ -20,7 +20,6 @@ import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardJavaFileManager;
-import javax.tools.ToolProvider;
 
 /**
  * A Java file of the user, compiled in memory together with the other files of its folder that it needs. Nothing is
@@ -121,10 +120,7 @@ final class JavaSource {
 
     /** Does something with the compiler. */
     <T> T with(CompilerMessages messages, List<Path> classPath, Work<T> work) {
-        JavaCompiler compiler = Optional.ofNullable(ToolProvider.getSystemJavaCompiler())
-                .orElseThrow(() -> new CalledWronglyException(
-                        "A Java file can be run by a JDK only, and this Java has no compiler: "
-                                + System.getProperty("java.home")));
+        JavaCompiler compiler = CompilerOfThisJava.get();
         StandardJavaFileManager disk =
                 KEPT.getAndSet(Optional.empty()).orElseGet(() -> compiler.getStandardFileManager(null, null, null));
         try {

@@ -24,6 +24,7 @@ public final class StudentsProgram {
     private StudentsProgram(Path file, String text, List<Path> classPath) {
         this.file = file;
         this.text = text;
+        CompilerOfThisJava.require();
         this.source = JavaSource.of(file, text);
         this.classPath = classPath;
     }
