@@ -32,16 +32,16 @@ final class HelpExamples {
     }
 
     private Stream<String> lines(String line) {
-        int gap = line.strip().indexOf("   ") + line.indexOf(line.strip());
-        boolean explained = line.startsWith("  ") && line.strip().contains("   ");
         if (line.length() < width || !line.startsWith("  ")) {
             return wrapped(line, "");
         }
-        return explained
-                ? Stream.concat(
+        int indent = line.length() - line.stripLeading().length();
+        int gap = line.stripTrailing().indexOf("   ", indent);
+        return gap < 0
+                ? wrapped(line, FARTHER)
+                : Stream.concat(
                         wrapped(line.substring(0, gap), FARTHER),
-                        wrapped(FARTHER + line.substring(gap).strip(), FARTHER))
-                : wrapped(line, FARTHER);
+                        wrapped(FARTHER + line.substring(gap).strip(), FARTHER));
     }
 
     /** Breaks between words. */

@@ -193,12 +193,13 @@ final class LearnCommand implements Callable<Integer> {
         if (lessons < 1) {
             throw new CalledWronglyException("--lessons has to be greater than 0.");
         }
+        TrainingPlan plan = plan();
         if (dash > 0) {
             return dash(walk(course, what));
         }
         LessonFigures figures = course instanceof WalkCourse walks
                 ? Exam.walk(walks, walk(course, what), lessons, seconds, push, threads)
-                : Exam.of(course, plan(), lessons, policy(course, what));
+                : Exam.of(course, plan, lessons, policy(course, what));
         System.out.println(what + ", " + lessons + " lessons: " + figures);
         return ExitCode.OK;
     }

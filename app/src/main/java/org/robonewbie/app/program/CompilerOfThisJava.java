@@ -13,9 +13,8 @@ public final class CompilerOfThisJava {
     public static boolean isThere() {
         try {
             return find().isPresent();
-        } catch (
-                NoClassDefFoundError withoutModule) { // a Java that was made smaller lacks even the class that is asked
-            return false;
+        } catch (NoClassDefFoundError withoutModule) {
+            return false; // a Java that was made smaller lacks even the class that is asked
         }
     }
 

@@ -55,6 +55,10 @@ class LearnCommandTest {
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessageContaining("There is nothing to resume");
         assertThatThrownBy(() -> command("walk", "--pairs", "0").call()).isInstanceOf(CalledWronglyException.class);
+        assertThatThrownBy(() ->
+                        command("walk", "--exam", "standard", "--threads", "0").call())
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("have to be");
         assertThatThrownBy(() -> command(
                                 "walk", "--exam", folder.resolve("no.policy").toString())
                         .call())
