@@ -88,13 +88,19 @@ final class Article {
         return sections.values().stream().anyMatch(section -> section.anchor().equals(anchor));
     }
 
-    /** The page as HTML, with its links as they are now; the empty corner of a table is no head that a screen reader would read. */
+    /**
+     * The page as HTML, with its links as they are now. The empty corner of a table is no head that a screen reader would read; code
+     * can be focused, so that the arrow keys scroll to the end of a long line.
+     */
     String html() {
         return HtmlRenderer.builder()
                 .extensions(TABLES)
                 .attributeProviderFactory(context -> (node, tag, attributes) -> {
                     if (node instanceof Heading heading && sections.containsKey(heading)) {
                         attributes.put("id", sections.get(heading).anchor());
+                    }
+                    if (tag.equals("pre")) {
+                        attributes.put("tabindex", "0");
                     }
                 })
                 .build()

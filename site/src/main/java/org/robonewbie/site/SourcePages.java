@@ -67,7 +67,7 @@ final class SourcePages {
     private Optional<Content> show(Path file) throws IOException {
         try {
             String name = addresses.name(file);
-            String html = "<h1>" + PageFrame.escape(name) + "</h1>\n<pre><code>"
+            String html = "<h1>" + PageFrame.escape(name) + "</h1>\n<pre tabindex=\"0\"><code>"
                     + PageFrame.escape(Files.readString(file)) + "</code></pre>\n";
             return Optional.of(new Content(name, html));
         } catch (CharacterCodingException noText) {
