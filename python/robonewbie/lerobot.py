@@ -211,9 +211,10 @@ def convert(folder, target):
     for file in sorted((folder / "cycles").glob("run-*.parquet")):
         cycles = pd.read_parquet(file)
         goals = pd.read_parquet(folder / "events" / file.name)
-        for (team, _), rows in cycles.groupby(["team", "number"], sort=True):
+        for (run, team, _), rows in cycles.groupby(["run", "team", "number"], sort=True):
             happened = np.zeros(int(cycles.cycle.max()) + 1)
-            for cycle, event in zip(goals.cycle, goals.event):
+            of_run = goals[goals.run == run]
+            for cycle, event in zip(of_run.cycle, of_run.event):
                 if event.startswith("goal "):
                     happened[min(cycle, len(happened) - 1)] += 1 if event.endswith(f" {team}") else -1
             rewards = np.add.reduceat(happened, rows.cycle.to_numpy())[1:] if len(rows) > 1 else np.zeros(0)

@@ -87,16 +87,19 @@ class LeRobotTest(unittest.TestCase):
         columns = [{"name": name, "kind": "decimal"} for name in names]
         (source / "dataset.json").write_text(json.dumps({"agent": "Me", "tables": {"cycles": {"columns": columns}}}))
         rows = [(1, cycle, team, 1, cycle, None, 10 * cycle, 0) for cycle in range(5) for team in ("A", "B")]
-        pd.DataFrame(rows, columns=["run", "cycle", "team", "number", *names]).to_parquet(source / "cycles" / "run-00001.parquet")
-        pd.DataFrame({"run": [1], "cycle": [3], "event": ["goal left A"]}).to_parquet(source / "events" / "run-00001.parquet")
+        rows += [(2, cycle, "A", 1, -cycle, None, 0, 0) for cycle in range(3)]
+        pd.DataFrame(rows, columns=["run", "cycle", "team", "number", *names]).to_parquet(source / "cycles" / "run-00001-to-00002.parquet")
+        pd.DataFrame({"run": [1, 2], "cycle": [3, 1], "event": ["goal left A", "goal right B"]}).to_parquet(
+            source / "events" / "run-00001-to-00002.parquet"
+        )
 
         convert(source, self.folder / "games")
 
         frames = pd.read_parquet(self.folder / "games" / "data")
-        self.assertEqual(list(frames["next.reward"]), [0, 0, 1, 0, 0, 0, -1, 0])
+        self.assertEqual(list(frames["next.reward"]), [0, 0, 1, 0, 0, 0, -1, 0, -1, 0])
         np.testing.assert_array_equal(np.stack(frames["observation.state"])[:4], [[0, 0], [1, 0], [2, 0], [3, 0]])
         np.testing.assert_array_equal(np.stack(frames["action"])[:4, 0], [10, 20, 30, 40])
-        self.assertEqual(list(np.flatnonzero(frames["next.done"])), [3, 7])
+        self.assertEqual(list(np.flatnonzero(frames["next.done"])), [3, 7, 9])
         with self.assertRaisesRegex(FileExistsError, "Name another folder"):
             EpisodeWriter(self.folder / "games", [], [])
 

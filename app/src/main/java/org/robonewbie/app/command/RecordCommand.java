@@ -1,36 +1,31 @@
 package org.robonewbie.app.command;
 
 import java.io.IOException;
-import java.io.OutputStream;
-import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import org.robonewbie.app.program.AgentFinder;
 import org.robonewbie.app.program.AgentProgram;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.app.program.ExampleCatalogue;
+import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.app.recording.ParallelRecording;
+import org.robonewbie.app.recording.RecordingGuard;
+import org.robonewbie.app.recording.RunOrder;
+import org.robonewbie.app.recording.RunsOnCall;
 import org.robonewbie.learning.dataset.DataSet;
-import org.robonewbie.learning.dataset.RunTables;
 import org.robonewbie.learning.dataset.TableFormat;
-import org.robonewbie.simulator.Console;
-import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.server.Simulator;
-import org.robonewbie.simulator.server.SimulatorSettings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 
 /** Runs an agent many times and writes its perception, its commands and the true state as tables. */
 @Command(
@@ -38,7 +33,9 @@ import picocli.CommandLine.Parameters;
         description = {
             "Let an agent run many times and write a data set.",
             "Its tables hold what the robot felt, what it commanded, what was true, and what happened in the game. docs/datasets.md"
-                    + " explains the columns and how to read them."
+                    + " explains the columns and how to read them.",
+            "Runs are carried out on all cores; which one a run gets does not change its tables. A run whose program fails is told in",
+            "the table of runs. After a kill the same command goes on where it was."
         },
         customSynopsis = "robonewbie record AGENT [OPTIONS] [-- OPTIONS OF THE AGENT]",
         sortOptions = false,
@@ -47,13 +44,16 @@ import picocli.CommandLine.Parameters;
             "Examples:",
             "  robonewbie record Agent_SimpleSoccer --runs 20 --seconds 60",
             "  robonewbie record MyAgent.java --runs 100 --seed 7 --seconds 10 --format csv --out falls",
+            "  robonewbie record MyAgent.java --runs 1000 --seconds 10 --runs-per-file 100",
             "  robonewbie record MyAgent.java --runs 5 --messages -- --pose -2,1,90",
             "  robonewbie record MyTeam.java --robots 4           a program that brings four robots"
         })
 final class RecordCommand implements Callable<Integer> {
 
     private static final int MOST_ROBOTS = 22;
-    private static final long PATIENCE_SECONDS = 20;
+
+    @Spec
+    private CommandSpec spec = CommandSpec.create();
 
     @Mixin
     final HelpOption help = new HelpOption();
@@ -82,6 +82,15 @@ final class RecordCommand implements Callable<Integer> {
     @Option(names = "--messages", description = "Keep the messages between simulator and robot as text too.")
     private boolean messages;
 
+    @Option(names = "--runs-per-file", paramLabel = "N", description = "Join the tables of N runs into one file (1).")
+    private int runsPerFile = 1;
+
+    @Option(names = "--threads", paramLabel = "N", description = "How many runs at the same time (one per core).")
+    private int threads = Runtime.getRuntime().availableProcessors();
+
+    @Option(names = RunsOnCall.OPTION, hidden = true)
+    private boolean onCall;
+
     @Option(names = "--robots", paramLabel = "N", description = "How many robots the program brings, 1 to 22 (1).")
     private int robots = 1;
 
@@ -92,26 +101,47 @@ final class RecordCommand implements Callable<Integer> {
     final WithoutStudioOption withoutStudio = new WithoutStudioOption();
 
     @Override
-    public Integer call() throws IOException {
+    public Integer call() throws IOException, InterruptedException {
         check();
-        List<Path> classFolders = classPath.folders();
-        AgentProgram program = new AgentFinder(ExampleCatalogue.load(), classFolders).find(agentAndOptions.get(0));
-        DataSet set = create();
-        try (RecordingGuard guard = RecordingGuard.begin(set, runs, seconds)) {
+        RunOrder order = new RunOrder(agentAndOptions, robots, seconds, seed);
+        Supplier<AgentProgram> programs =
+                new AgentFinder(ExampleCatalogue.load(), classPath.folders()).findRepeatedly(order.agent());
+        if (onCall) {
+            new RunsOnCall(order, programs, DataSet.joined(folder, format, messages, facts(order))).serve();
+        }
+        DataSet set = create(order);
+        RecordingGuard guard = RecordingGuard.begin(set, runs);
+        try {
             if (set.runs() > 0) {
                 System.out.println(set.runs() + " runs are complete already and kept.");
             }
-            for (int run = 1; run <= runs; run++) {
-                if (set.has(run)) {
-                    continue;
-                }
-                long rows = record(program, set, guard, run);
-                System.out.printf(Locale.ROOT, "run %d/%d, seed %d: %d rows%n", run, runs, seed + run - 1, rows);
-            }
-            set.finish();
+            new ParallelRecording(order, runs, set, StudentJava.command(List.of(), argumentsOnCall())).run(threads);
+            return end(set);
+        } finally {
+            guard.close();
         }
-        System.out.println("Written to the folder " + folder + "; its dataset.json explains the columns.");
-        return ExitCode.OK;
+    }
+
+    private int end(DataSet set) throws IOException {
+        if (set.runs() == runs) {
+            set.finish(runsPerFile);
+            System.out.println("Written to the folder " + folder + "; its dataset.json explains the columns.");
+        } else {
+            set.endEarly();
+            System.err.println(set.runs() + " of " + runs + " runs are complete and kept in the folder " + folder
+                    + "; the same command tries again what is missing.");
+        }
+        set.failures()
+                .forEach(run -> System.err.println("run " + run.run() + ", seed " + run.seed() + ": " + run.failure()));
+        return set.failures().isEmpty() && set.runs() == runs ? ExitCode.OK : ExitCode.SOFTWARE;
+    }
+
+    /** What a process gets that carries out runs: all that this one got. */
+    private List<String> argumentsOnCall() {
+        List<String> arguments =
+                new ArrayList<>(spec.root().commandLine().getParseResult().originalArgs());
+        arguments.add(arguments.indexOf(spec.name()) + 1, RunsOnCall.OPTION);
+        return arguments;
     }
 
     private void check() {
@@ -124,11 +154,17 @@ final class RecordCommand implements Callable<Integer> {
         if (!(seconds > 0) || Double.isInfinite(seconds)) {
             throw new CalledWronglyException("--seconds " + seconds + ": give a number greater than 0.");
         }
+        if (threads < 1) {
+            throw new CalledWronglyException("--threads " + threads + ": give a number of at least 1.");
+        }
+        if (runsPerFile < 1) {
+            throw new CalledWronglyException("--runs-per-file " + runsPerFile + ": give a number of at least 1.");
+        }
     }
 
-    private DataSet create() throws IOException {
+    private DataSet create(RunOrder order) {
         try {
-            return DataSet.create(folder, format, messages, facts());
+            return DataSet.create(folder, format, messages, facts(order));
         } catch (IllegalArgumentException occupied) {
             throw new CalledWronglyException(String.valueOf(occupied.getMessage()));
         } catch (IOException unwritable) {
@@ -137,63 +173,7 @@ final class RecordCommand implements Callable<Integer> {
         }
     }
 
-    private Map<String, String> facts() {
-        Map<String, String> facts = new LinkedHashMap<>();
-        facts.put("version", new RoboNewbieCommand.Version().getVersion()[0]);
-        facts.put("agent", String.join(" ", agentAndOptions));
-        facts.put("seconds", Double.toString(seconds));
-        facts.put("first seed", Long.toString(seed));
-        facts.put("robots", Integer.toString(robots));
-        facts.put("pitch", "beginner");
-        return facts;
-    }
-
-    private long record(AgentProgram program, DataSet set, RecordingGuard guard, int run) throws IOException {
-        SimulatorSettings settings = SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                .seed(seed + run - 1)
-                .awaitedAgents(robots)
-                .seconds(OptionalDouble.of(seconds))
-                .build();
-        try (RunTables tables = set.begin(run, seed + run - 1)) {
-            try (Simulator simulator = Simulator.start(settings, Console.silent())) {
-                guard.begins(run, simulator, tables);
-                simulator.control().addObserver(tables);
-                CompletableFuture.delayedExecutor(PATIENCE_SECONDS, TimeUnit.SECONDS)
-                        .execute(() -> giveUpIfNotBegun(simulator));
-                int code = silently(program, simulator.agentPort());
-                if (code != ExitCode.OK) {
-                    throw new IOException(agentAndOptions.get(0) + " failed in run " + run + ", see above.");
-                }
-            }
-            return set.add(tables);
-        } finally {
-            guard.ends();
-        }
-    }
-
-    /** The world waits for all robots; if some never come, it would wait for ever. */
-    private void giveUpIfNotBegun(Simulator simulator) {
-        if (simulator.cycles() == 0) {
-            System.err.println(agentAndOptions.get(0) + " has not brought " + robots + " robots within "
-                    + PATIENCE_SECONDS + " s. Say with --robots how many it brings.");
-            simulator.close();
-        }
-    }
-
-    /** What the agent prints for people is left out; there may be thousands of runs. */
-    private int silently(AgentProgram program, int port) {
-        List<String> options =
-                new ArrayList<>(List.of("--host", "127.0.0.1", "--port", Integer.toString(port), "--headless"));
-        options.addAll(agentAndOptions.subList(1, agentAndOptions.size()));
-        PrintStream usual = System.out;
-        System.setOut(new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
-        try {
-            return program.run(options);
-        } finally {
-            System.setOut(usual);
-        }
+    private static Map<String, String> facts(RunOrder order) {
+        return order.facts(new RoboNewbieCommand.Version().getVersion()[0]);
     }
 }

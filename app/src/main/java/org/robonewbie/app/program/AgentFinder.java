@@ -61,6 +61,23 @@ public final class AgentFinder {
         return () -> ownClass(className).orElseThrow();
     }
 
+    /**
+     * Finds a program to be run repeatedly, each time with static fields of its own unless it belongs to RoboNewbie.
+     *
+     * @param name simple name of an example, a class or a Java file
+     * @return loads the program
+     * @throws CalledWronglyException if there is none; its message says what there is
+     */
+    public Supplier<AgentProgram> findRepeatedly(String name) {
+        Supplier<Class<?>> types = findClass(name);
+        Supplier<AgentProgram> programs = () -> {
+            Class<?> type = types.get();
+            return AgentProgram.of(type).orElseThrow(() -> withoutMain(type.getSimpleName()));
+        };
+        programs.get();
+        return programs;
+    }
+
     private static JavaSource source(String name) {
         CompilerOfThisJava.require();
         return JavaSource.of(Path.of(name));

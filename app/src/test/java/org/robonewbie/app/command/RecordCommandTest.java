@@ -5,15 +5,19 @@ import static org.assertj.core.api.Assertions.within;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import java.io.BufferedReader;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
+import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -22,6 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Printed;
 import org.robonewbie.app.Project;
 import org.robonewbie.app.Python;
+import org.robonewbie.app.program.StudentJava;
 
 class RecordCommandTest {
 
@@ -32,7 +37,7 @@ class RecordCommandTest {
     void runsBecomeTables() throws IOException {
         Path out = folder.resolve("set");
 
-        Printed printed = record(out, "--format", "csv", "--runs", "2", "--messages");
+        Printed printed = record(out, "--format", "csv", "--runs", "2", "--threads", "1", "--messages");
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(printed.out()).contains("run 2/2, seed 4: 97 rows");
@@ -46,7 +51,8 @@ class RecordCommandTest {
         assertThat(rows.get(97)).contains("(GYR (n torso)").contains("(syn)");
         assertThat(Files.readAllLines(out.resolve("events/run-00001.csv"))).contains("1,1,playmode KickOff_Left");
         assertThat(Files.readAllLines(out.resolve("runs.csv")))
-                .containsExactly("run,seed,cycles,rows,score_left,score_right", "1,3,100,97,0,0", "2,4,100,97,0,0");
+                .containsExactly(
+                        "run,seed,cycles,rows,score_left,score_right,failure", "1,3,100,97,0,0,", "2,4,100,97,0,0,");
         JsonObject description = JsonParser.parseString(Files.readString(out.resolve("dataset.json")))
                 .getAsJsonObject();
         assertThat(description.get("complete").getAsBoolean()).isTrue();
@@ -60,13 +66,88 @@ class RecordCommandTest {
 
     @Test
     void sameSeedGivesTheSameTables() throws IOException {
-        record(folder.resolve("one"));
-        record(folder.resolve("two"));
+        record(folder.resolve("one"), "--runs", "3", "--threads", "1");
+        record(folder.resolve("two"), "--runs", "3", "--threads", "3");
 
-        assertThat(folder.resolve("one/cycles/run-00001.parquet"))
-                .hasSameBinaryContentAs(folder.resolve("two/cycles/run-00001.parquet"));
-        assertThat(folder.resolve("one/events/run-00001.parquet"))
-                .hasSameBinaryContentAs(folder.resolve("two/events/run-00001.parquet"));
+        assertThat(contents("one")).hasSize(8).isEqualTo(contents("two"));
+    }
+
+    @Test
+    void tablesOfSeveralRunsAreJoinedToThoseThatOneFileWouldHave() throws IOException {
+        record(folder.resolve("single"), "--format", "csv", "--runs", "3", "--threads", "1");
+        record(folder.resolve("joined"), "--format", "csv", "--runs", "3", "--runs-per-file", "2", "--threads", "1");
+
+        assertThat(folder.resolve("joined/cycles"))
+                .isDirectoryContaining("glob:**run-00001-to-00002.csv")
+                .isDirectoryContaining("glob:**run-00003.csv")
+                .isDirectoryNotContaining("glob:**run-00001.csv");
+        List<String> rows = Files.readAllLines(folder.resolve("single/cycles/run-00001.csv"));
+        List<String> more = Files.readAllLines(folder.resolve("single/cycles/run-00002.csv"));
+        rows.addAll(more.subList(1, more.size()));
+        assertThat(Files.readAllLines(folder.resolve("joined/cycles/run-00001-to-00002.csv")))
+                .isEqualTo(rows);
+    }
+
+    /** All that a program keeps in static fields begins again in each run, whichever process carries it out. */
+    @Test
+    void runThatFailsIsToldInTheTableAndTriedAgainByTheNextCall() throws IOException {
+        Path agent = Files.writeString(
+                folder.resolve("Quitter.java"), """
+                import java.nio.file.*;
+                import org.robonewbie.agent.Nao;
+
+                public class Quitter {
+                    private static int runs;
+
+                    public static void main(String[] args) throws Exception {
+                        boolean quits = !Files.exists(Path.of("%1$s", "calm"));
+                        runs++;
+                        try (Nao nao = Nao.connect(args)) {
+                            while (nao.sense()) {
+                                if (quits && nao.getTime() > 0.5 && Files.notExists(Path.of("%1$s", "quit"))) {
+                                    Files.createFile(Path.of("%1$s", "quit"));
+                                    System.err.println("I have had enough of run " + runs + ".");
+                                    System.exit(0);
+                                }
+                                nao.act();
+                            }
+                        }
+                        if (quits) {
+                            throw new IllegalStateException("The end surprises me.");
+                        }
+                    }
+                }
+                """.formatted(folder.toString().replace('\\', '/')));
+        String[] words = {
+            "record", agent.toString(), "--runs", "3", "--seconds", "2", "--format", "csv", "--threads", "1", "--out"
+        };
+
+        Printed first = Printed.by(with(words, folder.resolve("set")));
+        List<String> rows = Files.readAllLines(folder.resolve("set/runs.csv"));
+
+        assertThat(first.exitCode()).isEqualTo(1);
+        assertThat(first.err())
+                .contains("2 of 3 runs are complete and kept")
+                .contains("run 1, seed 1: The program ended its process. It said: I have had enough of run 1.");
+        assertThat(rows.get(1))
+                .isEqualTo("1,1,0,0,0,0,The program ended its process. It said: I have had enough of run 1.");
+        assertThat(rows.get(2))
+                .startsWith("2,2,100,97,0,0,The program failed. It said: ")
+                .endsWith("The end surprises me.");
+        assertThat(folder.resolve("set/cycles")).isDirectoryNotContaining("glob:**run-00001*");
+        assertThat(Files.readString(folder.resolve("set/dataset.json"))).contains("\"complete\": false");
+
+        Files.createFile(folder.resolve("calm"));
+        Printed second = Printed.by(with(words, folder.resolve("set")));
+        Printed whole = Printed.by(with(words, folder.resolve("whole")));
+
+        assertThat(second.out()).contains("2 runs are complete already and kept.", "run 1/3, seed 1: 97 rows");
+        assertThat(whole.exitCode()).as(whole.err()).isZero();
+        assertThat(folder.resolve("set/cycles/run-00001.csv"))
+                .hasSameBinaryContentAs(folder.resolve("whole/cycles/run-00001.csv"));
+        assertThat(Files.readAllLines(folder.resolve("set/runs.csv")))
+                .containsExactly(rows.get(0), "1,1,100,97,0,0,", rows.get(2), rows.get(3));
+        assertThat(Files.readString(folder.resolve("set/dataset.json"))).contains("\"complete\": true");
     }
 
     /** What a kill leaves behind: no table of runs, half of a line, and the last run without its table of cycles. */
@@ -74,8 +155,8 @@ class RecordCommandTest {
     void recordingThatWasKilledGoesOnWithTheRunsThatAreMissing() throws IOException {
         Path whole = folder.resolve("whole");
         Path broken = folder.resolve("broken");
-        record(whole, "--format", "csv", "--runs", "3");
-        record(broken, "--format", "csv", "--runs", "3");
+        record(whole, "--format", "csv", "--runs", "3", "--threads", "1");
+        record(broken, "--format", "csv", "--runs", "3", "--threads", "1");
         Path description = broken.resolve("dataset.json");
         Files.writeString(
                 description, Files.readString(description).replace("\"complete\": true", "\"complete\": false"));
@@ -84,7 +165,7 @@ class RecordCommandTest {
         Files.delete(broken.resolve("cycles/run-00002.csv"));
         Files.writeString(broken.resolve("cycles/run-00001.csv"), "kept");
 
-        Printed printed = record(broken, "--format", "csv", "--runs", "3");
+        Printed printed = record(broken, "--format", "csv", "--runs", "3", "--threads", "1");
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(printed.out())
@@ -172,55 +253,54 @@ class RecordCommandTest {
 
     @Tag("slow")
     @Test
-    void agentThatEndsTheProcessDoesNotTakeTheRecordingWithIt() throws Exception {
-        Path out = folder.resolve("set");
-        Path agent = Files.writeString(folder.resolve("Quitter.java"), """
-                import org.robonewbie.agent.Nao;
-
-                public class Quitter {
-                    private static int runs;
-
-                    public static void main(String[] args) {
-                        runs++;
-                        try (Nao nao = Nao.connect(args)) {
-                            while (nao.sense()) {
-                                if (runs == 2 && nao.getTime() > 1) {
-                                    System.exit(0);
-                                }
-                                nao.act();
-                            }
-                        }
-                    }
-                }
-                """);
-
+    void recordingThatIsKilledGoesOnAndGivesTheSameTables() throws Exception {
+        String[] words = {
+            "record", "Agent_BasicStructure", "--runs", "12", "--seconds", "5", "--runs-per-file", "4", "--out"
+        };
         Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        "org.robonewbie.app.Main",
-                        "record",
-                        agent.toString(),
-                        "--runs",
-                        "3",
-                        "--seconds",
-                        "2",
-                        "--format",
-                        "csv",
-                        "--out",
-                        out.toString())
-                .redirectErrorStream(true)
+                        StudentJava.command(List.of(), List.of(with(words, folder.resolve("one")))))
+                .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();
-        String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        List<ProcessHandle> helpers;
+        try (BufferedReader lines = process.inputReader()) {
+            assertThat(lines.readLine()).startsWith("run ");
+            assertThat(lines.readLine()).startsWith("run ");
+            helpers = process.descendants().toList();
+            process.destroyForcibly().waitFor();
+        }
+        for (ProcessHandle helper : helpers) {
+            helper.onExit().get(20, TimeUnit.SECONDS);
+        }
+        assertThat(helpers).isNotEmpty();
+        assertThat(folder.resolve("one/runs.parquet")).doesNotExist();
 
-        assertThat(process.waitFor()).as(printed).isEqualTo(1);
-        assertThat(printed)
-                .contains("The process was ended in run 2: by Control-C, or the agent called System.exit")
-                .contains("1 of 3 runs are complete and kept");
-        assertThat(out.resolve("cycles")).isDirectoryContaining("glob:**run-00001.csv");
-        assertThat(out.resolve("cycles")).isDirectoryNotContaining("glob:**run-00002*");
-        assertThat(Files.readAllLines(out.resolve("runs.csv"))).hasSize(2);
-        assertThat(Files.readString(out.resolve("dataset.json"))).contains("\"complete\": false");
+        Printed again = Printed.by(with(words, folder.resolve("one")));
+        Printed whole = Printed.by(with(words, folder.resolve("two")));
+
+        assertThat(again.exitCode()).as(again.err()).isZero();
+        assertThat(again.out()).containsPattern("(?m)^([2-9]|10|11) runs are complete already and kept.");
+        assertThat(whole.exitCode()).as(whole.err()).isZero();
+        assertThat(contents("one")).hasSize(8).isEqualTo(contents("two"));
+    }
+
+    @Tag("slow")
+    @Test
+    void joinedTablesHoldWhatTheSingleOnesDo() throws Exception {
+        Python python = new Python(folder);
+        python.skipWithout("pandas, pyarrow");
+        record(folder.resolve("single"), "--runs", "3");
+        record(folder.resolve("joined"), "--runs", "3", "--runs-per-file", "3");
+
+        Python.Result result = python.run(
+                Map.of(),
+                "-c",
+                "import pandas as pd, pyarrow.parquet as pq; f = pq.ParquetFile('joined/cycles/run-00001-to-00003.parquet');"
+                        + " print(pd.read_parquet('single/cycles').equals(pd.read_parquet('joined/cycles')),"
+                        + " pd.read_parquet('single/events').equals(pd.read_parquet('joined/events')),"
+                        + " [f.metadata.row_group(i).column(0).statistics.max for i in range(f.num_row_groups)],"
+                        + " f.metadata.metadata[b'run'])");
+
+        assertThat(result.printed().strip()).isEqualTo("True True [1, 2, 3] b'1 to 3'");
     }
 
     @Tag("slow")
@@ -264,6 +344,23 @@ class RecordCommandTest {
         String[] all = Arrays.copyOf(usual, usual.length + more.length);
         System.arraycopy(more, 0, all, usual.length, more.length);
         return Printed.by(all);
+    }
+
+    private static String[] with(String[] words, Path out) {
+        String[] all = Arrays.copyOf(words, words.length + 1);
+        all[words.length] = out.toString();
+        return all;
+    }
+
+    /** The bytes of all files of a data set, by their names. */
+    private Map<String, ByteBuffer> contents(String set) throws IOException {
+        Map<String, ByteBuffer> all = new TreeMap<>();
+        try (Stream<Path> files = Files.walk(folder.resolve(set))) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                all.put(folder.resolve(set).relativize(file).toString(), ByteBuffer.wrap(Files.readAllBytes(file)));
+            }
+        }
+        return all;
     }
 
     /** A cell of the last row; texts with commas stand at the end only. */

@@ -1,7 +1,10 @@
 package org.robonewbie.learning.dataset;
 
+import java.io.BufferedInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Pattern;
@@ -20,6 +23,17 @@ final class CsvFile extends TableFile {
     @Override
     void write(List<Object> cells) throws IOException {
         writeLine(cells);
+    }
+
+    @Override
+    void append(Path other) throws IOException {
+        try (InputStream in = new BufferedInputStream(Files.newInputStream(other))) {
+            int next = in.read();
+            while (next >= 0 && next != '\n') {
+                next = in.read();
+            }
+            in.transferTo(out());
+        }
     }
 
     @Override

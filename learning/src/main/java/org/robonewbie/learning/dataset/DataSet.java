@@ -8,15 +8,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
 import org.robonewbie.nao.file.AtomicFile;
 
 /**
@@ -27,31 +25,48 @@ import org.robonewbie.nao.file.AtomicFile;
  * DataSet set = DataSet.create(folder, TableFormat.PARQUET, false, facts);
  * try (RunTables tables = set.begin(1, seed)) {
  *     simulator.control().addObserver(tables); // then let the simulation run to its end
- *     set.add(tables);
+ *     set.add(tables.finish());
  * }
- * set.finish();
+ * set.finish(1);
  * }</pre>
  */
 public final class DataSet {
 
+    private static final String CYCLES = "cycles";
+    private static final String EVENTS = "events";
     private static final String DESCRIPTION = "dataset.json";
 
     /** A line for each complete run, until the table of runs is written. */
     private static final String JOURNAL = "runs.txt";
 
-    private static final String END = "complete";
-
     private final Path folder;
     private final TableFormat format;
     private final CycleTable table;
     private final Map<String, String> facts;
-    private final List<List<Object>> runs = new ArrayList<>();
+    private final RunFiles cycles;
+    private final RunFiles events;
+    private final Map<Integer, RunResult> runs = new TreeMap<>();
 
     private DataSet(Path folder, TableFormat format, boolean withMessages, Map<String, String> facts) {
         this.folder = folder;
         this.format = format;
         this.table = new CycleTable(withMessages);
         this.facts = new LinkedHashMap<>(facts);
+        this.cycles = new RunFiles(folder.resolve(CYCLES), format);
+        this.events = new RunFiles(folder.resolve(EVENTS), format);
+    }
+
+    /**
+     * Takes part in a data set that another process has created: for writing the tables of single runs.
+     *
+     * @param folder the folder
+     * @param format how its tables are written
+     * @param withMessages whether the messages of robots and programs are kept as text too
+     * @param facts what it records about how it was made
+     * @return the data set
+     */
+    public static DataSet joined(Path folder, TableFormat format, boolean withMessages, Map<String, String> facts) {
+        return new DataSet(folder, format, withMessages, facts);
     }
 
     /**
@@ -72,8 +87,8 @@ public final class DataSet {
             set.goOn();
             return set;
         }
-        Files.createDirectories(folder.resolve("cycles"));
-        Files.createDirectories(folder.resolve("events"));
+        Files.createDirectories(folder.resolve(CYCLES));
+        Files.createDirectories(folder.resolve(EVENTS));
         set.describe(false);
         return set;
     }
@@ -94,9 +109,7 @@ public final class DataSet {
                             + difference(found, wanted) + ". Name another folder, or delete it first.");
         }
         if (Files.exists(folder.resolve(JOURNAL))) {
-            for (String line : Files.readAllLines(folder.resolve(JOURNAL))) {
-                keep(line);
-            }
+            keep(Files.readString(folder.resolve(JOURNAL)));
         }
     }
 
@@ -110,22 +123,16 @@ public final class DataSet {
                 .orElse("it tells more");
     }
 
-    /** Takes a run over whose line and tables are complete. */
-    private void keep(String line) {
-        String[] words = line.split(" ", -1);
-        if (words.length != RunTables.runColumns().size() + 1 || !words[words.length - 1].equals(END)) {
-            return;
-        }
-        List<Object> summary = Arrays.stream(words)
-                .limit(words.length - 1L)
-                .<Object>map(Long::valueOf)
-                .toList();
-        int run = ((Long) summary.get(0)).intValue();
-        boolean complete = Stream.of("cycles", "events")
-                .allMatch(part -> Files.exists(folder.resolve(part).resolve(name(run) + "." + format)));
-        if (complete && !has(run)) {
-            runs.add(summary);
-        }
+    /** Takes over each run whose line and tables are complete; the last line may have been broken off. */
+    private void keep(String journal) throws IOException {
+        Set<Integer> complete = cycles.present();
+        complete.retainAll(events.present());
+        journal.substring(0, journal.lastIndexOf('\n') + 1)
+                .lines()
+                .map(RunResult::read)
+                .flatMap(Optional::stream)
+                .filter(found -> complete.contains(found.run()))
+                .forEach(found -> runs.put(found.run(), found));
     }
 
     /**
@@ -134,12 +141,9 @@ public final class DataSet {
      * @param run its number, from 1
      * @return whether its tables are complete
      */
-    public boolean has(int run) {
-        return runs.stream().anyMatch(summary -> summary.get(0).equals((long) run));
-    }
-
-    private static String name(int run) {
-        return String.format(Locale.ROOT, "run-%05d", run);
+    public synchronized boolean has(int run) {
+        RunResult found = runs.get(run);
+        return found != null && found.hasTables();
     }
 
     /**
@@ -154,40 +158,60 @@ public final class DataSet {
         Map<String, String> known = new LinkedHashMap<>(facts);
         known.put("run", Integer.toString(run));
         known.put("seed", Long.toString(seed));
-        String name = name(run);
-        TableFile cycles = format.begin(folder.resolve("cycles").resolve(name), table.columns(), known);
-        TableFile events = format.begin(folder.resolve("events").resolve(name), RunTables.eventColumns(), known);
-        return new RunTables(run, seed, table, cycles, events);
+        TableFile ofCycles = format.begin(cycles.of(run), table.columns(), known);
+        TableFile ofEvents = format.begin(events.of(run), RunTables.eventColumns(), known);
+        return new RunTables(run, seed, table, ofCycles, ofEvents);
     }
 
     /**
-     * Takes in the tables of a run that has ended.
+     * Takes in a run that has ended, with its tables or without.
      *
-     * @param tables the tables
-     * @return how many rows its table of cycles has
+     * @param result what became of it
      * @throws IOException if a file cannot be written
      */
-    public long add(RunTables tables) throws IOException {
-        tables.finish();
-        runs.add(tables.summary());
-        String line = tables.summary().stream().map(String::valueOf).collect(Collectors.joining(" "));
-        Files.writeString(
-                folder.resolve(JOURNAL), line + " " + END + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
-        return tables.rows();
+    public synchronized void add(RunResult result) throws IOException {
+        if (result.hasTables()) {
+            Files.writeString(
+                    folder.resolve(JOURNAL),
+                    result.line() + "\n",
+                    StandardOpenOption.CREATE,
+                    StandardOpenOption.APPEND);
+        } else {
+            cycles.discard(result.run());
+            events.discard(result.run());
+        }
+        runs.put(result.run(), result);
     }
 
-    /** {@return the number of runs that were added} */
-    public int runs() {
-        return runs.size();
+    /** {@return those runs whose program failed, in their order} */
+    public synchronized List<RunResult> failures() {
+        return runs.values().stream()
+                .filter(result -> !result.failure().isEmpty())
+                .toList();
+    }
+
+    /** {@return the number of runs whose tables are complete} */
+    public synchronized int runs() {
+        return (int) runs.values().stream().filter(RunResult::hasTables).count();
     }
 
     /**
      * Completes the data set with the table of runs.
      *
+     * @param runsPerFile the tables of so many runs are joined into one file, at least 1
      * @throws IOException if a file cannot be written
      */
-    public void finish() throws IOException {
-        runs.sort(Comparator.comparing(summary -> (Long) summary.get(0)));
+    public synchronized void finish(int runsPerFile) throws IOException {
+        int last = runs.keySet().stream().mapToInt(run -> run).max().orElse(0);
+        for (int first = 1; first <= last; first += runsPerFile) {
+            int end = Math.min(last, first + runsPerFile - 1);
+            if (end > first) {
+                Map<String, String> known = new LinkedHashMap<>(facts);
+                known.put("run", first + " to " + end);
+                cycles.join(first, end, table.columns(), known);
+                events.join(first, end, RunTables.eventColumns(), known);
+            }
+        }
         writeRuns();
         describe(true);
         Files.deleteIfExists(folder.resolve(JOURNAL));
@@ -198,15 +222,15 @@ public final class DataSet {
      *
      * @throws IOException if a file cannot be written
      */
-    public void endEarly() throws IOException {
+    public synchronized void endEarly() throws IOException {
         writeRuns();
         describe(false);
     }
 
     private void writeRuns() throws IOException {
-        try (TableFile file = format.begin(folder.resolve("runs"), RunTables.runColumns(), facts)) {
-            for (List<Object> run : runs) {
-                file.add(run);
+        try (TableFile file = format.begin(folder.resolve("runs"), RunResult.columns(), facts)) {
+            for (RunResult run : runs.values()) {
+                file.add(run.row());
             }
             file.finish();
         }
@@ -223,11 +247,11 @@ public final class DataSet {
         all.addProperty("format", "RoboNewbie data set, version 1");
         all.addProperty("complete", complete);
         facts.forEach(all::addProperty);
-        all.addProperty("runs", runs.size());
+        all.addProperty("runs", runs());
         JsonObject tables = new JsonObject();
-        tables.add("cycles", described("cycles/run-*." + format, table.columns()));
-        tables.add("events", described("events/run-*." + format, RunTables.eventColumns()));
-        tables.add("runs", described("runs." + format, RunTables.runColumns()));
+        tables.add(CYCLES, described("cycles/run-*." + format, table.columns()));
+        tables.add(EVENTS, described("events/run-*." + format, RunTables.eventColumns()));
+        tables.add("runs", described("runs." + format, RunResult.columns()));
         all.add("tables", tables);
         return all;
     }

@@ -2,9 +2,11 @@ package org.robonewbie.learning.dataset;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -24,33 +26,19 @@ final class ParquetFile extends TableFile {
 
     private static final byte[] MAGIC = "PAR1".getBytes(StandardCharsets.US_ASCII);
     private static final int ROWS_PER_GROUP = 20_000;
-    private static final int PLAIN = 0;
-    private static final int RUN_LENGTHS = 3;
-    private static final int GZIP = 2;
+    private static final int COPIED_AT_ONCE = 1 << 20;
     private static final int REQUIRED = 0;
     private static final int OPTIONAL = 1;
     private static final int UTF_8 = 0;
 
     private final Map<String, String> facts;
-    private final List<Group> groups = new ArrayList<>();
+    private final List<ParquetGroup> groups = new ArrayList<>();
     private final List<List<Object>> waiting = new ArrayList<>();
     private long position;
 
-    /** Where a column of a group of rows lies in the file. */
-    private record Chunk(Column column, long offset, long plainBytes, long storedBytes, Statistics statistics) {}
-
-    /** What a reader may know of a group without reading it; smallest and largest number are missing for texts. */
-    private record Statistics(long missing, Optional<byte[]> least, Optional<byte[]> greatest) {
-
-        static final Statistics OF_TEXTS = new Statistics(0, Optional.empty(), Optional.empty());
-    }
-
     /** The cells of a column as they stand in the file before they are compressed. */
     @SuppressWarnings("ArrayRecordComponent")
-    private record Page(byte[] plain, Statistics statistics) {}
-
-    /** Rows that were written together. */
-    private record Group(int rows, List<Chunk> chunks) {}
+    private record Page(byte[] plain, ParquetGroup.Statistics statistics) {}
 
     ParquetFile(Path file, List<Column> columns, Map<String, String> facts) throws IOException {
         super(file, columns);
@@ -66,6 +54,25 @@ final class ParquetFile extends TableFile {
         }
     }
 
+    /** Takes over the bytes of another file's groups as they are; only where they lie is described again. */
+    @Override
+    void append(Path other) throws IOException {
+        if (!waiting.isEmpty()) {
+            writeGroup();
+        }
+        ParquetGroup.Groups added = ParquetGroup.read(other, columns());
+        long way = position - MAGIC.length;
+        added.all().forEach(group -> groups.add(group.moved(way)));
+        try (InputStream in = Files.newInputStream(other)) {
+            in.skipNBytes(MAGIC.length);
+            for (long rest = added.end() - MAGIC.length; rest > 0; ) {
+                byte[] bytes = in.readNBytes((int) Math.min(rest, COPIED_AT_ONCE));
+                append(bytes);
+                rest -= bytes.length;
+            }
+        }
+    }
+
     @Override
     void writeEnd() throws IOException {
         if (!waiting.isEmpty()) {
@@ -78,15 +85,15 @@ final class ParquetFile extends TableFile {
     }
 
     private void writeGroup() throws IOException {
-        List<Chunk> chunks = new ArrayList<>();
+        List<ParquetGroup.Chunk> chunks = new ArrayList<>();
         for (int i = 0; i < columns().size(); i++) {
             chunks.add(writePage(columns().get(i), i));
         }
-        groups.add(new Group(waiting.size(), chunks));
+        groups.add(new ParquetGroup(waiting.size(), chunks));
         waiting.clear();
     }
 
-    private Chunk writePage(Column column, int index) throws IOException {
+    private ParquetGroup.Chunk writePage(Column column, int index) throws IOException {
         Page page = page(column, index);
         byte[] plain = page.plain();
         byte[] stored = compressed(plain);
@@ -96,12 +103,12 @@ final class ParquetFile extends TableFile {
                 .number(3, stored.length)
                 .structure(5)
                 .number(1, waiting.size())
-                .number(2, PLAIN)
-                .number(3, RUN_LENGTHS)
-                .number(4, RUN_LENGTHS)
+                .number(2, ParquetGroup.PLAIN)
+                .number(3, ParquetGroup.RUN_LENGTHS)
+                .number(4, ParquetGroup.RUN_LENGTHS)
                 .end()
                 .toBytes();
-        Chunk chunk = new Chunk(
+        ParquetGroup.Chunk chunk = new ParquetGroup.Chunk(
                 column, position, header.length + plain.length, header.length + stored.length, page.statistics());
         append(header);
         append(stored);
@@ -110,7 +117,7 @@ final class ParquetFile extends TableFile {
 
     private Page page(Column column, int index) {
         return switch (column.kind()) {
-            case TEXT -> new Page(plainTexts(index), Statistics.OF_TEXTS);
+            case TEXT -> new Page(plainTexts(index), ParquetGroup.Statistics.OF_TEXTS);
             case WHOLE -> {
                 long[] all =
                         waiting.stream().mapToLong(row -> (Long) row.get(index)).toArray();
@@ -159,22 +166,22 @@ final class ParquetFile extends TableFile {
         return runs.toByteArray();
     }
 
-    private static Statistics statistics(long... numbers) {
+    private static ParquetGroup.Statistics statistics(long... numbers) {
         LongSummaryStatistics all = Arrays.stream(numbers).summaryStatistics();
-        return new Statistics(0, Optional.of(bytes(all.getMin())), Optional.of(bytes(all.getMax())));
+        return new ParquetGroup.Statistics(0, Optional.of(bytes(all.getMin())), Optional.of(bytes(all.getMax())));
     }
 
     /** Zeros get the sign with which no reader skips a group that has the other zero. */
-    private static Statistics statistics(double... numbers) {
+    private static ParquetGroup.Statistics statistics(double... numbers) {
         DoubleSummaryStatistics all =
                 Arrays.stream(numbers).filter(number -> !Double.isNaN(number)).summaryStatistics();
         long missing = numbers.length - all.getCount();
         if (all.getCount() == 0) {
-            return new Statistics(missing, Optional.empty(), Optional.empty());
+            return new ParquetGroup.Statistics(missing, Optional.empty(), Optional.empty());
         }
         double least = all.getMin() == 0 ? -0.0 : all.getMin();
         double greatest = all.getMax() == 0 ? 0.0 : all.getMax();
-        return new Statistics(
+        return new ParquetGroup.Statistics(
                 missing,
                 Optional.of(bytes(Double.doubleToLongBits(least))),
                 Optional.of(bytes(Double.doubleToLongBits(greatest))));
@@ -205,9 +212,9 @@ final class ParquetFile extends TableFile {
     private byte[] description() {
         CompactThrift all = new CompactThrift().number(1, 1);
         describeColumns(all);
-        all.longNumber(3, groups.stream().mapToLong(Group::rows).sum());
+        all.longNumber(3, groups.stream().mapToLong(ParquetGroup::rows).sum());
         all.structures(4, groups.size());
-        groups.forEach(group -> describe(all, group));
+        groups.forEach(group -> group.describe(all));
         all.structures(5, facts.size());
         facts.entrySet().stream()
                 .sorted(Map.Entry.comparingByKey())
@@ -224,7 +231,10 @@ final class ParquetFile extends TableFile {
         all.structures(2, columns().size() + 1);
         all.element().text(4, "schema").number(5, columns().size()).end();
         for (Column column : columns()) {
-            all.element().number(1, type(column)).number(3, repetition(column)).text(4, column.name());
+            all.element()
+                    .number(1, ParquetGroup.type(column))
+                    .number(3, repetition(column))
+                    .text(4, column.name());
             if (column.kind() == Column.Kind.TEXT) {
                 all.number(6, UTF_8);
             }
@@ -232,42 +242,8 @@ final class ParquetFile extends TableFile {
         }
     }
 
-    private static void describe(CompactThrift all, Group group) {
-        all.element().structures(1, group.chunks().size());
-        group.chunks().forEach(chunk -> describe(all, chunk, group.rows()));
-        all.longNumber(2, group.chunks().stream().mapToLong(Chunk::plainBytes).sum());
-        all.longNumber(3, group.rows()).end();
-    }
-
-    private static void describe(CompactThrift all, Chunk chunk, int rows) {
-        all.element()
-                .longNumber(2, chunk.offset())
-                .structure(3)
-                .number(1, type(chunk.column()))
-                .numbers(2, PLAIN, RUN_LENGTHS)
-                .texts(3, chunk.column().name())
-                .number(4, GZIP)
-                .longNumber(5, rows)
-                .longNumber(6, chunk.plainBytes())
-                .longNumber(7, chunk.storedBytes())
-                .longNumber(9, chunk.offset())
-                .structure(12)
-                .longNumber(3, chunk.statistics().missing());
-        chunk.statistics().greatest().ifPresent(number -> all.bytes(5, number));
-        chunk.statistics().least().ifPresent(number -> all.bytes(6, number));
-        all.end().end().end();
-    }
-
     private static int repetition(Column column) {
         return column.kind() == Column.Kind.DECIMAL ? OPTIONAL : REQUIRED;
-    }
-
-    private static int type(Column column) {
-        return switch (column.kind()) {
-            case WHOLE -> 2;
-            case DECIMAL -> 5;
-            case TEXT -> 6;
-        };
     }
 
     private static ByteBuffer littleEndian(int bytes) {

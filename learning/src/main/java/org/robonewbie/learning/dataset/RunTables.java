@@ -46,16 +46,6 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
                 Column.text("event", "playmode NAME, goal SIDE TEAM, or foul TYPE SIDE NUMBER"));
     }
 
-    static List<Column> runColumns() {
-        return List.of(
-                Column.whole("run", "", "number of the run, from 1"),
-                Column.whole("seed", "", "chooses all that is random in it"),
-                Column.whole("cycles", "", "length of the run, each cycle 20 ms"),
-                Column.whole("rows", "", "rows in the table of cycles"),
-                Column.whole("score_left", "goals", "of the left team at the end"),
-                Column.whole("score_right", "goals", "of the right team at the end"));
-    }
-
     @Override
     public boolean wantsMessagesOf(int robot) {
         return true;
@@ -106,16 +96,13 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
         }
     }
 
-    List<Object> summary() {
-        return List.of((long) run, seed, lastCycle, rows, (long) scoreLeft, (long) scoreRight);
-    }
-
-    /** The number of rows in the table of cycles so far. */
-    long rows() {
-        return rows;
-    }
-
-    void finish() throws IOException {
+    /**
+     * Completes the tables.
+     *
+     * @return what became of the run
+     * @throws IOException if they cannot be written
+     */
+    public RunResult finish() throws IOException {
         if (failure != null) {
             throw new IOException(
                     "Run " + run + " cannot be written (" + failure.getMessage() + "). Is there room on the disk?",
@@ -123,6 +110,7 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
         }
         cycles.finish();
         events.finish();
+        return new RunResult(run, seed, lastCycle, rows, scoreLeft, scoreRight, "");
     }
 
     @Override

@@ -61,6 +61,9 @@ public abstract class TableFile implements AutoCloseable {
 
     abstract void write(List<Object> cells) throws IOException;
 
+    /** Appends all rows of a finished table of the same format and columns. */
+    abstract void append(Path other) throws IOException;
+
     abstract void writeEnd() throws IOException;
 
     final List<Column> columns() {

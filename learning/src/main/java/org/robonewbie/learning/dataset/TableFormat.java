@@ -25,11 +25,15 @@ public enum TableFormat {
      * @throws IOException if the file cannot be written
      */
     public TableFile begin(Path file, List<Column> columns, Map<String, String> facts) throws IOException {
-        Path named = file.resolveSibling(file.getFileName() + "." + this);
         return switch (this) {
-            case CSV -> new CsvFile(named, columns);
-            case PARQUET -> new ParquetFile(named, columns, facts);
+            case CSV -> new CsvFile(named(file), columns);
+            case PARQUET -> new ParquetFile(named(file), columns, facts);
         };
+    }
+
+    /** The name of a file with the extension of the format. */
+    Path named(Path file) {
+        return file.resolveSibling(file.getFileName() + "." + this);
     }
 
     /**

@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -43,7 +44,8 @@ class TableFileTest {
         Map<Integer, Object> description = description(file);
         assertThat(at(description, 3)).isEqualTo(2L);
         assertThat(names(description)).containsExactly("schema", "run", "true_tilt", "event");
-        assertThat(list(at(description, 5))).containsExactly(Map.of(1, "seed", 2, "7"));
+        Map<Integer, Object> fact = map(list(at(description, 5)).get(0));
+        assertThat(string(at(fact, 1)) + "=" + string(at(fact, 2))).isEqualTo("seed=7");
         ByteBuffer runs = page(file, description, 0, 0);
         assertThat(List.of(runs.getLong(), runs.getLong())).containsExactly(1L, -2L);
         ByteBuffer tilts = page(file, description, 0, 1);
@@ -74,6 +76,39 @@ class TableFileTest {
     }
 
     @Test
+    void rowsOfOtherTablesFollowAsTheyAre() throws IOException {
+        write(TableFormat.PARQUET, List.of(List.of(1L, 0.5, "a"), List.of(-2L, Double.NaN, "")));
+        write("other", TableFormat.PARQUET, List.of(List.of(3L, -0.25, "b")));
+        try (TableFile joined = TableFormat.PARQUET.begin(folder.resolve("joined"), COLUMNS, Map.of("seed", "7"))) {
+            joined.append(folder.resolve("table.parquet"));
+            joined.append(folder.resolve("other.parquet"));
+            joined.finish();
+        }
+
+        ByteBuffer file = parquet("joined");
+        Map<Integer, Object> description = description(file);
+        assertThat(at(description, 3)).isEqualTo(3L);
+        assertThat(page(file, description, 0, 0).getLong()).isEqualTo(1L);
+        assertThat(page(file, description, 1, 0).getLong()).isEqualTo(3L);
+        assertThat(text(page(file, description, 1, 2))).isEqualTo("b");
+    }
+
+    @Test
+    void tableThatIsDamagedIsNamed() throws IOException {
+        Path damaged = folder.resolve("damaged.parquet");
+        write(TableFormat.PARQUET, List.of(List.of(1L, 0.5, "a")));
+        byte[] good = Files.readAllBytes(folder.resolve("table.parquet"));
+        try (TableFile joined = TableFormat.PARQUET.begin(folder.resolve("joined"), COLUMNS, Map.of())) {
+            for (int length = 0; length < good.length; length++) {
+                Files.write(damaged, Arrays.copyOf(good, length));
+                assertThatThrownBy(() -> joined.append(damaged))
+                        .isInstanceOf(IOException.class)
+                        .hasMessageContaining("damaged.parquet is damaged");
+            }
+        }
+    }
+
+    @Test
     void tableThatIsGivenUpLeavesNothing() throws IOException {
         try (TableFile table = TableFormat.PARQUET.begin(folder.resolve("table"), COLUMNS, Map.of())) {
             table.add(List.of(1L, 0.5, ""));
@@ -92,7 +127,11 @@ class TableFileTest {
     }
 
     private void write(TableFormat format, List<List<Object>> rows) throws IOException {
-        try (TableFile table = format.begin(folder.resolve("table"), COLUMNS, Map.of("seed", "7"))) {
+        write("table", format, rows);
+    }
+
+    private void write(String name, TableFormat format, List<List<Object>> rows) throws IOException {
+        try (TableFile table = format.begin(folder.resolve(name), COLUMNS, Map.of("seed", "7"))) {
             for (List<Object> row : rows) {
                 table.add(row);
             }
@@ -101,7 +140,11 @@ class TableFileTest {
     }
 
     private ByteBuffer parquet() throws IOException {
-        return ByteBuffer.wrap(Files.readAllBytes(folder.resolve("table.parquet")))
+        return parquet("table");
+    }
+
+    private ByteBuffer parquet(String name) throws IOException {
+        return ByteBuffer.wrap(Files.readAllBytes(folder.resolve(name + ".parquet")))
                 .order(ByteOrder.LITTLE_ENDIAN);
     }
 
@@ -129,10 +172,14 @@ class TableFileTest {
         return ByteBuffer.wrap(plain).order(ByteOrder.LITTLE_ENDIAN);
     }
 
-    private static List<Object> names(Map<Integer, Object> description) {
+    private static List<String> names(Map<Integer, Object> description) {
         return list(at(description, 2)).stream()
-                .map(element -> at(map(element), 4))
+                .map(element -> string(at(map(element), 4)))
                 .toList();
+    }
+
+    private static String string(Object bytes) {
+        return new String((byte[]) bytes, StandardCharsets.UTF_8);
     }
 
     private static String text(ByteBuffer page) {

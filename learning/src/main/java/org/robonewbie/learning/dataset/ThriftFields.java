@@ -1,13 +1,12 @@
 package org.robonewbie.learning.dataset;
 
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Reads a structure of Thrift's compact protocol: numbers as Long, bytes as String, lists as List, structures as Map by field. */
+/** Reads a structure of Thrift's compact protocol, the counterpart of {@link CompactThrift}: numbers as Long, bytes as they are, lists as List, structures as Map by field. */
 record ThriftFields(ByteBuffer in) {
 
     Map<Integer, Object> structure() {
@@ -23,10 +22,10 @@ record ThriftFields(ByteBuffer in) {
     private Object value(int type) {
         return switch (type) {
             case 5, 6 -> signed();
-            case 8 -> text();
+            case 8 -> bytes();
             case 9 -> list();
             case 12 -> structure();
-            default -> throw new IllegalStateException("type " + type);
+            default -> throw new IllegalArgumentException("type " + type);
         };
     }
 
@@ -40,10 +39,14 @@ record ThriftFields(ByteBuffer in) {
         return all;
     }
 
-    private String text() {
-        byte[] bytes = new byte[(int) unsigned()];
+    private byte[] bytes() {
+        long count = unsigned();
+        if (count < 0 || count > in.remaining()) {
+            throw new IllegalArgumentException(count + " bytes");
+        }
+        byte[] bytes = new byte[(int) count];
         in.get(bytes);
-        return new String(bytes, StandardCharsets.UTF_8);
+        return bytes;
     }
 
     private long signed() {

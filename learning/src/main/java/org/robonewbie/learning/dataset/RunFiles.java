@@ -1,0 +1,101 @@
+package org.robonewbie.learning.dataset;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.robonewbie.nao.file.AtomicFile;
+
+/**
+ * The files of a folder that hold the tables of single runs ({@code run-00001.csv}) or of several ({@code run-00001-to-00010.csv}).
+ *
+ * @param folder the folder
+ * @param format how they are written
+ */
+record RunFiles(Path folder, TableFormat format) {
+
+    private static final Pattern NAME = Pattern.compile("run-(\\d+)(?:-to-(\\d+))?\\.(\\w+)");
+
+    /** A file with the tables of some runs that follow each other. */
+    private record Span(Path file, int first, int last) {}
+
+    /** Where the table of a run goes, without the extension of the format. */
+    Path of(int run) {
+        return folder.resolve(String.format(Locale.ROOT, "run-%05d", run));
+    }
+
+    private Path of(int first, int last) {
+        return folder.resolve(String.format(Locale.ROOT, "run-%05d-to-%05d", first, last));
+    }
+
+    /** The numbers of all runs whose tables are there. */
+    Set<Integer> present() throws IOException {
+        return spans().stream()
+                .flatMap(span -> IntStream.rangeClosed(span.first, span.last).boxed())
+                .collect(Collectors.toCollection(TreeSet::new));
+    }
+
+    /** Deletes what a program has left behind that was ended while it wrote. */
+    void discard(int run) throws IOException {
+        Files.deleteIfExists(AtomicFile.part(format.named(of(run))));
+    }
+
+    /** Joins the tables of runs that follow each other into one file. What an earlier call has done is not done again. */
+    void join(int first, int last, List<Column> columns, Map<String, String> facts) throws IOException {
+        List<Span> parts = spans().stream()
+                .filter(span -> span.first >= first && span.last <= last)
+                .toList();
+        Path joined = format.named(of(first, last));
+        if (!Files.exists(joined)) {
+            try (TableFile table = format.begin(of(first, last), columns, facts)) {
+                append(table, parts);
+                table.finish();
+            }
+        }
+        for (Span part : parts) {
+            if (!part.file.equals(joined)) {
+                Files.delete(part.file);
+            }
+        }
+    }
+
+    private static void append(TableFile table, List<Span> parts) throws IOException {
+        int done = 0;
+        for (Span part : parts) {
+            if (part.first > done) {
+                table.append(part.file);
+                done = part.last;
+            }
+        }
+    }
+
+    /** In the order of their runs; where two begin with the same run, the longer one comes first. */
+    private List<Span> spans() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(this::span)
+                    .flatMap(Optional::stream)
+                    .sorted(Comparator.comparingInt(Span::first).thenComparing(Span::last, Comparator.reverseOrder()))
+                    .toList();
+        }
+    }
+
+    private Optional<Span> span(Path file) {
+        Matcher name = NAME.matcher(file.getFileName().toString());
+        if (!name.matches() || !name.group(3).equals(format.toString())) {
+            return Optional.empty();
+        }
+        int first = Integer.parseInt(name.group(1));
+        return Optional.of(new Span(file, first, name.group(2) == null ? first : Integer.parseInt(name.group(2))));
+    }
+}
