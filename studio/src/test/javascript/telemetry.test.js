@@ -118,6 +118,7 @@ const MEANINGS = {
   Belief: ({ belief: { self, things } }) => ({ self: self ? [self] : [], things }),
   Picture: ({ drawings }) => ({ drawings: drawings.map(meant) }),
   PlotValue: ({ name, value }) => ({ name, value }),
+  DeclaredNumber: ({ number }) => number,
 };
 
 /** The parts that a shape has. */

@@ -78,12 +78,16 @@ public abstract class Agent {
     }
 
     /**
-     * Declares a number of this program that can be tuned, by hand or by {@code robonewbie optimise --agent}. It has its usual
-     * value unless a file with the name of the class, such as {@code Walker.numbers}, says otherwise.
+     * Declares a number of this program that can be tuned: by a slider of the studio while the robot plays, by hand, or by {@code
+     * robonewbie optimise --agent}. It has its usual value unless a file with the name of the class, such as {@code
+     * Walker.numbers}, says otherwise.
      *
      * <pre>{@code
      * private final double nearMetres = number("near", 0.3, 0.1, 0.8);
      * }</pre>
+     *
+     * <p>A slider changes fields of the robot that were computed from the number, as above, if its class has a constructor without
+     * parameters. Asked for in {@code think()}, the number is always that of the slider.
      *
      * @param name what to call it
      * @param usual its usual value
@@ -134,6 +138,7 @@ public abstract class Agent {
     final void run(Session game) {
         session = game;
         while (session.next()) {
+            numbers.follow(this, clockwork.telemetry());
             try {
                 sense();
                 think();

@@ -9,4 +9,11 @@ package org.robonewbie.agent;
  * @param most largest sensible value
  * @param value its value in this robot
  */
-public record TunableNumber(String name, double usual, double least, double most, double value) {}
+public record TunableNumber(String name, double usual, double least, double most, double value) {
+
+    /** Returns the number with another value, or with the nearest one that it may have. */
+    TunableNumber withValue(double wanted) {
+        double taken = Double.isNaN(wanted) ? value : Math.max(least, Math.min(most, wanted));
+        return new TunableNumber(name, usual, least, most, taken);
+    }
+}

@@ -5,10 +5,16 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.Supplier;
+import org.robonewbie.agent.cycle.TelemetryPublisher;
 import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.running.MadeOnceMore;
 import org.robonewbie.agent.running.Surroundings;
+import org.robonewbie.protocol.telemetry.TelemetryItem.DeclaredNumber;
 
 /**
  * The numbers that a robot's program has declared by {@link Agent#number}. Other values for them stand in a file with the name of
@@ -23,10 +29,15 @@ public final class TunableNumbers {
 
     private static final ThreadLocal<Optional<Map<String, Double>>> TRIED = ThreadLocal.withInitial(Optional::empty);
 
+    private static final int CYCLES_UNTIL_TOLD_AGAIN = 50;
+
     private final String file;
     private final Mistakes mistakes;
     private Optional<Map<String, Double>> wanted;
     private final Map<String, TunableNumber> declared = new LinkedHashMap<>();
+    private Set<String> declaredAtFirst = Set.of();
+    private boolean followed;
+    private int cyclesUntilTold;
 
     private TunableNumbers(String file, Mistakes mistakes, Optional<Map<String, Double>> wanted) {
         this.file = file;
@@ -83,6 +94,73 @@ public final class TunableNumbers {
 
     List<TunableNumber> list() {
         return List.copyOf(declared.values());
+    }
+
+    /**
+     * Tells a viewer the numbers of a running robot, and takes over what people want of them there.
+     *
+     * @param robot the robot, between two cycles
+     * @param viewer whom to tell
+     */
+    void follow(Agent robot, TelemetryPublisher viewer) {
+        if (!followed) {
+            followed = true;
+            declaredAtFirst = Set.copyOf(declared.keySet());
+        }
+        if (declared.isEmpty() || !viewer.isWatched()) {
+            return;
+        }
+        Map<String, Double> before = values();
+        boolean changed = false;
+        for (TunableNumber number : list()) {
+            OptionalDouble wish = viewer.wish(number.name());
+            if (wish.isPresent()) {
+                changed = true;
+                declared.put(number.name(), number.withValue(wish.getAsDouble()));
+            }
+        }
+        if (changed) {
+            renewFields(robot, before);
+        }
+        tell(viewer, changed);
+    }
+
+    /** Fields got their values when the robot was made: what two robots made with the old and the new numbers differ in is changed. */
+    private void renewFields(Agent robot, Map<String, Double> before) {
+        Map<String, Double> now = values();
+        boolean inFields = declaredAtFirst.stream().anyMatch(name -> !Objects.equals(now.get(name), before.get(name)));
+        if (!inFields) {
+            return;
+        }
+        Optional<Agent> old = with(before, () -> MadeOnceMore.of(robot));
+        Optional<Agent> fresh = with(now, () -> MadeOnceMore.of(robot));
+        if (old.isEmpty() || fresh.isEmpty() || !MadeOnceMore.copyDifferences(old.get(), fresh.get(), robot)) {
+            mistakes.reportAt(
+                    "",
+                    "sliders",
+                    () ->
+                            "The numbers of the robot's fields cannot follow their sliders, since no other robot can be made by "
+                                    + robot.getClass().getSimpleName()
+                                    + "(). Ask for number(...) in think(), where it always has the value of its slider.");
+        }
+    }
+
+    /** Pages come and go without a word, so the numbers are told again and again. */
+    private void tell(TelemetryPublisher viewer, boolean changed) {
+        cyclesUntilTold--;
+        if (changed || cyclesUntilTold < 0) {
+            cyclesUntilTold = CYCLES_UNTIL_TOLD_AGAIN;
+            for (TunableNumber number : declared.values()) {
+                viewer.declare(new DeclaredNumber(
+                        number.name(), number.usual(), number.least(), number.most(), number.value()));
+            }
+        }
+    }
+
+    private Map<String, Double> values() {
+        Map<String, Double> values = new HashMap<>();
+        declared.forEach((name, number) -> values.put(name, number.value()));
+        return values;
     }
 
     /** Reports names in the file that the program does not have, once all of its numbers are declared. */

@@ -181,6 +181,33 @@ class ProgramPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Test
+    void sliderActsOnTheRunningRobotAndIsWrittenIntoTheProgram() throws IOException {
+        visit();
+        write(RAISE.replace("DEGREES", "raised")
+                .replace(
+                        "    @Override",
+                        "    private final double raised = number(\"raised\", 30, 0, 90);\n\n    @Override"));
+        browser.click("#program-run");
+        browser.await("document.querySelector('.program-slider input') !== null");
+        awaitAngle(30);
+        String program = browser.evaluate("studio.rooms.program.runs.now.id").getAsString();
+
+        browser.fill("#program-sliders input", "60");
+
+        awaitAngle(60);
+        assertThat(browser.evaluate("studio.rooms.program.runs.now.id").getAsString())
+                .isEqualTo(program);
+        browser.evaluate("document.querySelector('.program-slider button:last-child').click()");
+        browser.await("studio.rooms.program.editor.text.includes('number(\"raised\", 60, 0, 90)')");
+        browser.evaluate("studio.rooms.program.save()");
+        browser.await("studio.rooms.program.runs.now.id > " + program
+                + " && document.querySelector('#program-sliders output')?.innerText === '60'");
+        awaitAngle(60);
+        assertThat(folder.resolve("MyAgent.java")).content().contains("number(\"raised\", 60, 0, 90)");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
     @Tag("slow")
     @Test
     void endlessLoopEndsAndItsLineIsNamed() {

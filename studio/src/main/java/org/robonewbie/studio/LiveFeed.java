@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
@@ -14,6 +15,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.AgentMessages;
@@ -43,6 +45,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private final SimulationControl simulation;
     private final PuppetDesk puppets;
     private final RoboVizBoard board = new RoboVizBoard();
+    private final NumberWishes numbers = new NumberWishes();
     private final Deeds deeds = new Deeds(this, this::told);
     private final Queue<MatchEvent> events = new ConcurrentLinkedQueue<>();
     private final Queue<String> sentences = new ConcurrentLinkedQueue<>();
@@ -85,6 +88,16 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     @Override
     public SimulationControl simulation() {
         return simulation;
+    }
+
+    @Override
+    public NumberWishes numbers() {
+        return numbers;
+    }
+
+    @Override
+    public Optional<NumberWishes> wishes() {
+        return Optional.of(numbers);
     }
 
     RoboVizBoard board() {

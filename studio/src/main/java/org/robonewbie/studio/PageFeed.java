@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.AgentMessages;
@@ -33,6 +34,7 @@ public final class PageFeed implements TelemetrySink {
     private final Page page;
     private final Thoughts thoughts = new Thoughts();
     private final TelemetryHistory memory = new TelemetryHistory();
+    private final NumberWishes numbers = new NumberWishes();
     private final MistakeNews mistakes = new MistakeNews();
     private final List<String> news = new ArrayList<>();
     private Optional<TrialLabel> judged = Optional.empty();
@@ -94,6 +96,8 @@ public final class PageFeed implements TelemetrySink {
             } else if (request instanceof StudioRequest.Watch watch) {
                 thoughts.watch(TelemetryHistory.key(watch.team(), watch.number()));
                 thoughts.remember(memory);
+            } else if (request instanceof StudioRequest.Tune tune) {
+                numbers.put(tune.wish());
             } else if (request instanceof StudioRequest.Orders clock) {
                 clock.orders().forEach(world);
             } else if (request instanceof StudioRequest.Change change) {
@@ -149,6 +153,11 @@ public final class PageFeed implements TelemetrySink {
         memory.keep(message);
         mistakes.of(message).ifPresent(news::add);
         thoughts.hear(message);
+    }
+
+    @Override
+    public Optional<NumberWishes> wishes() {
+        return Optional.of(numbers);
     }
 
     /** {@return whether the page has drawn what it got last} */

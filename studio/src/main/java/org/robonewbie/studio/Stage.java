@@ -1,5 +1,6 @@
 package org.robonewbie.studio;
 
+import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 
@@ -11,6 +12,9 @@ interface Stage {
 
     /** What people do to the world, so that it can be undone. */
     Deeds deeds();
+
+    /** What people want of the numbers of robots' programs. */
+    NumberWishes numbers();
 
     /** The robots that are steered by hand. */
     PuppetDesk puppets();

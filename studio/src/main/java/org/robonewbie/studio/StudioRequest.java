@@ -4,6 +4,7 @@ import java.util.List;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.protocol.telemetry.NumberWish;
 
 /** What a page can ask for. */
 interface StudioRequest {
@@ -30,6 +31,18 @@ interface StudioRequest {
     record Watch(String team, int number) implements StudioRequest {
         @Override
         public void applyTo(Stage stage) {}
+    }
+
+    /**
+     * Changes a number of a robot's program while it runs.
+     *
+     * @param wish which number, and its new value
+     */
+    record Tune(NumberWish wish) implements StudioRequest {
+        @Override
+        public void applyTo(Stage stage) {
+            stage.numbers().put(wish);
+        }
     }
 
     /**

@@ -14,6 +14,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.protocol.telemetry.NumberWish;
 import org.robonewbie.simulator.SimulationControl;
 
 /**
@@ -57,6 +58,12 @@ final class StudioRequestReader {
         return switch (name) {
             case "seen" -> new StudioRequest.Seen();
             case "watch" -> new StudioRequest.Watch(text("team"), (int) number("number", 0, PLAYERS));
+            case "tune" ->
+                new StudioRequest.Tune(new NumberWish(
+                        text("team"),
+                        (int) number("number", 0, PLAYERS),
+                        text("name"),
+                        number("value", -Double.MAX_VALUE, Double.MAX_VALUE)));
             case "pause" -> order(new Order.Pause());
             case "resume" -> order(new Order.Resume());
             case "step" -> order(new Order.Step((int) number("cycles", 1, MAX_CYCLES)));

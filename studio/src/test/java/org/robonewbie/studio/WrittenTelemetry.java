@@ -34,7 +34,7 @@ final class WrittenTelemetry {
     static void write(Path file) throws IOException {
         WrittenTelemetry telemetry = new WrittenTelemetry();
         List<Map<String, Object>> all = IntStream.range(0, MESSAGES)
-                .mapToObj(i -> telemetry.next(i % 5))
+                .mapToObj(i -> telemetry.next(i % 6))
                 .toList();
         Files.writeString(file, new Gson().toJson(all));
     }
@@ -45,6 +45,7 @@ final class WrittenTelemetry {
             case 1 -> new TelemetryItem.MotionProgress("walk-forward", random.nextInt(30));
             case 2 -> new TelemetryItem.Belief(many(this::thing), self());
             case 3 -> new TelemetryItem.Picture(many(this::drawing));
+            case 4 -> new TelemetryItem.DeclaredNumber("gain " + text(), number(), number(), number(), number());
             default -> new TelemetryItem.PlotValue("ball " + text(), number());
         };
         TelemetryMessage message = new TelemetryMessage("Ada " + text(), 1 + random.nextInt(11), number(), item);
@@ -79,6 +80,14 @@ final class WrittenTelemetry {
             return Map.of(
                     "drawings",
                     picture.drawings().stream().map(WrittenTelemetry::meaning).toList());
+        }
+        if (item instanceof TelemetryItem.DeclaredNumber number) {
+            return Map.of(
+                    "name", number.name(),
+                    "usual", number.usual(),
+                    "least", number.least(),
+                    "most", number.most(),
+                    "value", number.value());
         }
         TelemetryItem.PlotValue plot = (TelemetryItem.PlotValue) item;
         return Map.of("name", plot.name(), "value", plot.value());

@@ -220,6 +220,41 @@ class ProgramInThePageTest {
     }
 
     @Test
+    void sliderActsOnTheRunningRobotWhichForgetsNothing() {
+        type("""
+                import org.robonewbie.agent.Agent;
+                import org.robonewbie.nao.Joint;
+                public class MyAgent extends Agent {
+                    private final double raised = number("raised", 30, 0, 90);
+                    private final Speed speed = new Speed(number("gain", 4, 1, 10));
+                    private int cycles;
+                    private record Speed(double gain) {}
+                    protected void think() {
+                        double angle = nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH);
+                        nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, speed.gain() * (raised - angle));
+                        nao.plot("arm", Math.rint(angle));
+                        nao.plot("gain", speed.gain());
+                        nao.plot("cycles", ++cycles);
+                    }
+                }
+                """);
+        browser.click("#program-run");
+        browser.await("document.querySelector('#program-values').innerText.includes('arm 30')");
+
+        browser.fill("#program-sliders input[aria-label=raised]", "60");
+        browser.fill("#program-sliders input[aria-label=gain]", "2");
+
+        browser.await("document.querySelector('#program-values').innerText.includes('arm 60')");
+        browser.await("document.querySelector('#program-values').innerText.includes('gain 2')");
+        assertThat(browser.evaluate(
+                                "Number(document.querySelector('#program-values').innerText.match(/cycles (\\d+)/)[1])"
+                                        + " > 50")
+                        .getAsBoolean())
+                .isTrue();
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
     void programWithMistakesLeavesTheOneBeforeInItsPlace() {
         browser.click("#program-run");
         browser.await(ROOM + ".includes('left shoulder 31.2 degrees')");

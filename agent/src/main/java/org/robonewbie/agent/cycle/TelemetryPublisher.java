@@ -3,6 +3,7 @@ package org.robonewbie.agent.cycle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.robonewbie.agent.log.LogLine;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.agent.perception.LocalFieldView;
@@ -12,6 +13,7 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.protocol.telemetry.BelievedPose;
 import org.robonewbie.protocol.telemetry.BelievedThing;
 import org.robonewbie.protocol.telemetry.Drawing;
+import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
@@ -64,6 +66,26 @@ public final class TelemetryPublisher {
         if (isWatched() && Double.isFinite(value)) {
             publish(new TelemetryItem.PlotValue(name, value));
         }
+    }
+
+    /**
+     * Tells that the robot's program has a number which can be tuned.
+     *
+     * @param number the number
+     */
+    public void declare(TelemetryItem.DeclaredNumber number) {
+        publish(number);
+    }
+
+    /**
+     * Takes what somebody wants of a number of this robot.
+     *
+     * @param name what the program calls it
+     * @return the wanted value; empty if nobody wants another one
+     */
+    public OptionalDouble wish(String name) {
+        Optional<NumberWishes> wishes = sink.wishes();
+        return wishes.isPresent() ? wishes.get().take(senses.team(), senses.number(), name) : OptionalDouble.empty();
     }
 
     /**

@@ -1,15 +1,20 @@
 package org.robonewbie.protocol.tcp;
 
+import java.io.BufferedReader;
 import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.io.OutputStreamWriter;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.robonewbie.protocol.telemetry.NumberWish;
+import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
@@ -17,7 +22,7 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 /**
  * Sends telemetry to a {@link TelemetryServer} on this computer. A background thread does the sending, so a robot never waits:
  * without a listener nothing is wanted, and what a slow listener cannot take is dropped. It looks for a listener every two
- * seconds.
+ * seconds, and takes what the listener wants of the robots' numbers.
  */
 public final class TelemetryClient implements TelemetrySink, AutoCloseable {
 
@@ -28,6 +33,7 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
 
     private final int port;
     private final BlockingQueue<TelemetryMessage> queue = new ArrayBlockingQueue<>(CAPACITY);
+    private final NumberWishes wishes = new NumberWishes();
     private final CountDownLatch closing = new CountDownLatch(1);
     private final Thread thread = new Thread(this::work, "telemetry");
     private volatile boolean connected;
@@ -44,8 +50,7 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
      */
     public static TelemetryClient open(int port) {
         TelemetryClient client = new TelemetryClient(port);
-        client.thread.setDaemon(true);
-        client.thread.start();
+        start(client.thread);
         return client;
     }
 
@@ -60,6 +65,11 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
     @Override
     public boolean isWanted() {
         return connected;
+    }
+
+    @Override
+    public Optional<NumberWishes> wishes() {
+        return Optional.of(wishes);
     }
 
     /** Sends what is still waiting, for half a second at most, and closes the connection. */
@@ -88,6 +98,7 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
                 BufferedWriter writer =
                         new BufferedWriter(new OutputStreamWriter(socket.getOutputStream(), StandardCharsets.UTF_8))) {
             connected = true;
+            start(new Thread(() -> listen(socket), "telemetry-wishes"));
             while (closing.getCount() > 0 || !queue.isEmpty()) {
                 TelemetryMessage message = queue.poll(LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
                 if (message != null) {
@@ -104,5 +115,22 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
             connected = false;
             queue.clear();
         }
+    }
+
+    /** Reads until the connection is closed. */
+    private void listen(Socket socket) {
+        try (BufferedReader reader =
+                new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8))) {
+            for (String line = reader.readLine(); line != null; line = reader.readLine()) {
+                NumberWish.read(line).ifPresent(wishes::put);
+            }
+        } catch (IOException closed) {
+            // the sending thread sees it as well
+        }
+    }
+
+    private static void start(Thread thread) {
+        thread.setDaemon(true);
+        thread.start();
     }
 }

@@ -1,32 +1,28 @@
 package org.robonewbie.protocol.tcp;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.Reader;
 import java.net.InetAddress;
 import java.net.ServerSocket;
-import java.net.Socket;
-import java.nio.charset.StandardCharsets;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import org.robonewbie.protocol.telemetry.TelemetryLine;
+import java.util.function.Predicate;
+import org.robonewbie.protocol.telemetry.NumberWish;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /**
- * Receives the telemetry of robots in other processes of this computer and passes it on to a {@link TelemetrySink}. Lines that
- * are not telemetry are ignored.
+ * Receives the telemetry of robots in other processes of this computer and passes it on to a {@link TelemetrySink}; hands back
+ * what people want of the robots' numbers. Lines that are not telemetry are ignored.
  */
 public final class TelemetryServer implements AutoCloseable {
 
     private static final int ABOVE_AGENT_PORT = 200;
     private static final int HIGHEST_PORT = 65_535;
     private static final int MOST_CONNECTIONS = 64;
-    private static final int LONGEST_LINE = 200_000;
 
     private final ServerSocket socket;
     private final TelemetrySink sink;
-    private final Set<Socket> robots = ConcurrentHashMap.newKeySet();
+    private final Set<TelemetryVisitor> visitors = ConcurrentHashMap.newKeySet();
+    private final Predicate<NumberWish> messenger = this::handOn;
 
     private TelemetryServer(ServerSocket socket, TelemetrySink sink) {
         this.socket = socket;
@@ -55,6 +51,7 @@ public final class TelemetryServer implements AutoCloseable {
     public static TelemetryServer open(int port, TelemetrySink sink) throws IOException {
         ServerSocket socket = new ServerSocket(port, 0, InetAddress.getLoopbackAddress());
         TelemetryServer server = new TelemetryServer(socket, sink);
+        sink.wishes().ifPresent(wishes -> wishes.sendBy(server.messenger));
         start(server::welcome);
         return server;
     }
@@ -67,18 +64,23 @@ public final class TelemetryServer implements AutoCloseable {
     /** Closes all connections. */
     @Override
     public void close() {
-        close(socket);
-        robots.forEach(TelemetryServer::close);
+        sink.wishes().ifPresent(wishes -> wishes.sendNoMoreBy(messenger));
+        try {
+            socket.close();
+        } catch (IOException alreadyGone) {
+            // closed is closed
+        }
+        visitors.forEach(TelemetryVisitor::close);
     }
 
     private void welcome() {
         while (!socket.isClosed()) {
             try {
-                Socket robot = socket.accept();
-                if (robots.size() < MOST_CONNECTIONS && robots.add(robot)) {
-                    start(() -> listen(robot));
+                TelemetryVisitor visitor = new TelemetryVisitor(socket.accept(), sink);
+                if (visitors.size() < MOST_CONNECTIONS && visitors.add(visitor)) {
+                    start(() -> listen(visitor));
                 } else {
-                    robot.close();
+                    visitor.close();
                 }
             } catch (IOException closed) {
                 // the loop sees whether this socket was closed or only a robot's
@@ -86,37 +88,21 @@ public final class TelemetryServer implements AutoCloseable {
         }
     }
 
-    private void listen(Socket robot) {
-        try (robot;
-                Reader reader =
-                        new BufferedReader(new InputStreamReader(robot.getInputStream(), StandardCharsets.UTF_8))) {
-            StringBuilder line = new StringBuilder();
-            for (int sign = reader.read(); sign >= 0 && line.length() < LONGEST_LINE; sign = reader.read()) {
-                if (sign == '\n') {
-                    TelemetryLine.read(line.toString()).ifPresent(sink::accept);
-                    line.setLength(0);
-                } else {
-                    line.append((char) sign);
-                }
-            }
-        } catch (IOException gone) {
-            // a robot that leaves in the middle of a line has nothing more to say
+    private void listen(TelemetryVisitor visitor) {
+        try {
+            visitor.listen();
         } finally {
-            robots.remove(robot);
+            visitors.remove(visitor);
         }
+    }
+
+    private boolean handOn(NumberWish wish) {
+        return visitors.stream().anyMatch(visitor -> visitor.take(wish));
     }
 
     private static void start(Runnable work) {
         Thread thread = new Thread(work, "telemetry-server");
         thread.setDaemon(true);
         thread.start();
-    }
-
-    private static void close(AutoCloseable closeable) {
-        try {
-            closeable.close();
-        } catch (Exception alreadyGone) {
-            // closed is closed
-        }
     }
 }

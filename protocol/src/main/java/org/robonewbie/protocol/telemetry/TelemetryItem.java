@@ -65,4 +65,16 @@ public sealed interface TelemetryItem {
      * @param value its present value, finite
      */
     record PlotValue(String name, double value) implements TelemetryItem {}
+
+    /**
+     * A number that the robot's program has declared and that can be tuned while it runs; sent now and then.
+     *
+     * @param name what the program calls it
+     * @param usual its value in the program's text
+     * @param least its smallest value
+     * @param most its largest value
+     * @param value its present value
+     */
+    record DeclaredNumber(String name, double usual, double least, double most, double value)
+            implements TelemetryItem {}
 }

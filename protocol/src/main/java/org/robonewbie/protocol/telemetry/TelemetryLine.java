@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.telemetry.TelemetryItem.Belief;
+import org.robonewbie.protocol.telemetry.TelemetryItem.DeclaredNumber;
 import org.robonewbie.protocol.telemetry.TelemetryItem.LogEntry;
 import org.robonewbie.protocol.telemetry.TelemetryItem.MotionProgress;
 import org.robonewbie.protocol.telemetry.TelemetryItem.Picture;
@@ -20,6 +21,7 @@ import org.robonewbie.protocol.telemetry.TelemetryItem.PlotValue;
  * belief 12.36  Blue  3  -0.5 0.4 -40.0  ball 1.2 0.1 -0.45 0.0 1
  * draw   12.36  Blue  3  circle red 1.2 0.1 -0.45 0.1
  * plot   12.36  Blue  3  ball distance  1.2
+ * number 12.36  Blue  3  gain  0.5  0.0  1.0  0.75
  * </pre>
  */
 public final class TelemetryLine {
@@ -48,6 +50,8 @@ public final class TelemetryLine {
             picture.drawings().forEach(drawing -> write(drawing, fields));
         } else if (item instanceof PlotValue plot) {
             fields.text(plot.name()).number(plot.value());
+        } else if (item instanceof DeclaredNumber number) {
+            write(number, fields);
         }
         return fields.toString();
     }
@@ -81,6 +85,9 @@ public final class TelemetryLine {
         if (item instanceof Belief) {
             return "belief";
         }
+        if (item instanceof DeclaredNumber) {
+            return "number";
+        }
         return item instanceof Picture ? "draw" : "plot";
     }
 
@@ -91,8 +98,18 @@ public final class TelemetryLine {
             case "belief" -> belief(fields);
             case "draw" -> picture(fields);
             case "plot" -> new PlotValue(fields.text(), fields.number());
+            case "number" ->
+                new DeclaredNumber(fields.text(), fields.number(), fields.number(), fields.number(), fields.number());
             default -> throw new IllegalArgumentException("unknown kind of telemetry: " + kind);
         };
+    }
+
+    /** With all digits, since the program's author has chosen them. */
+    private static void write(DeclaredNumber number, FieldWriter fields) {
+        fields.text(number.name());
+        for (double value : new double[] {number.usual(), number.least(), number.most(), number.value()}) {
+            fields.text(Double.toString(value));
+        }
     }
 
     private static void write(Belief belief, FieldWriter fields) {

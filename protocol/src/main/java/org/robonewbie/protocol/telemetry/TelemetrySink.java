@@ -1,5 +1,7 @@
 package org.robonewbie.protocol.telemetry;
 
+import java.util.Optional;
+
 /**
  * Receives the telemetry of robots. A sink is called by the robots' own threads in the middle of their cycle, so it must be
  * thread-safe, return at once, and never throw.
@@ -37,5 +39,14 @@ public interface TelemetrySink {
      */
     default boolean isWanted() {
         return true;
+    }
+
+    /**
+     * Returns what people want of the numbers that robots declare; robots look in each cycle.
+     *
+     * @return the wishes; empty where nobody can express any
+     */
+    default Optional<NumberWishes> wishes() {
+        return Optional.empty();
     }
 }

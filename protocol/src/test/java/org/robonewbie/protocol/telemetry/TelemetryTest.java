@@ -34,7 +34,8 @@ class TelemetryTest {
                     new Drawing.Line(Vector3.ZERO, new Vector3(1, 0, 0), "#ff8800"),
                     new Drawing.Circle(new Vector3(0, 1, 0), 0.25, "blue"),
                     new Drawing.Text(Vector3.ZERO, "go\tthere", "white"))),
-            new TelemetryItem.PlotValue("ball distance", 1.25));
+            new TelemetryItem.PlotValue("ball distance", 1.25),
+            new TelemetryItem.DeclaredNumber("a\tgain", 0.00001, 0, 1, 0.75));
     private static final TelemetryMessage HELLO =
             new TelemetryMessage("Blue", 3, 0, new TelemetryItem.LogEntry("INFO", "hello"));
 
@@ -79,6 +80,51 @@ class TelemetryTest {
             for (TelemetryItem item : ITEMS) {
                 assertThat(next(heard)).isEqualTo(new TelemetryMessage("Blue", 3, 12.34, item));
             }
+        }
+    }
+
+    @Test
+    void wishForANumberReachesTheProgramThatHasIt() throws Exception {
+        BlockingQueue<TelemetryMessage> heard = new LinkedBlockingQueue<>();
+        NumberWishes wishes = new NumberWishes();
+        try (TelemetryServer server = TelemetryServer.open(0, new Listener(heard, wishes));
+                TelemetryClient stranger = TelemetryClient.open(server.port());
+                TelemetryClient client = TelemetryClient.open(server.port())) {
+            tellUntilHeard(stranger, heard);
+            tellUntilHeard(client, heard);
+            client.accept(
+                    new TelemetryMessage("Blue", 3, 0, new TelemetryItem.DeclaredNumber("my\tgain", 0.5, 0, 1, 0.5)));
+            assertThat(next(heard).item()).isInstanceOf(TelemetryItem.DeclaredNumber.class);
+            BlockingQueue<NumberWish> arrived = new LinkedBlockingQueue<>();
+            client.wishes().orElseThrow().sendBy(arrived::add);
+            stranger.wishes().orElseThrow().sendBy(arrived::add);
+
+            NumberWish wish = new NumberWish("Blue", 3, "my\tgain", 0.1 + 0.2);
+            wishes.put(wish);
+
+            assertThat(arrived.poll(120, TimeUnit.SECONDS)).isEqualTo(wish);
+            assertThat(arrived).isEmpty();
+            assertThat(wishes.take("Blue", 3, "my\tgain")).isEmpty();
+        }
+    }
+
+    @Test
+    void wishWaitsForARobotOfThisProgramAndIsTakenOnce() {
+        NumberWishes wishes = new NumberWishes();
+
+        wishes.put(new NumberWish("Blue", 3, "gain", 0.2));
+        wishes.put(new NumberWish("Blue", 3, "gain", 0.7));
+
+        assertThat(wishes.take("Blue", 4, "gain")).isEmpty();
+        assertThat(wishes.take("Blue", 3, "gain")).hasValue(0.7);
+        assertThat(wishes.take("Blue", 3, "gain")).isEmpty();
+    }
+
+    @Test
+    void whatIsNoWishIsNotRead() {
+        for (String line :
+                List.of("", "tune", "tune\tBlue\t3\tgain", "tune\tBlue\tx\tgain\t1", "plot\tBlue\t3\tgain\t1")) {
+            assertThat(NumberWish.read(line)).as(line).isEmpty();
         }
     }
 
@@ -131,6 +177,19 @@ class TelemetryTest {
     void telemetryPortIs200AboveTheAgentPort() {
         assertThat(TelemetryServer.portFor(3100)).isEqualTo(3300);
         assertThat(TelemetryServer.portFor(65_400)).isEqualTo(65_200);
+    }
+
+    private record Listener(BlockingQueue<TelemetryMessage> heard, NumberWishes numbers) implements TelemetrySink {
+
+        @Override
+        public void accept(TelemetryMessage message) {
+            heard.add(message);
+        }
+
+        @Override
+        public Optional<NumberWishes> wishes() {
+            return Optional.of(numbers);
+        }
     }
 
     /** What is told before there is a listener is lost, so it is told again until it is heard. */

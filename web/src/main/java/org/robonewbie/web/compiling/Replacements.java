@@ -17,8 +17,10 @@ public final class Replacements extends SimpleSubstitutionPolicy {
             "java.util.HexFormat",
             "java.util.SplittableRandom",
             "org.slf4j.LoggerFactory");
-    private static final Set<String> OTHERWISE_IN_A_PAGE =
-            Set.of("org.robonewbie.agent.log.StudentCode", "org.robonewbie.agent.running.Surroundings");
+    private static final Set<String> OTHERWISE_IN_A_PAGE = Set.of(
+            "org.robonewbie.agent.log.StudentCode",
+            "org.robonewbie.agent.running.MadeOnceMore",
+            "org.robonewbie.agent.running.Surroundings");
 
     /** Creates the policy; TeaVM finds it by its name. */
     public Replacements() {}

@@ -5,6 +5,7 @@ import { lineOf, withMistake } from '../state/program/remarks.js';
 import { isUnderWay, NO_RUN, ownRobot, runText } from '../state/program/run.js';
 import { valuesAtLines } from '../state/program/values.js';
 import { readTelemetry, robotKey } from '../state/robot/telemetry.js';
+import { SliderDesk } from './slider-desk.js';
 
 /** @typedef {import('../state/program/run.js').ProgramRun} ProgramRun */
 
@@ -61,16 +62,9 @@ export class RunDesk {
       () => room.surroundings.send({ do: 'step', cycles: 1 }),
       { id: 'program-step' },
     );
-    this.world = choice(
-      { id: 'program-world', 'aria-label': 'What happens to the world when a running program is saved' },
-      [
-        ['keep', 'Saving keeps the world'],
-        ['fresh', 'Saving starts over'],
-      ],
-      (value) => keep(KEY, value),
-    );
-    this.world.value = recall(KEY, 'keep');
+    this.world = worldChoice();
     this.state = element('p', { id: 'program-state', role: 'status' });
+    this.sliders = this.#newSliders();
     room.bar.append(this.start, this.stopButton, this.again, this.stepButton, this.world, this.state);
   }
 
@@ -107,6 +101,9 @@ export class RunDesk {
     await this.room.exercises.leave();
     if (!isUnderWay(this.now)) {
       this.#before = this.#keys();
+    }
+    if (this.now.program !== file.path) {
+      this.sliders.forget();
     }
     this.#show({ ...NO_RUN, state: 'STARTING', program: file.path });
     this.forgetMistakes();
@@ -189,6 +186,22 @@ export class RunDesk {
     this.room.editor.setMistakes([]);
     this.room.editor.setValues([]);
     this.room.said.clear();
+    this.sliders.begin();
+  }
+
+  #newSliders() {
+    const { said, editor, files } = this.room;
+    return new SliderDesk(said.sliders, {
+      tune: (name, value) => this.#tune(name, value),
+      text: () => (this.now.program === files.file?.path ? editor.text : ''),
+      write: (text) => editor.replace(text),
+    });
+  }
+
+  /** Gives a number of the running program another value. @param {string} name @param {number} value */
+  #tune(name, value) {
+    const [team, number] = this.#robot.split('\t');
+    this.room.surroundings.send({ do: 'tune', team, number: Number(number), name, value });
   }
 
   #keys() {
@@ -223,6 +236,8 @@ export class RunDesk {
         this.#hearLine(each.log);
       } else if (each.kind === 'plot') {
         this.#values.set(each.name, each.value);
+      } else if (each.kind === 'number') {
+        this.sliders.hear(each.number);
       }
     }
     this.#showValues();
@@ -249,4 +264,17 @@ export class RunDesk {
     this.room.said.showValues(this.#values);
     this.room.editor.setValues(valuesAtLines(this.room.editor.text, this.#values));
   }
+}
+
+function worldChoice() {
+  const world = choice(
+    { id: 'program-world', 'aria-label': 'What happens to the world when a running program is saved' },
+    [
+      ['keep', 'Saving keeps the world'],
+      ['fresh', 'Saving starts over'],
+    ],
+    (value) => keep(KEY, value),
+  );
+  world.value = recall(KEY, 'keep');
+  return world;
 }

@@ -15,11 +15,22 @@ export class SaidPanel {
     this.verdict = element('div', { id: 'program-verdict' });
     this.compiler = element('ul', { id: 'program-remarks', 'aria-label': 'Mistakes that the compiler has found' });
     this.mistakes = element('ul', { id: 'program-mistakes', 'aria-label': 'Mistakes while the program ran' });
+    /** Where the sliders for the program's numbers are. */
+    this.sliders = element('div', { id: 'program-sliders', role: 'group', 'aria-label': 'Numbers of the program' });
     this.values = element('p', { id: 'program-values', role: 'group', 'aria-label': 'Values that the program plots' });
     this.log = element('ol', { id: 'program-log', 'aria-label': 'Log of the robot' });
     this.printed = element('pre', { id: 'program-printed' });
     this.silence = element('p', { class: 'faint' }, NOTHING);
-    place.append(this.verdict, this.compiler, this.mistakes, this.values, this.silence, this.log, this.printed);
+    place.append(
+      this.verdict,
+      this.compiler,
+      this.mistakes,
+      this.sliders,
+      this.values,
+      this.silence,
+      this.log,
+      this.printed,
+    );
   }
 
   /** Forgets what the running program has said. */

@@ -26,7 +26,8 @@
  *
  * @typedef {{seconds: number, robot: string} & (
  *   {kind: 'log', log: LogLine} | {kind: 'motion', motion: MotionProgress} | {kind: 'belief', belief: Belief}
- *   | {kind: 'draw', drawings: Drawing[]} | {kind: 'plot', name: string, value: number} | {kind: 'other'})} Told
+ *   | {kind: 'draw', drawings: Drawing[]} | {kind: 'plot', name: string, value: number}
+ *   | {kind: 'number', number: import('../program/sliders.js').DeclaredNumber} | {kind: 'other'})} Told
  */
 
 /** @param {string} team @param {number} number @returns {string} */
@@ -50,6 +51,10 @@ export function readTelemetry(line) {
       return { ...told, kind, drawings: readDrawings(fields) };
     case 'plot':
       return { ...told, kind, name: fields[0], value: Number(fields[1]) };
+    case 'number': {
+      const [usual, least, most, value] = fields.slice(1).map(Number);
+      return { ...told, kind, number: { name: fields[0], usual, least, most, value } };
+    }
     default:
       return { ...told, kind: 'other' };
   }
