@@ -18,8 +18,9 @@ export class AgentChoice {
     this.list = choice({ id: 'page-agent', 'aria-label': 'Agent that plays' }, [], (agent) => this.#take(agent));
     const title = 'Lets one more agent play; every second robot plays against the first one, and four are the most';
     this.more = choice({ id: 'page-more', title, 'aria-label': title }, [], (agent) => this.#add(agent));
-    const again = button('From the start', 'Begins once more with a new world', () => this.#begin(), {
+    const again = button('⟲', 'From the start: begins once more with a new world', () => this.#begin(), {
       id: 'page-again',
+      'aria-label': 'From the start',
     });
     document.querySelector('.bar-end')?.prepend(this.list, this.more, again);
   }

@@ -1,4 +1,4 @@
-/** Two buttons in the bar of the room for programs: all programs as a project in a zip, and a link that holds the one in the editor. */
+/** Two buttons below the editor of the room for programs: all programs as a project in a zip, and a link that holds the one in the editor. */
 import { button, byId } from '../panels/elements.js';
 import { project } from './project.js';
 import { linkOf } from './share.js';
@@ -10,10 +10,10 @@ const MILLISECONDS_TO_SAVE = 60_000;
 export function addTakeaways(room, shelf) {
   const place = byId('program-room');
   const watch = new MutationObserver(() => {
-    const bar = place.querySelector('.program-bar');
-    if (bar) {
+    const foot = place.querySelector('.program-foot');
+    if (foot) {
       watch.disconnect();
-      bar.append(
+      foot.append(
         button(
           'Download',
           'All programs of this browser as a project for your computer, with all that it needs but Java (a zip of 16 MB)',

@@ -42,7 +42,9 @@ class ProgramRoom {
     this.bar = element('div', { class: 'program-bar' });
     this.notes = element('div', { class: 'program-notes' });
     const place = element('div', { id: 'program-editor' });
-    code.append(this.bar, this.notes, place);
+    /** Below the program: how it runs, and what is needed less often. */
+    this.foot = element('div', { class: 'program-foot' });
+    code.append(this.bar, this.notes, place, this.foot);
     this.editor = new CodeEditor(place, {
       changed: () => this.#changed(),
       complete: (context) => this.#complete(context),

@@ -57,7 +57,7 @@ export class RunDesk {
       },
     );
     this.stepButton = button(
-      '⏭ Step',
+      'Step',
       'One cycle of 20 ms, in which the program thinks once; then the world stands still until Play (Space) or Run',
       () => room.surroundings.send({ do: 'step', cycles: 1 }),
       { id: 'program-step' },
@@ -65,7 +65,8 @@ export class RunDesk {
     this.world = worldChoice();
     this.state = element('p', { id: 'program-state', role: 'status' });
     this.sliders = this.#newSliders();
-    room.bar.append(this.start, this.stopButton, this.again, this.stepButton, this.world, this.state);
+    room.bar.append(this.start, this.stopButton, this.again, this.stepButton);
+    room.foot.append(this.state, this.world);
   }
 
   /** Saves the program and runs it. */

@@ -21,16 +21,8 @@ export class SaidPanel {
     this.log = element('ol', { id: 'program-log', 'aria-label': 'Log of the robot' });
     this.printed = element('pre', { id: 'program-printed' });
     this.silence = element('p', { class: 'faint' }, NOTHING);
-    place.append(
-      this.verdict,
-      this.compiler,
-      this.mistakes,
-      this.sliders,
-      this.values,
-      this.silence,
-      this.log,
-      this.printed,
-    );
+    const head = element('div', { class: 'program-head' }, this.sliders, this.values);
+    place.append(this.verdict, this.compiler, this.mistakes, head, this.silence, this.log, this.printed);
   }
 
   /** Forgets what the running program has said. */
