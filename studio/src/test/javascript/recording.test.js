@@ -131,9 +131,14 @@ test('a recording that was thinned out plays as long as before', { skip }, () =>
 });
 
 test('the address names a recording and a moment', () => {
-  assert.deepEqual(placeOf('#replay/2026-11-22%2003-04-05@12.5'), { name: '2026-11-22 03-04-05', seconds: 12.5 });
-  assert.deepEqual(placeOf('#replay/me@home'), { name: 'me@home', seconds: undefined });
-  assert.deepEqual(placeOf('#replay'), { name: '', seconds: undefined });
+  assert.deepEqual(placeOf('#replay/2026-11-22%2003-04-05@12.5'), {
+    name: '2026-11-22 03-04-05',
+    seconds: 12.5,
+    plays: false,
+  });
+  assert.deepEqual(placeOf('#replay/me@home'), { name: 'me@home', seconds: undefined, plays: false });
+  assert.deepEqual(placeOf('#replay'), { name: '', seconds: undefined, plays: false });
+  assert.deepEqual(placeOf('#replay/my%20game@play'), { name: 'my game', seconds: undefined, plays: true });
 });
 
 test('pieces are fetched when they are wanted, and forgotten when there are many', async () => {

@@ -156,6 +156,8 @@ class RecordingShelfPageTest {
         browser.await("studio.replay?.state.index === 75 && studio.cursor.recorded?.frame.cycle > 70");
         browser.evaluate("location.hash = '#replay/game@2'");
         browser.await("studio.replay.state.index === 100");
+        browser.evaluate("location.hash = '#replay/game@play'");
+        browser.await("studio.replay.state.playing && studio.replay.state.index < 100");
         assertThat(browser.complaints()).isEmpty();
     }
 

@@ -204,6 +204,7 @@ final class CompetitionCommand implements Callable<Integer> {
     }
 
     private List<TeamEntry> teams() {
+        contest(List.of()); // a contest that does not exist is named before its teams are missed
         List<TeamEntry> teams = teamsFile.isPresent() ? TeamList.read(teamsFile.get()) : TeamList.parse(entries);
         if (teamsFile.isPresent() && !entries.isEmpty()) {
             throw new CalledWronglyException("Teams stand in " + teamsFile.get()

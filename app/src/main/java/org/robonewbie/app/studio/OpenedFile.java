@@ -26,6 +26,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
 
     private static final String MOTION = ".txt";
     private static final String PROGRAM = ".java";
+    private static final String PLAYING = "@play";
 
     private OpenedFile(StudioFolders folders, String place) {
         this(folders, place, Path.of("").toAbsolutePath());
@@ -59,7 +60,8 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
         Path recording = isRecording(file) ? file : converted(file, name);
         String title = String.valueOf(recording.getFileName()).replace(".part", "");
         String shown = title.replace(RecordingShelf.ENDING, "");
-        return new OpenedFile(StudioFolders.ofWorkingDirectory().withRecording(recording), "#replay/" + encoded(shown));
+        return new OpenedFile(
+                StudioFolders.ofWorkingDirectory().withRecording(recording), "#replay/" + encoded(shown) + PLAYING);
     }
 
     /** The room that shows a motion of the studio's folder. */

@@ -34,6 +34,7 @@ class CompetitionCommandTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
+            running                            | There is no contest "running". There are: scoring, penalties
             running Red=Agent_Wave             | There is no contest "running". There are: scoring, penalties
             penalties Red=Agent_Wave           | needs at least 2 teams
             league Red=Agent_Team              | needs at least 2 teams

@@ -36,6 +36,7 @@ public final class KickTask implements Task {
 
     private Place start = new Place(-3, 0, 0);
     private Vector3 ballStart = Vector3.ZERO;
+    private FootBesideBall foot = new FootBesideBall(start, ballStart);
     private double ahead;
     private double left;
     private double metres;
@@ -59,6 +60,7 @@ public final class KickTask implements Task {
         start = trial.now().place();
         trial.placeBall(start.pointAt(ahead, left));
         ballStart = trial.ball().position();
+        foot = new FootBesideBall(start, ballStart);
     }
 
     @Override
@@ -69,6 +71,9 @@ public final class KickTask implements Task {
         Vector3 way = moment.ball().minus(ballStart);
         metres = Math.max(metres, way.x() * PortableMath.cos(direction) + way.y() * PortableMath.sin(direction));
         walked = Math.max(walked, start.distance(robot.position()));
+        if (metres < TOUCHED_METRES) {
+            foot.see(robot);
+        }
         standing = robot.isStanding();
         if (robot.isFallen() && fall.isEmpty()) {
             fall = String.format(Locale.ROOT, " and fell %s after %.1f s", side(robot), moment.seconds());
@@ -91,9 +96,9 @@ public final class KickTask implements Task {
     public Score score() {
         String finding = String.format(
                 Locale.ROOT,
-                "ball before the %s foot: it went %.2f m, the robot moved %.2f m%s",
+                "ball before the %s foot: %s, the robot moved %.2f m%s",
                 left > 0 ? "left" : "right",
-                metres,
+                metres < TOUCHED_METRES ? foot.finding() : String.format(Locale.ROOT, "it went %.2f m", metres),
                 walked,
                 fall);
         if (given.stream().anyMatch(RecognisedMotion::isRecognised)) {
@@ -117,8 +122,8 @@ public final class KickTask implements Task {
                         3 * metres,
                         finding,
                         metres < TOUCHED_METRES
-                                ? "The foot has not touched the ball. Watch the trial: does it pass beside the ball, above it, or"
-                                        + " stop before it?"
+                                ? "The foot has not touched the ball. Short of it: do the toes scrape the ground? Raise them by 20°, or bend the knee more."
+                                        + " Above it: less hip pitch. Beside it: less hip roll."
                                 : "Look down to see before which foot the ball lies. The foot must be quick where the ball is:"
                                         + " a short keyframe there.");
     }

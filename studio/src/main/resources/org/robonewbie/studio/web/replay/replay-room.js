@@ -61,7 +61,7 @@ class ReplayRoom {
     this.list = [];
     this.stale = true;
     this.scenes = new SceneMemory(models);
-    /** The moment that is to be shown as soon as it has come. @type {number | undefined} */
+    /** The moment that is to be shown as soon as it has come. @type {{index: number, playing: boolean} | undefined} */
     this.wanted = undefined;
     this.comparison = new ComparisonPanel(surroundings.token, models, {
       note: surroundings.note,
@@ -103,15 +103,15 @@ class ReplayRoom {
     this.stale = true;
   }
 
-  /** Opens the recording that the address names, at the moment that it names. */
+  /** Opens the recording that the address names, at the moment that it names, or plays it. */
   #followAddress() {
-    const { name, seconds } = placeOf(location.hash);
+    const { name, seconds, plays } = placeOf(location.hash);
     const isHere = location.hash.startsWith('#replay/') && this.list.some((each) => each.name === name);
     if (isHere && this.file?.name !== name) {
       this.choose(name);
     }
-    if (isHere && seconds !== undefined) {
-      this.wanted = seconds * MOMENTS_PER_SECOND;
+    if (isHere && (plays || seconds !== undefined)) {
+      this.wanted = { index: (seconds ?? 0) * MOMENTS_PER_SECOND, playing: plays };
       this.#grow();
     }
   }
@@ -222,8 +222,9 @@ class ReplayRoom {
     const atEnd = index >= count - 1 - BEHIND_MOMENTS && !this.state.playing;
     const follows = atEnd && this.list.find(({ name }) => name === this.file?.name)?.running;
     this.#set({ ...this.state, count: moments, index: follows ? Math.max(0, moments - 1) : index });
-    if (this.wanted !== undefined && this.wanted < moments) {
-      this.#goTo(this.wanted);
+    const { wanted } = this;
+    if (wanted && wanted.index < moments && (this.file?.isWhole || !wanted.playing)) {
+      this.#set({ ...atMoment(this.state, wanted.index), playing: wanted.playing });
       this.wanted = undefined;
     }
   }

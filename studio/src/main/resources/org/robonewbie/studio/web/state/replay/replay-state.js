@@ -181,10 +181,15 @@ export function evenly(moments, events) {
 
 /**
  * @param {string} place the part of the address that shows a recording
- * @returns {{name: string, seconds: number | undefined}} its name, and the moment if one is named
+ * @returns {{name: string, seconds: number | undefined, plays: boolean}} its name, the moment if one is named, and whether it is
+ * to be played at once
  */
 export function placeOf(place) {
   const text = decodeURIComponent(place.split('/').slice(1).join('/'));
-  const moment = text.match(/^(.*)@(\d+(?:\.\d+)?)$/s);
-  return moment ? { name: moment[1], seconds: Number(moment[2]) } : { name: text, seconds: undefined };
+  const moment = text.match(/^(.*)@(play|\d+(?:\.\d+)?)$/s);
+  if (!moment) {
+    return { name: text, seconds: undefined, plays: false };
+  }
+  const plays = moment[2] === 'play';
+  return { name: moment[1], seconds: plays ? undefined : Number(moment[2]), plays };
 }
