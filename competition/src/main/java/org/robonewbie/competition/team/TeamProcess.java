@@ -152,10 +152,10 @@ public final class TeamProcess implements AutoCloseable {
                 processorTime.values().stream().mapToDouble(Duration::toMillis).sum() / 1000;
         boolean atWork = seen.stream().anyMatch(handle -> LinuxProcess.isAtWork(handle.pid()));
         turns.look(System.nanoTime() / 1e9, seconds, atWork);
-        if (bytes > limits.residentBytes()) {
-            brokenLimit = Optional.of(Ending.TOO_MUCH_MEMORY);
-        } else if (alive > MOST_PROCESSES) {
+        if (alive > MOST_PROCESSES) { // first, since so many take too much memory, too, when a look comes late
             brokenLimit = Optional.of(Ending.TOO_MANY_PROCESSES);
+        } else if (bytes > limits.residentBytes()) {
+            brokenLimit = Optional.of(Ending.TOO_MUCH_MEMORY);
         } else if (seconds > limits.processorSeconds()) {
             brokenLimit = Optional.of(Ending.TOO_MUCH_TIME);
         } else if (isSilent()) {

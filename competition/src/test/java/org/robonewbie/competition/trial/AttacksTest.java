@@ -97,12 +97,16 @@ class AttacksTest {
     @ParameterizedTest
     @EnumSource
     void nothingThatAProgramStartedSurvivesItsTrial(Ground ground) throws Exception {
-        TrialResult result = solo(ground, java(LeavesChildren.class));
+        String seconds = "78787." + ProcessHandle.current().pid();
+        Path mark = Files.createDirectory(folder.resolve(seconds));
+
+        TrialResult result = solo(ground, java(LeavesChildren.class, mark));
 
         assertThat(result.of("Evil").ending()).isEqualTo(Ending.PLAYED);
+        assertThat(folder.resolve("results/logs/scoring-Evil.txt")).content().contains("sleep " + seconds);
         assertThat(ProcessHandle.allProcesses()
                         .filter(process ->
-                                process.info().commandLine().orElse("").contains(LeavesChildren.SLEEP)))
+                                process.info().commandLine().orElse("").contains("sleep " + seconds)))
                 .isEmpty();
     }
 
@@ -252,9 +256,9 @@ class AttacksTest {
         return new TrialFiles(Optional.empty(), results.resolve("logs"), results.resolve("work"));
     }
 
-    private static TeamProgram java(Class<?> main) {
+    private static TeamProgram java(Class<?> main, Path... classPath) {
         Map<Role, String> roles = new LinkedHashMap<>();
         Stream.of(Role.values()).forEach(role -> roles.put(role, main.getName()));
-        return new TeamProgram.OfJava(List.of(), roles, Optional.empty(), false, "none");
+        return new TeamProgram.OfJava(List.of(classPath), roles, Optional.empty(), false, "none");
     }
 }
