@@ -1,11 +1,17 @@
-"""A robot learns to bring its arm to any point, by the cross-entropy method; a few minutes on two cores."""
+"""A robot learns to bring its arm to any point, by the cross-entropy method; a few minutes on two cores.
+
+``learn_to_reach.py 10`` stops after 10 generations instead of 30.
+"""
+
+import sys
 
 import gymnasium
 import numpy as np
 
 import robonewbie  # makes the tasks known
 
-CANDIDATES, BEST, GENERATIONS, TARGETS = 48, 8, 30, 4
+CANDIDATES, BEST, TARGETS = 48, 8, 4
+GENERATIONS = int(sys.argv[1]) if len(sys.argv) > 1 else 30
 random = np.random.default_rng(1)
 robots = gymnasium.make_vec("RoboNewbie/Reach-v1", num_envs=CANDIDATES)
 target = [robots.unwrapped.observation_names.index(f"target.{axis}") for axis in ("forward", "left", "up")]

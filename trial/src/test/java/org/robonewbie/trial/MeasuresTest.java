@@ -4,8 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
@@ -127,8 +133,27 @@ class MeasuresTest {
         assertThatThrownBy(() -> Measures.named("speed", getClass().getClassLoader()))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith(
-                        "There is no measure \"speed\". There are: distance-walked, energy, get-up-time,"
+                        "There is no measure \"speed\". Did you mean walk-speed? There are: distance-walked, energy, get-up-time,"
                                 + " kick-distance, stability, standing-time, time-to-score, walk-speed.");
+    }
+
+    @Test
+    void classThatAJarOffersIsKnownByItsSimpleName(@TempDir Path folder) throws IOException {
+        Path services = Files.createDirectories(folder.resolve("META-INF/services"));
+        Path offers = Files.writeString(services.resolve(Measure.class.getName()), Turn.class.getName() + "\n");
+
+        try (URLClassLoader jar = new URLClassLoader(
+                new URL[] {folder.toUri().toURL()}, getClass().getClassLoader())) {
+            assertThat(Measures.named("Turn", jar).get()).isInstanceOf(Turn.class);
+            assertThatThrownBy(() -> Measures.named("Turm", jar)).hasMessageContaining("There is no measure \"Turm\"");
+
+            Files.writeString(offers, "no.such.Measure\n");
+        }
+        try (URLClassLoader wrong = new URLClassLoader(
+                new URL[] {folder.toUri().toURL()}, getClass().getClassLoader())) {
+            assertThatThrownBy(() -> Measures.named("Turn", wrong))
+                    .hasMessageStartingWith("A jar or folder offers a measure that cannot be loaded: ");
+        }
     }
 
     @Test

@@ -90,7 +90,7 @@ final class LearnCommand implements Callable<Integer> {
             names = "--option",
             paramLabel = "NAME=VALUE",
             description =
-                    "What is different in the episodes of a task, such as noise=0.5 or push=10; docs/gym-protocol.md has all.")
+                    "What is different in the episodes of a task, such as noise=0.5 or push=10; docs/gym-protocol.md has all. In walk and run forward=LOW..HIGH: the speeds straight ahead, in m/s.")
     private List<String> options = List.of();
 
     @Option(
@@ -149,7 +149,7 @@ final class LearnCommand implements Callable<Integer> {
     private Course course() {
         Optional<WalkCourse> walk = WalkCourse.named(task);
         return walk.isPresent()
-                ? walk.get()
+                ? walk.get().with(options)
                 : TaskCourse.of(task, inputs, hidden, AgentFinder.loaderOf(classPath.folders()));
     }
 

@@ -46,6 +46,35 @@ class LearnCommandTest {
     }
 
     @Test
+    void runsAsFastAsAnOptionSays() throws Exception {
+        Path file = folder.resolve("run.policy");
+
+        command(
+                        "run",
+                        "--pairs",
+                        "1",
+                        "--seconds",
+                        "1",
+                        "--generations",
+                        "1",
+                        "--option",
+                        "forward=0.7..1.1",
+                        "--out",
+                        file.toString())
+                .call();
+
+        assertThat(new PolicyWalk(PolicyFile.read(file)).style().most().forward())
+                .isEqualTo(1.1);
+        assertThat(PolicyFile.read(file).about().get(0))
+                .contains(" --push 6.0 --option forward=0.7..1.1 --generations");
+        for (String wrong : List.of("noise=1", "forward=1.1", "forward=1.1..0.7", "forward=0..1", "forward=1..9")) {
+            assertThatThrownBy(() -> command("run", "--option", wrong).call())
+                    .isInstanceOf(CalledWronglyException.class)
+                    .hasMessageContaining("have no option " + wrong + ". There is one: forward=LOW..HIGH");
+        }
+    }
+
+    @Test
     void saysWhatIsWrong() {
         assertThatThrownBy(() -> command("fly").call())
                 .isInstanceOf(CalledWronglyException.class)

@@ -4,6 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robonewbie.agent.policy.Network;
 import org.robonewbie.agent.policy.Policy;
@@ -47,6 +50,8 @@ public record WalkCourse(
     /** In which part of the lessons of a training the command stays the same. */
     private static final double LONG_SHARE = 0.4;
 
+    private static final Pattern FORWARD = Pattern.compile("forward=(\\d(?:\\.\\d+)?)\\.\\.(\\d(?:\\.\\d+)?)");
+    private static final double FASTEST = 3;
     private static final int HIDDEN = 16;
     private static final int[] LAYERS = {LearnedReflex.INPUTS.size(), HIDDEN, LearnedReflex.OUTPUTS.size()};
     private static final int WEIGHTS = Network.size(LAYERS);
@@ -64,12 +69,36 @@ public record WalkCourse(
         return Stream.of(WALK, RUN).filter(course -> course.task().equals(task)).findAny();
     }
 
+    /**
+     * Makes the same course with other speeds straight ahead.
+     *
+     * @param options {@code forward=LOW..HIGH} in metres per second, or nothing
+     * @return the course
+     * @throws IllegalArgumentException if there is another option, or if the speeds are not possible
+     */
+    public WalkCourse with(List<String> options) {
+        WalkCourse course = this;
+        for (String option : options) {
+            Matcher range = FORWARD.matcher(option);
+            double low = range.matches() ? Double.parseDouble(range.group(1)) : 0;
+            double high = range.matches() ? Double.parseDouble(range.group(2)) : 0;
+            if (!(low > 0 && low <= high && high <= FASTEST)) {
+                throw new IllegalArgumentException("Lessons in " + task + " have no option " + option
+                        + ". There is one: forward=LOW..HIGH, such as forward=0.7..1.1, with up to " + FASTEST
+                        + " m/s.");
+            }
+            WalkVelocity faster = new WalkVelocity(high, most.left(), most.turn());
+            course = new WalkCourse(
+                    task, faster, backward, stepMillis, straightShare, low / high, toleratedMetresPerSecond);
+        }
+        return course;
+    }
+
     @Override
     public String words(TrainingPlan plan) {
-        if (!plan.options().isEmpty()) {
-            throw new IllegalArgumentException("Lessons in " + task + " have no options. Leave out --option.");
-        }
-        return plan.words() + " --seconds " + plan.seconds() + " --push " + plan.newtons();
+        String options =
+                plan.options().stream().map(option -> " --option " + option).collect(Collectors.joining());
+        return plan.words() + " --seconds " + plan.seconds() + " --push " + plan.newtons() + options;
     }
 
     @Override

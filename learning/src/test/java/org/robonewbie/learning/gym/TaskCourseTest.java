@@ -84,7 +84,8 @@ class TaskCourseTest {
     void refusesWhatCannotBeLearned() {
         assertThatThrownBy(() -> course("Match1v1"))
                 .hasMessage("In Match1v1 several robots learn; choose a task for one.");
-        assertThatThrownBy(() -> course("Stnd")).hasMessageStartingWith("There is no task \"Stnd\". There are: ");
+        assertThatThrownBy(() -> course("Stnd"))
+                .hasMessageStartingWith("There is no task \"Stnd\". Did you mean Stand? There are: ");
         assertThatThrownBy(() -> TaskCourse.of("Stand", "wing.*", 16, CLASSES))
                 .hasMessage("Nothing that is observed in Stand has a name like wing.*.");
         assertThatThrownBy(() -> course("Stand").start(PolicyFile.shipped("walk")))

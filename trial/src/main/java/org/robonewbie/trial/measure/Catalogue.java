@@ -2,11 +2,16 @@ package org.robonewbie.trial.measure;
 
 import java.lang.reflect.Constructor;
 import java.util.Map;
+import java.util.Optional;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
 import java.util.TreeMap;
 import java.util.function.Supplier;
+import org.robonewbie.agent.log.Spelling;
 
 /**
- * Things that people choose by name: those of the framework, and classes of their own.
+ * Things that people choose by name: those of the framework, and classes of their own. A jar whose {@code META-INF/services} lists its classes
+ * offers them by their simple names, see {@link ServiceLoader}.
  *
  * <pre>{@code
  * Catalogue<Measure> measures = new Catalogue<>("measure", Measure.class, Map.of("energy", Energy::new));
@@ -37,14 +42,28 @@ public final class Catalogue<T> {
     /**
      * Looks up a thing.
      *
-     * @param name its name, or the name of a class of this type with a public constructor without parameters
+     * @param name its name, the simple name of a class that a jar offers, or the full name of a class of this type with a public
+     *     constructor without parameters
      * @param classes where to look for the class
      * @return creates a new one each time
-     * @throws IllegalArgumentException if there is none of this name; the message lists all
+     * @throws IllegalArgumentException if there is none of this name; the message names the nearest and lists all
      */
     public Supplier<T> named(String name, ClassLoader classes) {
         Supplier<T> known = all.get(name);
-        return known == null ? ofClass(name, classes) : known;
+        return known == null ? offered(name, classes).orElseGet(() -> ofClass(name, classes)) : known;
+    }
+
+    private Optional<Supplier<T>> offered(String name, ClassLoader classes) {
+        try {
+            return ServiceLoader.load(type, classes).stream()
+                    .filter(provider -> provider.type().getSimpleName().equals(name))
+                    .findFirst()
+                    .map(provider ->
+                            ofClass(provider.type().getName(), provider.type().getClassLoader()));
+        } catch (ServiceConfigurationError wrong) {
+            throw new IllegalArgumentException(
+                    "A jar or folder offers a " + kind + " that cannot be loaded: " + wrong.getMessage(), wrong);
+        }
     }
 
     /** {@return the names of the framework's things, separated by commas} */
@@ -59,7 +78,11 @@ public final class Catalogue<T> {
             return () -> created(constructor);
         } catch (ReflectiveOperationException | ClassCastException | LinkageError none) {
             throw new IllegalArgumentException(
-                    "There is no " + kind + " \"" + name + "\". There are: " + names() + ". A class of your own must "
+                    "There is no " + kind + " \"" + name + "\"."
+                            + Spelling.nearest(name, all.keySet())
+                                    .map(nearest -> " Did you mean " + nearest + "?")
+                                    .orElse("")
+                            + " There are: " + names() + ". A class of your own must "
                             + (type.isInterface() ? "implement " : "extend ") + type.getSimpleName()
                             + " and have a public constructor without parameters.",
                     none);
