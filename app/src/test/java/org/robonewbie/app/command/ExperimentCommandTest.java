@@ -72,7 +72,14 @@ class ExperimentCommandTest {
 
         assertThat(printed.exitCode()).isEqualTo(1);
         assertThat(printed.err()).contains("Trial 1 (seed ", "two is too much", "1 trials failed, see above.");
-        assertThat(Files.readAllLines(table)).hasSize(3).anyMatch(line -> line.endsWith(",3.0,6.0"));
+        List<String> rows = Files.readAllLines(table);
+        assertThat(rows).hasSize(4);
+        assertThat(rows.get(0)).endsWith(",failure");
+        assertThat(rows.get(2))
+                .startsWith("1,")
+                .contains(",2.0,,\"Trial 1 (seed ")
+                .contains("two is too much");
+        assertThat(rows.get(3)).endsWith(",3.0,6.0,");
         assertThat(Files.readAllLines(folder.resolve("x.csv.trials"))).hasSize(3);
     }
 

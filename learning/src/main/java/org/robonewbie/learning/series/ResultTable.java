@@ -6,16 +6,35 @@ import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import org.robonewbie.nao.file.AtomicFile;
 
 /**
- * What a series has measured: for each trial its number, its seed, its parameters and its results.
+ * What a series has measured: for each trial its number, its seed, its parameters and its results. If trials have failed, there is a column
+ * more that says why.
  *
  * @param columns names of the measured numbers
  * @param trials the trials in their order
- * @param measured what each of them has measured; not to be changed
+ * @param measured what each of them has measured, nothing if it has failed; not to be changed
+ * @param failures why trials have failed, by their numbers
  */
-public record ResultTable(List<String> columns, List<PlannedTrial> trials, List<double[]> measured) {
+public record ResultTable(
+        List<String> columns, List<PlannedTrial> trials, List<double[]> measured, Map<Integer, String> failures) {
+
+    private static final String FAILURE = "failure";
+
+    /**
+     * Makes the table of trials none of which has failed.
+     *
+     * @param columns names of the measured numbers
+     * @param trials the trials in their order
+     * @param measured what each of them has measured
+     */
+    public ResultTable(List<String> columns, List<PlannedTrial> trials, List<double[]> measured) {
+        this(columns, trials, measured, Map.of());
+    }
 
     /**
      * Writes the table to a file, as JSON if its name ends with .json, else as CSV.
@@ -34,12 +53,17 @@ public record ResultTable(List<String> columns, List<PlannedTrial> trials, List<
             PlannedTrial trial = trials.get(i);
             text.append(trial.number()).append(',').append(trial.seed());
             trial.all().values().forEach(value -> text.append(',').append(quoted(String.valueOf(value))));
-            for (double number : measured.get(i)) {
-                text.append(',').append(number);
-            }
-            text.append('\n');
+            text.append(results(trial, measured.get(i))).append('\n');
         }
         return text.toString();
+    }
+
+    private String results(PlannedTrial trial, double... numbers) {
+        String failure = failures.get(trial.number());
+        String cells = failure == null
+                ? DoubleStream.of(numbers).mapToObj(number -> "," + number).collect(Collectors.joining())
+                : ",".repeat(columns.size());
+        return failures.isEmpty() ? cells : cells + "," + (failure == null ? "" : quoted(failure));
     }
 
     private List<String> names() {
@@ -48,6 +72,9 @@ public record ResultTable(List<String> columns, List<PlannedTrial> trials, List<
             names.addAll(trials.get(0).all().keySet());
         }
         names.addAll(columns);
+        if (!failures.isEmpty()) {
+            names.add(FAILURE);
+        }
         return names.stream().map(ResultTable::quoted).toList();
     }
 
@@ -85,6 +112,9 @@ public record ResultTable(List<String> columns, List<PlannedTrial> trials, List<
         }
         for (int i = 0; i < numbers.length; i++) {
             writer.name(columns.get(i)).value(numbers[i]);
+        }
+        if (failures.containsKey(trial.number())) {
+            writer.name(FAILURE).value(failures.get(trial.number()));
         }
         writer.endObject();
     }

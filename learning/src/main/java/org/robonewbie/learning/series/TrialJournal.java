@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
@@ -152,18 +151,22 @@ public final class TrialJournal implements TrialSink, AutoCloseable {
     }
 
     /**
-     * Makes a table of the trials that are done, in the order of the plan.
+     * Makes a table of the trials that are done or have failed, in the order of the plan.
      *
      * @param columns names of the measured numbers
      * @return the table
      */
     public synchronized ResultTable table(List<String> columns) {
-        List<PlannedTrial> done = new ArrayList<>(trials);
-        done.removeIf(trial -> !measured.containsKey(trial.number()));
+        List<PlannedTrial> known = trials.stream()
+                .filter(trial -> measured.containsKey(trial.number()) || failures.containsKey(trial.number()))
+                .toList();
         return new ResultTable(
                 columns,
-                done,
-                done.stream().map(trial -> measured.get(trial.number())).toList());
+                known,
+                known.stream()
+                        .map(trial -> measured.getOrDefault(trial.number(), new double[0]))
+                        .toList(),
+                Map.copyOf(failures));
     }
 
     /** Keeps the file, so that the series can go on. */
