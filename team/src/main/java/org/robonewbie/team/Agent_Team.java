@@ -140,7 +140,7 @@ public class Agent_Team extends Agent {
         }
         gaze.look(world);
         speak();
-        board.show(strategy.plan(), way);
+        board.show(strategy.plan(), strategy.options(), way);
     }
 
     private boolean isToLineUp() {

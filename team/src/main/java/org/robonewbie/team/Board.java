@@ -7,7 +7,6 @@ import org.robonewbie.team.tactics.KickChoice;
 import org.robonewbie.team.tactics.Plan;
 import org.robonewbie.team.tactics.TeamRole;
 import org.robonewbie.team.world.BallFilter;
-import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
@@ -31,8 +30,8 @@ final class Board {
         this.world = world;
     }
 
-    /** Draws the plan and the way of this cycle. */
-    void show(Plan plan, List<Spot> way) {
+    /** Draws the plan, what else was possible, and the way of this cycle. */
+    void show(Plan plan, List<KickChoice.Option> options, List<Spot> way) {
         nao.tellPose(world.pose().x(), world.pose().y(), world.pose().headingDegrees());
         nao.drawText(
                 new Vector3(0, 0, 0.3),
@@ -41,6 +40,10 @@ final class Board {
         nao.plot("seconds since the ball was seen", Math.min(10, world.ballAgeSeconds()));
         if (!world.isFallen()) { // else nobody could tell where on the pitch the lines belong
             showWay(plan, way);
+            if (plan.role() == TeamRole.STRIKER) {
+                showBall();
+                showChoice(plan, options);
+            }
         }
     }
 
@@ -52,10 +55,6 @@ final class Board {
             before = bend;
         }
         nao.drawPoint(seen(plan.target()), colour);
-        if (plan.role() == TeamRole.STRIKER) {
-            showBall();
-            showChoice(plan);
-        }
     }
 
     /** The ball, and how far it will roll. */
@@ -66,13 +65,11 @@ final class Board {
     }
 
     /** Where the ball is to go, to whom, and what else was possible. */
-    private void showChoice(Plan plan) {
+    private void showChoice(Plan plan, List<KickChoice.Option> options) {
         boolean kick = plan.action() == Plan.Action.KICK;
         if (!kick && plan.action() != Plan.Action.DRIBBLE) {
             return;
         }
-        List<KickChoice.Option> options =
-                new KickChoice(world, !kick || world.situation() == Situation.OPEN_PLAY, true, plan).options();
         double most =
                 options.stream().mapToDouble(KickChoice.Option::gain).max().orElse(0);
         options.stream().filter(option -> option.gain() > 0).forEach(option -> showRay(option, most));

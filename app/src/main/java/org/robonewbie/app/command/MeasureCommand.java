@@ -152,7 +152,10 @@ final class MeasureCommand implements Callable<Integer> {
         } else if (subject.equals(TEAM)) {
             new TeamMeasurement(seeds, firstSeed, System.out).run(players);
         } else {
-            new MotionMeasurement(seeds, firstSeed, part, robotType(), System.out).run(json);
+            RobotType built = robotType();
+            new MotionMeasurement(seeds, firstSeed, part, built, System.out)
+                    .with(PlayerChecks.all(built))
+                    .run(json);
         }
     }
 

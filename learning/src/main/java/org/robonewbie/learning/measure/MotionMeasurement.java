@@ -27,6 +27,7 @@ public final class MotionMeasurement {
     private final long firstSeed;
     private final String part;
     private final RobotType type;
+    private final List<MotionCheck> more = new ArrayList<>();
 
     /**
      * Prepares a measurement.
@@ -58,6 +59,17 @@ public final class MotionMeasurement {
         this.out = out;
     }
 
+    /**
+     * Adds checks that follow the motions, such as those of players that this module does not know.
+     *
+     * @param checks what else is measured
+     * @return this measurement
+     */
+    public MotionMeasurement with(List<MotionCheck> checks) {
+        more.addAll(checks);
+        return this;
+    }
+
     /** {@return all checks of robot type 0 in the order of the table} */
     public static List<MotionCheck> checks() {
         return checks(RobotType.TYPE_0);
@@ -81,7 +93,7 @@ public final class MotionMeasurement {
      */
     public List<CheckResult> run(Optional<Path> json) throws IOException {
         List<CheckResult> results = new ArrayList<>();
-        List<MotionCheck> checks = checks(type).stream()
+        List<MotionCheck> checks = Stream.concat(checks(type).stream(), more.stream())
                 .filter(check -> check.name().contains(part))
                 .toList();
         if (checks.isEmpty()) {

@@ -41,6 +41,7 @@ public final class KickChoice {
     private final boolean mayDribble;
     private final boolean mayScore;
     private final Plan before;
+    private final List<Option> options;
 
     /**
      * Looks at the present moment.
@@ -55,6 +56,7 @@ public final class KickChoice {
         this.mayDribble = mayDribble;
         this.mayScore = mayScore;
         this.before = before;
+        this.options = all();
     }
 
     /**
@@ -67,7 +69,7 @@ public final class KickChoice {
 
     /** {@return the best option} */
     public Plan best() {
-        return options().stream()
+        return options.stream()
                 .max(Comparator.comparingDouble(this::loyalGain))
                 .map(Option::plan)
                 .orElseGet(() -> dribble(0).plan);
@@ -82,19 +84,23 @@ public final class KickChoice {
 
     /** {@return all options, for a look at what else was possible} */
     public List<Option> options() {
-        List<Option> options = new ArrayList<>();
-        for (double degrees = -180; degrees < 180; degrees += STEP_DEGREES) {
-            add(options, degrees);
-        }
-        add(options, world.theirGoal().minus(world.ball()).degrees());
         return options;
     }
 
-    private void add(List<Option> options, double degrees) {
-        if (mayDribble) {
-            options.add(dribble(degrees));
+    private List<Option> all() {
+        List<Option> all = new ArrayList<>();
+        for (double degrees = -180; degrees < 180; degrees += STEP_DEGREES) {
+            add(all, degrees);
         }
-        options.add(kick(degrees));
+        add(all, world.theirGoal().minus(world.ball()).degrees());
+        return List.copyOf(all);
+    }
+
+    private void add(List<Option> all, double degrees) {
+        if (mayDribble) {
+            all.add(dribble(degrees));
+        }
+        all.add(kick(degrees));
     }
 
     private Option dribble(double degrees) {

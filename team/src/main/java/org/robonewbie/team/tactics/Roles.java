@@ -46,25 +46,25 @@ public final class Roles {
 
     /** {@return the player's role} */
     public TeamRole own() {
-        if (isStriker()) {
+        boolean keeper = isKeeper(world, world.number());
+        boolean leavesGoal = !keeper || !world.mates().isEmpty();
+        if (leavesGoal && isStriker()) {
             return TeamRole.STRIKER;
         }
-        if (isKeeper(world, world.number())) {
-            return TeamRole.KEEPER;
-        }
-        return placeInFormation();
+        return keeper ? TeamRole.KEEPER : placeInFormation();
     }
 
     /**
      * Looks whether a player keeps the goal. A team of less than eight has no keeper: in a small team each player is needed where the
-     * ball is.
+     * ball is. But a number 1 that begins alone in its goal is there for a penalty shoot-out, and stays.
      *
      * @param world the game
      * @param number the player's number
      * @return whether it is the keeper
      */
     public static boolean isKeeper(WorldModel world, int number) {
-        return number == KEEPER_NUMBER && world.mates().size() >= MATES_OF_KEEPER;
+        boolean alone = world.mates().isEmpty() && world.hasBegunInGoal();
+        return number == KEEPER_NUMBER && (alone || world.mates().size() >= MATES_OF_KEEPER);
     }
 
     private boolean isStriker() {

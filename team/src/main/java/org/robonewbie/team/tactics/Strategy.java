@@ -1,5 +1,6 @@
 package org.robonewbie.team.tactics;
 
+import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.skill.Goalkeeping;
@@ -30,6 +31,7 @@ public final class Strategy {
     private final WorldModel world;
     private final SetPlay setPlay = new SetPlay();
     private Plan plan = Plan.NONE;
+    private List<KickChoice.Option> options = List.of();
     private double planSeconds;
 
     /**
@@ -44,6 +46,11 @@ public final class Strategy {
     /** {@return the present plan} */
     public Plan plan() {
         return plan;
+    }
+
+    /** {@return what the striker could have done with the ball when it last chose} */
+    public List<KickChoice.Option> options() {
+        return options;
     }
 
     /** Decides again. */
@@ -84,7 +91,9 @@ public final class Strategy {
             return new Plan(TeamRole.STRIKER, Action.GO, place, facing(place), 0);
         }
         boolean kickOnly = setPlay.mayTouchOnce(world) || world.situation() == Situation.OUR_PASS;
-        return new KickChoice(world, !kickOnly, setPlay.mayScore(world), plan).best();
+        KickChoice choice = new KickChoice(world, !kickOnly, setPlay.mayScore(world), plan);
+        options = choice.options();
+        return choice.best();
     }
 
     private Plan waiting(TeamRole role) {

@@ -32,10 +32,12 @@ public final class WorldModel {
     private static final double MATE_SECONDS = 4;
     private static final double OPPONENT_SECONDS = 4;
     private static final double LYING_METRES = 0.25;
+    private static final double IN_GOAL_METRES = 1;
 
     private final SelfLocalisation self = new SelfLocalisation();
     private final BallTracker tracker = new BallTracker();
     private final Tilt tilt = new Tilt();
+    private final Momentum momentum = new Momentum();
     private final SideWatch sides = new SideWatch();
     private final SortedMap<Integer, Mate> mates = new TreeMap<>();
     private GroundPose pose = GroundPose.ORIGIN;
@@ -51,6 +53,8 @@ public final class WorldModel {
     private int number;
     private boolean fallen;
     private boolean scored;
+    private boolean placed;
+    private boolean begunInGoal;
 
     /** Creates a model that knows nothing. */
     public WorldModel() {}
@@ -72,14 +76,24 @@ public final class WorldModel {
             tracker.look(self, view.ball(), seconds);
         }
         sides.look(sides.convert(self.pose()), seconds);
-        pose = sides.convert(self.pose());
+        momentum.move(self.odometry().pose());
+        GroundPose seen = sides.convert(self.pose());
+        pose = fallen ? seen : momentum.after(seen);
+        rememberBegin();
         tracker.roll();
         updateSituation(nao);
         mates.values().removeIf(mate -> seconds - mate.heardSeconds() > MATE_SECONDS);
-        believeBall();
+        believeBall(seen);
         if (upright && nao.getVision().isPresent()) {
-            opponents = opponents(view.opponents().stream());
-            uprightOpponents = opponents(view.opponents().stream().filter(player -> !isLying(player)));
+            opponents = opponents(view.opponents().stream(), seen);
+            uprightOpponents = opponents(view.opponents().stream().filter(player -> !isLying(player)), seen);
+        }
+    }
+
+    private void rememberBegin() {
+        if (!placed && self.isKnown()) {
+            placed = true;
+            begunInGoal = place().distanceTo(ourGoal()) < IN_GOAL_METRES;
         }
     }
 
@@ -94,9 +108,9 @@ public final class WorldModel {
     }
 
     /** Believes its own eyes if they have seen the ball lately, else the team mate who has seen it last. */
-    private void believeBall() {
-        ball = tracker.position().onMap(pose);
-        ballVelocity = tracker.velocity().onMap(new GroundPose(0, 0, pose.headingDegrees()));
+    private void believeBall(GroundPose seen) {
+        ball = tracker.position().onMap(seen);
+        ballVelocity = tracker.velocity().onMap(new GroundPose(0, 0, seen.headingDegrees()));
         ballSeenSeconds = tracker.seenSeconds();
         if (seconds - ballSeenSeconds > OWN_EYES_SECONDS) {
             Optional<Mate> witness = mates.values().stream()
@@ -119,9 +133,9 @@ public final class WorldModel {
         ballSeenSeconds = sawBallSeconds(witness);
     }
 
-    private List<Spot> opponents(Stream<PlayerItem> players) {
+    private List<Spot> opponents(Stream<PlayerItem> players, GroundPose seen) {
         return players.filter(player -> player.ageSeconds() < OPPONENT_SECONDS)
-                .map(player -> Spot.of(self.odometry().positionNow(player)).onMap(pose))
+                .map(player -> Spot.of(self.odometry().positionNow(player)).onMap(seen))
                 .toList();
     }
 
@@ -206,9 +220,19 @@ public final class WorldModel {
         return pose;
     }
 
+    /** {@return how fast the robot walks ahead, metres per second} */
+    public double speedAhead() {
+        return momentum.speedAhead();
+    }
+
     /** {@return seconds since the robot has seen where it is} */
     public double poseAgeSeconds() {
         return self.ageSeconds();
+    }
+
+    /** {@return whether the robot stood in its goal when it first knew where it was} */
+    public boolean hasBegunInGoal() {
+        return begunInGoal;
     }
 
     /** {@return the robot's place} */

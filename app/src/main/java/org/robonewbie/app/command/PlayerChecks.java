@@ -1,0 +1,160 @@
+package org.robonewbie.app.command;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.function.ToDoubleFunction;
+import org.robonewbie.learning.measure.MotionCheck;
+import org.robonewbie.learning.measure.Outcome;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/** Checks of what a player of the example team does with the ball on the league's pitch: it dribbles, and kicks out of its walk. */
+final class PlayerChecks {
+
+    private static final Place START = new Place(-8, 0, 0);
+    private static final double ASIDE_METRES = 0.1;
+    private static final double MOST_SECONDS = 30;
+    private static final double DRIBBLED_METRES = 5;
+    private static final double DRIBBLE_SECONDS = 10;
+    private static final double CLOSE_METRES = 0.5;
+    private static final double NEAR_METRES = 0.3;
+    private static final double KICKED_METRES_PER_SECOND = 1;
+    private static final double ROLLING_SECONDS = 4;
+    private static final double KICK_METRES = 3;
+    private static final double KICK_SECONDS = 2;
+    private static final double KICK_DEGREES = 5;
+
+    private final RobotType type;
+
+    private PlayerChecks(RobotType type) {
+        this.type = type;
+    }
+
+    /** What a dribbling was like: seconds for the whole way, infinite if it was not done, and how far away the ball was at most. */
+    private record Dribbled(double seconds, double farthest) {}
+
+    /** What a kick was like. */
+    private record Kicked(double metres, double seconds, double degrees) {
+
+        static final Kicked NONE = new Kicked(0, Double.POSITIVE_INFINITY, 180);
+
+        boolean isFar() {
+            return metres >= KICK_METRES;
+        }
+    }
+
+    /** Returns the checks of one robot type. */
+    static List<MotionCheck> all(RobotType type) {
+        return new PlayerChecks(type).all();
+    }
+
+    private List<MotionCheck> all() {
+        return List.of(
+                dribble(
+                        "dribble 5 m",
+                        "the ball gets 5 m ahead within 10 s",
+                        "s",
+                        Dribbled::seconds,
+                        dribbled -> dribbled.seconds <= DRIBBLE_SECONDS),
+                dribble(
+                        "dribble 5 m, close",
+                        "it does, and the ball is never further away than 0.5 m",
+                        "m, the farthest",
+                        Dribbled::farthest,
+                        dribbled -> dribbled.seconds <= DRIBBLE_SECONDS && dribbled.farthest <= CLOSE_METRES),
+                kick("kick out of the walk", "the ball rolls at least 3 m", "m", Kicked::metres, Kicked::isFar),
+                kick(
+                        "kick out of the walk, soon",
+                        "it does, 2 s after the ball was within 0.3 m it is faster than 1 m/s",
+                        "s",
+                        Kicked::seconds,
+                        kicked -> kicked.isFar() && kicked.seconds <= KICK_SECONDS),
+                kick(
+                        "kick out of the walk, straight",
+                        "it does, in a direction at most 5° beside the one that was wanted",
+                        "degrees to either side",
+                        Kicked::degrees,
+                        kicked -> kicked.isFar() && kicked.degrees <= KICK_DEGREES));
+    }
+
+    private MotionCheck dribble(
+            String name, String rule, String unit, ToDoubleFunction<Dribbled> value, Predicate<Dribbled> success) {
+        return check(name, 0.25, rule, unit, value, success, this::dribble);
+    }
+
+    private MotionCheck kick(
+            String name, String rule, String unit, ToDoubleFunction<Kicked> value, Predicate<Kicked> success) {
+        return check(name, 1.5, rule, unit, value, success, this::kick);
+    }
+
+    private <T> MotionCheck check(
+            String name,
+            double ballAhead,
+            String rule,
+            String unit,
+            ToDoubleFunction<T> value,
+            Predicate<T> success,
+            Function<Trial, T> act) {
+        return new MotionCheck(
+                name + (type == RobotType.TYPE_0 ? "" : ", type " + type.ordinal()),
+                "a player of the example team on an own simulator with noise and the league's pitch, in the stance, ball "
+                        + ballAhead + " m ahead and up to 10 cm aside",
+                rule,
+                unit,
+                seed -> {
+                    boolean dribbles = name.startsWith("dribble");
+                    try (Trial trial = trial(seed, ballAhead, dribbles)) {
+                        T done = act.apply(trial);
+                        return new Outcome(success.test(done), value.applyAsDouble(done));
+                    }
+                });
+    }
+
+    private Trial trial(long seed, double ballAhead, boolean dribbles) {
+        double aside = ASIDE_METRES * Math.sin(seed);
+        Scene scene = Scene.of(RobotStart.at(START).withType(type).after("stand"))
+                .withParameters(SoccerParameters.league())
+                .withBall(START.pointAt(ballAhead, aside));
+        return Trial.served(scene, seed, Performer.ofAgent(new BallPlayer(dribbles)));
+    }
+
+    private Dribbled dribble(Trial trial) {
+        Vector3 begin = trial.now().ball();
+        double farthest = 0;
+        while (trial.seconds() < MOST_SECONDS) {
+            Moment now = trial.step();
+            farthest = Math.max(farthest, now.place().distance(now.ball()));
+            if (now.ball().x() - begin.x() >= DRIBBLED_METRES) {
+                return new Dribbled(now.seconds(), farthest);
+            }
+        }
+        return new Dribbled(Double.POSITIVE_INFINITY, farthest);
+    }
+
+    private Kicked kick(Trial trial) {
+        Vector3 begin = trial.now().ball();
+        Optional<Double> near = Optional.empty();
+        while (trial.seconds() < MOST_SECONDS) {
+            Moment now = trial.step();
+            if (near.isEmpty() && now.place().distance(now.ball()) < NEAR_METRES) {
+                near = Optional.of(now.seconds());
+            }
+            if (near.isPresent() && now.ballVelocity().length() > KICKED_METRES_PER_SECOND) {
+                trial.run(now.seconds() + ROLLING_SECONDS);
+                Vector3 way = trial.now().ball().minus(begin);
+                double degrees = Math.abs(Math.toDegrees(Math.atan2(way.y(), way.x())));
+                return new Kicked(Math.hypot(way.x(), way.y()), now.seconds() - near.get(), degrees);
+            }
+        }
+        return Kicked.NONE;
+    }
+}
