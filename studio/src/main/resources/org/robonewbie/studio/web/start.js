@@ -12,7 +12,16 @@ const painted = new Promise((done) => {
   setTimeout(done, PATIENCE_MILLISECONDS);
 });
 
+/** @param {Error} error @returns {never} */
+function sayWhatIsMissing(error) {
+  const place = document.getElementById('stage-opening');
+  if (place) {
+    place.textContent = 'The page has not arrived whole. Is the program still running? Then load the page again.';
+  }
+  throw error;
+}
+
 await painted;
-await import('./main.js');
+await import('./main.js').catch(sayWhatIsMissing);
 
 export {};
