@@ -34,8 +34,8 @@ import picocli.CommandLine.Spec;
             "Let an agent run many times and write a data set.",
             "Its tables hold what the robot felt, what it commanded, what was true, and what happened in the game. docs/datasets.md"
                     + " explains the columns and how to read them.",
-            "Runs are carried out on all cores; which one a run gets does not change its tables. A run whose program fails is told in",
-            "the table of runs. After a kill the same command goes on where it was."
+            "Runs are carried out on all cores; which one a run gets does not change its tables. The table of runs says which have failed",
+            "and why. After a kill the same command goes on where it was."
         },
         customSynopsis = "robonewbie record AGENT [OPTIONS] [-- OPTIONS OF THE AGENT]",
         sortOptions = false,

@@ -42,7 +42,7 @@ public final class ParallelRecording {
     }
 
     /**
-     * Records all runs that are missing. A run whose program fails is told in the table of runs; the others go on.
+     * Records all runs that are missing. The table of runs says which programs have failed; the other runs go on.
      *
      * @param processes how many at the same time, at least 1
      * @throws IOException if the tables cannot be written

@@ -39,7 +39,7 @@ public final class RunsOnCall {
     private final DataSet set;
     private final PrintStream answers = System.out;
     private final FirstWords complaints = FirstWords.listen();
-    private final AtomicReference<Optional<RecordedRun>> current = new AtomicReference<>(Optional.empty());
+    private final AtomicReference<Optional<PlayedRun>> current = new AtomicReference<>(Optional.empty());
 
     /**
      * Prepares the process.
@@ -88,7 +88,7 @@ public final class RunsOnCall {
     private String record(int run) {
         complaints.forget();
         try (RunTables tables = set.begin(run, order.seed(run))) {
-            RecordedRun recorded = RecordedRun.begin(order, run, tables);
+            PlayedRun recorded = PlayedRun.begin(order, run, tables);
             current.set(Optional.of(recorded));
             int code = recorded.play(programs.get());
             current.set(Optional.empty());

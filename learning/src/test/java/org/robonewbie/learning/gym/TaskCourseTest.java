@@ -106,6 +106,16 @@ class TaskCourseTest {
     }
 
     @Test
+    void shippedStandBearsHarderPushesThanTheStanceAlone() {
+        Course stand = TaskCourse.of("Stand", "gyro\\.(forward|left)", 0, CLASSES);
+
+        LessonFigures learned = Exam.of(stand, plan(1), 40, PolicyFile.shipped("stand"));
+        LessonFigures alone = Exam.of(stand, plan(1), 40, stand.policy(List.of(), stand.start(1)));
+
+        assertThat(learned.seconds()).isGreaterThan(alone.seconds() + 40 * 0.2);
+    }
+
+    @Test
     void trainingGoesOnFromTheShippedKick() throws IOException {
         Course kick = TaskCourse.of("KickTo", "command.*", 0, CLASSES);
         PolicyTraining training = training(kick, plan(1));

@@ -27,7 +27,7 @@ public final class PolicyFile {
     /**
      * Loads a policy of the framework.
      *
-     * @param name {@code walk}, {@code run} or {@code kick-to}
+     * @param name {@code walk}, {@code run}, {@code kick-to} or {@code stand}
      * @return the policy
      * @throws IllegalArgumentException if none of the shipped policies has this name
      */

@@ -13,7 +13,7 @@ import org.robonewbie.simulator.server.Simulator;
 import picocli.CommandLine.ExitCode;
 
 /** One run of a data set: a simulator of its own, a program that comes to it, and the tables that watch. */
-final class RecordedRun {
+final class PlayedRun {
 
     private static final long PATIENCE_SECONDS = 20;
 
@@ -22,17 +22,17 @@ final class RecordedRun {
     private final RunTables tables;
     private final Simulator simulator;
 
-    private RecordedRun(RunOrder order, int run, RunTables tables, Simulator simulator) {
+    private PlayedRun(RunOrder order, int run, RunTables tables, Simulator simulator) {
         this.order = order;
         this.run = run;
         this.tables = tables;
         this.simulator = simulator;
     }
 
-    static RecordedRun begin(RunOrder order, int run, RunTables tables) throws IOException {
+    static PlayedRun begin(RunOrder order, int run, RunTables tables) throws IOException {
         Simulator simulator = Simulator.start(order.settings(run), Console.silent());
         simulator.control().addObserver(tables);
-        return new RecordedRun(order, run, tables, simulator);
+        return new PlayedRun(order, run, tables, simulator);
     }
 
     /** Lets the program play; returns its exit code, unless it ends the whole process. */

@@ -1,0 +1,69 @@
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.Locale;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/**
+ * Measures what the simulator needs without Python: a step of 20 ms of a robot that keeps moving all its joints on its feet, and a reset to
+ * its settled stance. Prints both in microseconds of processor time, as JSON.
+ */
+public class TrialSpeed {
+
+    private static final int STEPS = 20_000;
+    private static final int RESETS = 4_000;
+    private static final int STEPS_BETWEEN = 20;
+    private static final int STEPS_PER_EPISODE = 250;
+    private static final ThreadMXBean CLOCK = ManagementFactory.getThreadMXBean();
+
+    public static void main(String[] arguments) {
+        try (Trial trial = Trial.direct(Scene.of(RobotStart.at(1.5, 0).after("stand")), 1, swaying())) {
+            for (int i = 0; i < 3; i++) {
+                steps(trial); // Java compiles what is used most
+            }
+            double step = steps(trial);
+            double reset = resets(trial);
+            System.out.printf(Locale.ROOT, "{\"step\": %.1f, \"reset\": %.1f}%n", step, reset);
+        }
+    }
+
+    private static Performer swaying() {
+        int[] cycle = {0};
+        return Performer.ofPolicy(readings -> {
+            double[] speeds = new double[Joint.COUNT];
+            cycle[0]++;
+            for (int i = 0; i < speeds.length; i++) {
+                speeds[i] = 10 * Math.cos(cycle[0] / 8.0 + i);
+            }
+            return speeds;
+        });
+    }
+
+    private static double steps(Trial trial) {
+        long before = CLOCK.getCurrentThreadCpuTime();
+        for (int i = 1; i <= STEPS; i++) {
+            trial.step();
+            if (i % STEPS_PER_EPISODE == 0) {
+                trial.reset(i, swaying());
+            }
+        }
+        return (CLOCK.getCurrentThreadCpuTime() - before) / 1e3 / STEPS;
+    }
+
+    /** Some steps lie between two resets, so that there is something to reset; they do not count. */
+    private static double resets(Trial trial) {
+        long spent = 0;
+        for (int i = 0; i < RESETS; i++) {
+            for (int step = 0; step < STEPS_BETWEEN; step++) {
+                trial.step();
+            }
+            long before = CLOCK.getCurrentThreadCpuTime();
+            trial.reset(i, swaying());
+            spent += i < RESETS / 2 ? 0 : CLOCK.getCurrentThreadCpuTime() - before;
+        }
+        return spent / 1e3 / (RESETS / 2);
+    }
+}
