@@ -120,7 +120,7 @@ final class PlayerChecks {
     }
 
     private Trial trial(long seed, double ballAhead, boolean dribbles) {
-        double aside = ASIDE_METRES * Math.sin(seed);
+        double aside = ASIDE_METRES * Math.sin((double) seed);
         Scene scene = Scene.of(RobotStart.at(START).withType(type).after("stand"))
                 .withParameters(SoccerParameters.league())
                 .withBall(START.pointAt(ballAhead, aside));
