@@ -24,7 +24,7 @@ import org.robonewbie.web.compiling.ProgramLibrary;
  */
 final class PackComments {
 
-    private static final List<String> MODULES = List.of("nao", "agent");
+    private static final List<String> MODULES = List.of("nao", "agent", "team");
 
     private PackComments() {}
 

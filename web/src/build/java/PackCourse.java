@@ -5,7 +5,6 @@ import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Set;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Language;
@@ -20,9 +19,6 @@ import org.robonewbie.exercises.progress.Worksheet;
  */
 final class PackCourse {
 
-    /** Those that begin with classes of the example team, which the page does not have. */
-    private static final Set<String> NOT_HERE = Set.of("better-pass", "formation", "dribble-past");
-
     private PackCourse() {}
 
     public static void main(String[] args) throws IOException {
@@ -31,7 +27,6 @@ final class PackCourse {
         for (Language language : Language.values()) {
             JsonArray lessons = new JsonArray();
             Exercises.all().stream()
-                    .filter(exercise -> !NOT_HERE.contains(exercise.name()))
                     .forEach(exercise -> lessons.add(lesson(exercise, language)));
             Files.writeString(folder.resolve(language.code() + ".json"), new Gson().toJson(lessons) + "\n");
         }

@@ -87,6 +87,12 @@ const DEEDS = {
       beginWith(exports, classes, () => exports.beginProgram(seed, others.join(' ')));
     }
   },
+  motions: (exports, motions) => {
+    exports.forgetMotions?.();
+    for (const [name, file] of motions) {
+      exports.takeMotion?.(name, file);
+    }
+  },
   exercise: (exports, wanted) => {
     language = wanted.language;
     beginWith(exports, wanted.classes, () => exports.beginExercise(wanted.name, wanted.trials));

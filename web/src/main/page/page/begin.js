@@ -30,10 +30,13 @@ async function begin(worker) {
   const programs = new ProgramServer(new PageCompiler(() => worker.prepare()), worker, shelf, choice);
   const course = new CourseServer(worker, shelf, programs);
   const questions = new WorldQuestions(worker);
+  const motions = new MotionServer(questions);
+  worker.ownMotions = () => motions.own;
+  motions.changed = () => worker.postMessage({ motions: motions.own });
   answerInsteadOfServer({
     programs,
     course,
-    ...new MotionServer(questions).parts,
+    ...motions.parts,
     ...new ReplayServer(questions).parts,
   });
   options.set('token', TOKEN);

@@ -28,10 +28,17 @@ export class MotionServer {
   #poses = new BrowserShelf('robonewbie-page-postures:');
   /** @type {Promise<string> | undefined} */
   #robot;
+  /** Called when a motion of this browser was saved or removed. */
+  changed = () => {};
 
   /** @param {import('./world-questions.js').WorldQuestions} questions */
   constructor(questions) {
     this.questions = questions;
+  }
+
+  /** @returns {[string, Int8Array][]} name and bytes of each motion of this browser */
+  get own() {
+    return this.#own.list.map(({ path }) => [path, new Int8Array(asBytes(this.#own.read(path) ?? '').buffer)]);
   }
 
   /** The parts of a server that this one is, by the first words of their places. */
@@ -74,6 +81,7 @@ export class MotionServer {
             return this.#write(shelf, name, options);
           case 'DELETE':
             shelf.remove(name);
+            this.changed();
             return new Response('');
           default:
             return file(shelf.read(name), name);
@@ -87,7 +95,9 @@ export class MotionServer {
     const text = asText(await bodyOf(options));
     const known = new Headers(options.headers).get('Known-Version');
     if (known !== null) {
-      return shelf.overwrite(name, text, known);
+      const answer = shelf.overwrite(name, text, known);
+      this.changed();
+      return answer;
     }
     shelf.write(name, text);
     return new Response('');

@@ -1,5 +1,6 @@
 /** Answers what the room for programs asks its server: files of the browser, the compiler of the page, the program that runs. */
 import { versionOf } from './browser-shelf.js';
+import { insteadOfMissing } from './missing-classes.js';
 
 /** @typedef {import('./program-shelf.js').ProgramShelf} ProgramShelf */
 
@@ -71,7 +72,7 @@ export class ProgramServer {
 
   /** @param {string} reason why the program cannot run here */
   refused(reason) {
-    this.#run = { ...this.#run, state: 'ENDED', exitCode: 1, output: reason };
+    this.#run = { ...this.#run, state: 'ENDED', exitCode: 1, output: `${reason}\n${insteadOfMissing(reason)}` };
   }
 
   /** Another program has the world now. */

@@ -15,6 +15,8 @@ export class World {
   #hear = () => {};
   /** @type {(event: ErrorEvent) => void} */
   #fail = () => {};
+  /** The motions of this browser, which programs may start: name and bytes of each. @type {() => [string, Int8Array][]} */
+  ownMotions = () => [];
 
   /** @param {(event: MessageEvent) => void} hear @param {(event: ErrorEvent) => void} fail */
   listen(hear, fail) {
@@ -30,13 +32,17 @@ export class World {
 
   /** @param {object} data a deed of the worker, and what it needs */
   postMessage(data) {
-    if (this.#worker !== this.#prepared && NEEDS_PROGRAMS.some((name) => name in data)) {
+    if (NEEDS_PROGRAMS.some((name) => name in data)) {
       this.#move();
+      this.#worker.postMessage({ motions: this.ownMotions() });
     }
     this.#worker.postMessage(data);
   }
 
   #move() {
+    if (this.#worker === this.#prepared) {
+      return;
+    }
     this.prepare();
     this.#worker.terminate();
     this.#worker = this.#prepared ?? this.#worker;

@@ -20,6 +20,31 @@ import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Mirror;
+import org.robonewbie.team.skill.Dribble;
+import org.robonewbie.team.skill.Footwork;
+import org.robonewbie.team.skill.Gaze;
+import org.robonewbie.team.skill.GetUp;
+import org.robonewbie.team.skill.Goalkeeping;
+import org.robonewbie.team.skill.Kick;
+import org.robonewbie.team.skill.Limbs;
+import org.robonewbie.team.skill.PathPlanner;
+import org.robonewbie.team.tactics.Assignment;
+import org.robonewbie.team.tactics.Formation;
+import org.robonewbie.team.tactics.KickChoice;
+import org.robonewbie.team.tactics.KickOffPlaces;
+import org.robonewbie.team.tactics.Plan;
+import org.robonewbie.team.tactics.Roles;
+import org.robonewbie.team.tactics.SetPlay;
+import org.robonewbie.team.tactics.Strategy;
+import org.robonewbie.team.tactics.TeamRole;
+import org.robonewbie.team.talk.Talk;
+import org.robonewbie.team.talk.TeamMessage;
+import org.robonewbie.team.world.BallFilter;
+import org.robonewbie.team.world.Mate;
+import org.robonewbie.team.world.Situation;
+import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.world.Tilt;
+import org.robonewbie.team.world.WorldModel;
 
 /** Classes that programs of students may use and nothing else in the page does: what is named here gets into the compiled program. */
 final class LibraryRoots {
@@ -48,7 +73,32 @@ final class LibraryRoots {
             ForwardKinematics.class,
             Leg.class,
             BallPlace.class,
-            Mirror.class);
+            Mirror.class,
+            Dribble.class,
+            Footwork.class,
+            Gaze.class,
+            GetUp.class,
+            Goalkeeping.class,
+            Kick.class,
+            Limbs.class,
+            PathPlanner.class,
+            Assignment.class,
+            Formation.class,
+            KickChoice.class,
+            KickOffPlaces.class,
+            Plan.class,
+            Roles.class,
+            SetPlay.class,
+            Strategy.class,
+            TeamRole.class,
+            Talk.class,
+            TeamMessage.class,
+            BallFilter.class,
+            Mate.class,
+            Situation.class,
+            Spot.class,
+            Tilt.class,
+            WorldModel.class);
 
     private LibraryRoots() {}
 

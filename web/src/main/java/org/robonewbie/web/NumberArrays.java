@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.agent.walk.Gait;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.team.tactics.Assignment;
 import org.robonewbie.web.bytecode.SpecialCalls;
 
 /** Calls with arrays of numbers, which the compiled program cannot make by the names of methods. */
@@ -44,6 +45,27 @@ final class NumberArrays {
         return name.equals("of") && given.length == 3
                 ? Gait.of(whole(given[0]), whole(given[1]), (double[]) Objects.requireNonNull(given[2]))
                 : SpecialCalls.UNKNOWN;
+    }
+
+    /**
+     * Carries out a method of {@link Assignment}.
+     *
+     * @param name of the method
+     * @param given its arguments
+     * @return its result, or {@link SpecialCalls#UNKNOWN}
+     */
+    static Object assignment(String name, @Nullable Object[] given) {
+        return name.equals("cheapest")
+                ? Assignment.cheapest(rows((Object[]) Objects.requireNonNull(given[0])))
+                : SpecialCalls.UNKNOWN;
+    }
+
+    private static double[][] rows(Object[] given) {
+        double[][] rows = new double[given.length][];
+        for (int i = 0; i < given.length; i++) {
+            rows[i] = (double[]) given[i];
+        }
+        return rows;
     }
 
     /**

@@ -28,6 +28,7 @@ final class PageCalls {
             case "java/util/Arrays" -> NumberArrays.arrays(name, arguments);
             case "org/robonewbie/agent/walk/WalkStyle" -> NumberArrays.walkStyle(name, arguments);
             case "org/robonewbie/agent/walk/Gait" -> NumberArrays.gait(name, arguments);
+            case "org/robonewbie/team/tactics/Assignment" -> NumberArrays.assignment(name, arguments);
             default -> SpecialCalls.UNKNOWN;
         };
     }

@@ -2,6 +2,7 @@ package org.robonewbie.web;
 
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.web.bytecode.ArrayCopy;
 import org.robonewbie.web.bytecode.ProgramEnd;
 import org.robonewbie.web.bytecode.SpecialCalls;
 
@@ -22,7 +23,7 @@ final class PageSystem {
             case "exit" -> throw new ProgramEnd((Integer) Objects.requireNonNull(arguments[0]));
             case "getenv" -> null;
             case "arraycopy" -> {
-                System.arraycopy(
+                ArrayCopy.copy(
                         Objects.requireNonNull(arguments[0]),
                         (Integer) Objects.requireNonNull(arguments[1]),
                         Objects.requireNonNull(arguments[2]),

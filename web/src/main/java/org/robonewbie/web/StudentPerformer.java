@@ -13,7 +13,6 @@ import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.SensorReadings;
 import org.robonewbie.web.bytecode.Machine;
 import org.robonewbie.web.bytecode.Program;
-import org.robonewbie.web.library.org.robonewbie.agent.log.PageStudentCode;
 
 /** A robot of a trial that a student's agent moves, with static fields of its own. */
 final class StudentPerformer implements Performer {
@@ -31,7 +30,7 @@ final class StudentPerformer implements Performer {
      */
     StudentPerformer(Program program, PrintStream output, TelemetrySink viewer) {
         machine = new Machine(program, output, StudentPerformer::special);
-        PageStudentCode.lookAt(machine::trace);
+        PageMemory.lookAt(machine::trace);
         agent = new AgentDriver((Agent) machine.create(agentOf(program)));
         agent.publishTo(viewer);
     }
@@ -63,7 +62,7 @@ final class StudentPerformer implements Performer {
 
     @Override
     public List<EffectorCommand> respond(SensorReadings readings) {
-        PageStudentCode.lookAt(machine::trace);
+        PageMemory.lookAt(machine::trace);
         return agent.respond(readings.message());
     }
 }

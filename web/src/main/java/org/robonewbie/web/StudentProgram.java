@@ -21,7 +21,6 @@ import org.robonewbie.web.bytecode.Machine;
 import org.robonewbie.web.bytecode.Program;
 import org.robonewbie.web.bytecode.SpecialCalls;
 import org.robonewbie.web.bytecode.Waiting;
-import org.robonewbie.web.library.org.robonewbie.agent.log.PageStudentCode;
 
 /**
  * A student's program in a world that somebody else turns. What would wait for a simulator, {@code run} of an agent and {@code sense}
@@ -60,7 +59,7 @@ final class StudentProgram {
         this.nextCycle = nextCycle;
         this.viewer = viewer;
         machine = new Machine(program, output, this::special);
-        PageStudentCode.lookAt(machine::trace);
+        PageMemory.lookAt(machine::trace);
         List<String> mains = program.mainClasses();
         if (!mains.isEmpty()) {
             machine.begin(mains.get(0));

@@ -154,6 +154,23 @@ public final class WebEdition {
         CLASSES.add(classFile.copyToJavaArray());
     }
 
+    /** Forgets the motions that the page has handed over, before it does so once more. */
+    @JSExport
+    public static void forgetMotions() {
+        PageMemory.motions().clear();
+    }
+
+    /**
+     * Takes a motion of the page, which programs start by its name.
+     *
+     * @param name of the motion
+     * @param file the bytes of its file
+     */
+    @JSExport
+    public static void takeMotion(String name, Int8Array file) {
+        PageMemory.motions().put(name, file.copyToJavaArray());
+    }
+
     /**
      * Begins a world with the program whose classes were taken.
      *

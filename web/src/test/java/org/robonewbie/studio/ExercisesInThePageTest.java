@@ -7,7 +7,6 @@ import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -29,8 +28,6 @@ class ExercisesInThePageTest {
 
     private static final String SHOWN = "document.querySelector('#program-room').innerText";
 
-    private static final Set<String> NOT_HERE = Set.of("better-pass", "formation", "dribble-past");
-
     private final Chromium browser;
     private StaticServer server;
 
@@ -49,9 +46,7 @@ class ExercisesInThePageTest {
     }
 
     static List<Exercise> exercises() {
-        return Exercises.all().stream()
-                .filter(exercise -> !NOT_HERE.contains(exercise.name()))
-                .toList();
+        return Exercises.all();
     }
 
     @ParameterizedTest

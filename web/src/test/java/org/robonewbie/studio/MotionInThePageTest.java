@@ -73,6 +73,36 @@ class MotionInThePageTest {
                         + " === 7.5");
     }
 
+    @Test
+    void programStartsAMotionThatWasMadeInThePage() {
+        keep("mine", TWO_KEYFRAMES);
+        browser.evaluate("location.hash = '#program'");
+        browser.await("studio.rooms.program?.files?.file !== undefined");
+        browser.evaluate("studio.rooms.program.editor.replace(" + Chromium.quoted("""
+                import org.robonewbie.agent.Agent;
+                import org.robonewbie.nao.Joint;
+                public class MyAgent extends Agent {
+                    protected void think() {
+                        motions.start("mine");
+                        log.info("neck %.1f", nao.getJointAngle(Joint.NECK_PITCH));
+                    }
+                }
+                """) + ")");
+        browser.click("#program-run");
+        browser.await("document.querySelector('#program-log').innerText.includes('neck 12.5')");
+
+        keep("mine", TWO_KEYFRAMES.replace("12.5", "-9.5"));
+
+        browser.await("document.querySelector('#program-log').innerText.includes('neck -9.5')");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    private void keep(String motion, String text) {
+        browser.evaluate("fetch('api/motions/" + motion + "').then((answer) => fetch('api/motions/" + motion
+                + "', { method: 'PUT', headers: { 'Known-Version': answer.headers.get('Version') ?? '' }, body: "
+                + Chromium.quoted(text) + " })).then((answer) => { if (!answer.ok) throw new Error(answer.status); })");
+    }
+
     private void enter(String motion) {
         browser.evaluate("location.hash = '#motion/" + motion + "'");
         browser.await(EDITOR + ".state.name === '" + motion + "'");

@@ -197,6 +197,15 @@ class ProgramInThePageTest {
     }
 
     @Test
+    void wrongValueIsNamedWithItsLine() {
+        type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n"
+                + "        nao.setJointAngle(Joint.LEFT_KNEE_PITCH, 500);\n    }\n}\n");
+        browser.click("#program-run");
+
+        browser.await(ROOM + ".includes('it goes to the end of the range. (MyAgent.java:5)')");
+    }
+
+    @Test
     void savingSwapsTheProgramWhileTheWorldStays() {
         browser.click("#program-run");
         browser.await(ROOM + ".includes('left shoulder 31.2 degrees')");

@@ -29,7 +29,7 @@ final class ArrayInstructions {
         return Objects.requireNonNull(frame.pop(), "The array is null.");
     }
 
-    private static @Nullable Object read(Object array, int index) {
+    static @Nullable Object read(Object array, int index) {
         if (array instanceof double[] numbers) {
             return numbers[checked(index, numbers.length)];
         }
@@ -42,7 +42,7 @@ final class ArrayInstructions {
         return Compiled.fromJava(Array.get(array, checked(index, Array.getLength(array))));
     }
 
-    private static void write(Object array, int index, @Nullable Object value) {
+    static void write(Object array, int index, @Nullable Object value) {
         if (array instanceof double[] numbers) {
             numbers[checked(index, numbers.length)] = (Double) Objects.requireNonNull(value);
         } else if (array instanceof int[] numbers) {

@@ -225,12 +225,18 @@ final class Compiled {
         Class<?>[] types = method.getParameterTypes();
         Object[] adapted = new Object[arguments.length];
         for (int i = 0; i < arguments.length; i++) {
-            if (types[i].isArray() && types[i].getComponentType().isPrimitive()) {
+            if (isOfNumbers(types[i])) {
                 throw new Missing(method.getName() + " with an array of numbers or letters is not here");
             }
             adapted[i] = toJava(arguments[i], types[i], machine);
         }
         return adapted;
+    }
+
+    /** {@return whether a type is an array of numbers or letters, or an array of such arrays} */
+    private static boolean isOfNumbers(Class<?> type) {
+        Class<?> inner = type.getComponentType();
+        return inner != null && (inner.isPrimitive() || isOfNumbers(inner));
     }
 
     /** {@return a value as compiled code wants it} */

@@ -63,7 +63,9 @@ final class StudentObjects {
             return name.equals("java/lang/Class");
         }
         if (name.startsWith("[")) {
-            return program.compiled().javaType(name).isInstance(value);
+            return ArrayCopy.isOfNumbers(name)
+                    ? ArrayCopy.isArray(value, name)
+                    : program.compiled().javaType(name).isInstance(value);
         }
         return program.find(name).isEmpty() && program.compiled().type(name).isInstance(value);
     }
@@ -138,7 +140,7 @@ final class StudentObjects {
         int length = java.lang.reflect.Array.getLength(array);
         Object copy = java.lang.reflect.Array.newInstance(
                 Objects.requireNonNull(array.getClass().getComponentType()), length);
-        System.arraycopy(array, 0, copy, 0, length);
+        ArrayCopy.copy(array, 0, copy, 0, length);
         return copy;
     }
 

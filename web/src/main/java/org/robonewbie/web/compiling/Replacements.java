@@ -20,7 +20,8 @@ public final class Replacements extends SimpleSubstitutionPolicy {
     private static final Set<String> OTHERWISE_IN_A_PAGE = Set.of(
             "org.robonewbie.agent.log.StudentCode",
             "org.robonewbie.agent.running.MadeOnceMore",
-            "org.robonewbie.agent.running.Surroundings");
+            "org.robonewbie.agent.running.Surroundings",
+            "org.robonewbie.nao.motion.file.MotionFiles");
 
     /** Creates the policy; TeaVM finds it by its name. */
     public Replacements() {}

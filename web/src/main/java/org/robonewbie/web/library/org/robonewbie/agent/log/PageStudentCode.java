@@ -2,7 +2,7 @@ package org.robonewbie.web.library.org.robonewbie.agent.log;
 
 import java.util.Arrays;
 import java.util.Optional;
-import java.util.function.Supplier;
+import org.robonewbie.web.PageMemory;
 
 /**
  * Finds the line of the robot's own program, which a machine carries out here: the calls of the compiled program say nothing about it.
@@ -10,20 +10,8 @@ import java.util.function.Supplier;
 public final class PageStudentCode {
 
     private static final String FRAMEWORK = "org.robonewbie.agent.";
-    private static final StackTraceElement[] NONE = {};
-
-    private static Supplier<StackTraceElement[]> calls = () -> NONE;
 
     private PageStudentCode() {}
-
-    /**
-     * Looks at a program from now on.
-     *
-     * @param program tells its calls, the innermost first
-     */
-    public static void lookAt(Supplier<StackTraceElement[]> program) {
-        calls = program;
-    }
 
     /**
      * Finds the line that is being executed.
@@ -31,7 +19,7 @@ public final class PageStudentCode {
      * @return such as {@code WalkToBall.java:31}; empty if only the framework is at work
      */
     public static Optional<String> place() {
-        return place(calls.get());
+        return place(PageMemory.calls());
     }
 
     /**

@@ -1,0 +1,30 @@
+package org.robonewbie.web.library.org.robonewbie.nao.motion.file;
+
+import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.robonewbie.nao.motion.MotionLibrary;
+import org.robonewbie.nao.motion.MotionSource;
+import org.robonewbie.nao.motion.file.ShippedMotions;
+import org.robonewbie.web.PageMemory;
+
+/** The motions that somebody has made in the page, which hands them over since it has no folder. */
+public final class PageMotionFiles implements MotionSource {
+
+    private PageMotionFiles() {}
+
+    /** {@return the motions that a robot can perform: those of the page, and the shipped ones} */
+    public static MotionLibrary library() {
+        return new MotionLibrary(new PageMotionFiles(), new ShippedMotions());
+    }
+
+    @Override
+    public Optional<byte[]> read(String name) {
+        return Optional.ofNullable(PageMemory.motions().get(name));
+    }
+
+    @Override
+    public SortedSet<String> names() {
+        return new TreeSet<>(PageMemory.motions().keySet());
+    }
+}
