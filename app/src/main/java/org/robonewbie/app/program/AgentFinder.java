@@ -70,12 +70,12 @@ public final class AgentFinder {
      */
     public Supplier<AgentProgram> findRepeatedly(String name) {
         Supplier<Class<?>> types = findClass(name);
-        Supplier<AgentProgram> programs = () -> {
-            Class<?> type = types.get();
-            return AgentProgram.of(type).orElseThrow(() -> withoutMain(type.getSimpleName()));
-        };
-        programs.get();
-        return programs;
+        programOf(types.get());
+        return () -> programOf(types.get());
+    }
+
+    private static AgentProgram programOf(Class<?> type) {
+        return AgentProgram.of(type).orElseThrow(() -> withoutMain(type.getSimpleName()));
     }
 
     private static JavaSource source(String name) {

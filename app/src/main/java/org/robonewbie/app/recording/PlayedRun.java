@@ -66,7 +66,7 @@ final class PlayedRun {
         boolean over = simulator.cycles() >= order.cycles();
         try (tables) {
             simulator.close();
-            if (!began || exitCode != ExitCode.OK && !over) {
+            if (!began || (exitCode != ExitCode.OK && !over)) {
                 return RunResult.failed(run, order.seed(run), why);
             }
             RunResult result = tables.finish();

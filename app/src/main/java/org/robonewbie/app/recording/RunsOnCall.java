@@ -10,7 +10,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import org.robonewbie.app.program.AgentProgram;
 import org.robonewbie.learning.dataset.DataSet;
@@ -39,7 +38,7 @@ public final class RunsOnCall {
     private final DataSet set;
     private final PrintStream answers = System.out;
     private final FirstWords complaints = FirstWords.listen();
-    private final AtomicReference<Optional<PlayedRun>> current = new AtomicReference<>(Optional.empty());
+    private volatile Optional<PlayedRun> current = Optional.empty();
 
     /**
      * Prepares the process.
@@ -89,9 +88,9 @@ public final class RunsOnCall {
         complaints.forget();
         try (RunTables tables = set.begin(run, order.seed(run))) {
             PlayedRun recorded = PlayedRun.begin(order, run, tables);
-            current.set(Optional.of(recorded));
+            current = Optional.of(recorded);
             int code = recorded.play(programs.get());
-            current.set(Optional.empty());
+            current = Optional.empty();
             return RUN + recorded.end(code, why("The program failed.")).line();
         } catch (IOException unwritable) {
             return STOP + unwritable.getMessage();
@@ -99,7 +98,7 @@ public final class RunsOnCall {
     }
 
     private void programEndsTheProcess() {
-        current.get().ifPresent(recorded -> {
+        current.ifPresent(recorded -> {
             try {
                 answer(LAST_RUN
                         + recorded.end(1, why("The program ended its process.")).line());
