@@ -152,7 +152,7 @@ class MeasuresTest {
         try (URLClassLoader wrong = new URLClassLoader(
                 new URL[] {folder.toUri().toURL()}, getClass().getClassLoader())) {
             assertThatThrownBy(() -> Measures.named("Turn", wrong))
-                    .hasMessageStartingWith("A jar or folder offers a measure that cannot be loaded: ");
+                    .hasMessageStartingWith("A jar or folder offers a Measure that cannot be loaded: ");
         }
     }
 

@@ -3,15 +3,14 @@ package org.robonewbie.trial.measure;
 import java.lang.reflect.Constructor;
 import java.util.Map;
 import java.util.Optional;
-import java.util.ServiceConfigurationError;
-import java.util.ServiceLoader;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.robonewbie.agent.log.Spelling;
+import org.robonewbie.trial.jar.OfferedClass;
 
 /**
  * Things that people choose by name: those of the framework, and classes of their own. A jar whose {@code META-INF/services} lists its classes
- * offers them by their simple names, see {@link ServiceLoader}.
+ * offers them by their simple names, see {@link java.util.ServiceLoader}.
  *
  * <pre>{@code
  * Catalogue<Measure> measures = new Catalogue<>("measure", Measure.class, Map.of("energy", Energy::new));
@@ -50,20 +49,7 @@ public final class Catalogue<T> {
      */
     public Supplier<T> named(String name, ClassLoader classes) {
         Supplier<T> known = all.get(name);
-        return known == null ? offered(name, classes).orElseGet(() -> ofClass(name, classes)) : known;
-    }
-
-    private Optional<Supplier<T>> offered(String name, ClassLoader classes) {
-        try {
-            return ServiceLoader.load(type, classes).stream()
-                    .filter(provider -> provider.type().getSimpleName().equals(name))
-                    .findFirst()
-                    .map(provider ->
-                            ofClass(provider.type().getName(), provider.type().getClassLoader()));
-        } catch (ServiceConfigurationError wrong) {
-            throw new IllegalArgumentException(
-                    "A jar or folder offers a " + kind + " that cannot be loaded: " + wrong.getMessage(), wrong);
-        }
+        return known == null ? ofClass(name, classes) : known;
     }
 
     /** {@return the names of the framework's things, separated by commas} */
@@ -73,8 +59,9 @@ public final class Catalogue<T> {
 
     private Supplier<T> ofClass(String name, ClassLoader classes) {
         try {
-            Constructor<? extends T> constructor =
-                    Class.forName(name, true, classes).asSubclass(type).getConstructor();
+            Optional<Class<? extends T>> offered = OfferedClass.find(type, name, classes);
+            Class<?> found = offered.isPresent() ? offered.get() : Class.forName(name, true, classes);
+            Constructor<? extends T> constructor = found.asSubclass(type).getConstructor();
             return () -> created(constructor);
         } catch (ReflectiveOperationException | ClassCastException | LinkageError none) {
             throw new IllegalArgumentException(
