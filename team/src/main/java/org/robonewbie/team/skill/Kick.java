@@ -27,8 +27,9 @@ public final class Kick {
     private static final double DRIFT = 1.4;
     private static final double LEFT_TOLERANCE = 0.022;
     private static final double TURN_TOLERANCE = 8;
+    private static final double ALIGNED = 1.2;
     private static final double FAR_METRES = 0.9;
-    private static final double BEHIND_METRES = 0.12;
+    private static final double BEHIND_METRES = 0.16;
     private static final double AROUND_METRES = 0.4;
     private static final double REACTION_SECONDS = 0.6;
     private static final double BRAKES = 0.4;
@@ -120,7 +121,7 @@ public final class Kick {
         } else if (ahead < 0.1) {
             double side = ball.dot(aside) <= 0 ? 1 : -1;
             feet.step(world, ball.minus(direction.times(foot.x())).plus(aside.times(side * AROUND_METRES)), turn);
-        } else if (Math.abs(miss) > 0.06 || Math.abs(turn) > 2 * TURN_TOLERANCE) {
+        } else if (Math.abs(miss) > 0.06 || Math.abs(turn) > ALIGNED * TURN_TOLERANCE) {
             feet.step(world, place.minus(direction.times(BEHIND_METRES)), turn);
         } else {
             double left = place.x() - ball.x() + afterStop(world).x() + (isSlow(world) ? CLOSER_METRES : 0);
