@@ -18,27 +18,22 @@ public final class Kick {
     private static final double HURRY_METRES = 1;
     private static final double HURRY = 1.4;
 
-    private static final Spot BEFORE_LEFT_FOOT = new Spot(0.2, 0.05);
-    private static final double AHEAD_TOLERANCE = 0.027;
-    private static final double STEP_TOLERANCE = 0.04;
-    private static final double STOPPING_METRES = 0.07;
-    private static final double SLOW = 0.15;
-    private static final double CLOSER_METRES = 0.03;
+    private static final Spot BEFORE_LEFT_FOOT = new Spot(0.195, 0.06);
+    private static final double AHEAD_TOLERANCE = 0.04;
+    private static final double MOST_AHEAD_TOLERANCE = 0.052;
+    private static final double CLOSER_METRES = 0.025;
     private static final double DRIFT = 1.4;
     private static final double LEFT_TOLERANCE = 0.022;
     private static final double TURN_TOLERANCE = 8;
-    private static final double ALIGNED = 1.2;
     private static final double FAR_METRES = 0.9;
-    private static final double BEHIND_METRES = 0.16;
+    private static final double BEHIND_METRES = 0.12;
     private static final double AROUND_METRES = 0.4;
-    private static final double REACTION_SECONDS = 0.6;
-    private static final double BRAKES = 0.4;
-    private static final double SETTLING_SECONDS = 0.1;
+    private static final double REACTION_SECONDS = 0.5;
+    private static final double MOST_SPEED = 0.5;
 
     private final Limbs body;
     private final Footwork feet;
     private boolean waiting;
-    private double walkedSeconds;
 
     /**
      * Prepares the skill.
@@ -78,8 +73,8 @@ public final class Kick {
         double turn = PortableMath.IEEEremainder(directionDegrees - world.pose().headingDegrees(), 360);
         double patience = world.opponentDistance(world.ball()) < HURRY_METRES ? HURRY : 1;
         if (waiting) {
-            waitForTheStance(world.seconds(), ball, turn, patience);
-        } else if (isThere(afterStop(world), turn, patience, isSlow(world) ? AHEAD_TOLERANCE : STEP_TOLERANCE)) {
+            waitForTheStance(ball, turn, patience);
+        } else if (isThere(ball, turn, patience)) {
             body.walk().stop();
             waiting = true;
         } else {
@@ -88,22 +83,19 @@ public final class Kick {
     }
 
     /** Kicks as soon as the robot stands, if the ball is within reach then. */
-    private void waitForTheStance(double seconds, Spot ball, double turn, double patience) {
+    private void waitForTheStance(Spot ball, double turn, double patience) {
         if (body.walk().isWalking()) {
             body.walk().stop();
-            walkedSeconds = seconds;
-        }
-        if (seconds - walkedSeconds < SETTLING_SECONDS) {
             return;
         }
         waiting = false;
-        if (isThere(ball, turn, DRIFT * patience, AHEAD_TOLERANCE)) {
+        if (isThere(ball, turn, DRIFT * patience)) {
             body.motions().start(ball.y() > 0 ? "quick-kick-left" : "quick-kick-right");
         }
     }
 
-    private static boolean isThere(Spot ball, double turn, double factor, double aheadTolerance) {
-        return Math.abs(ball.x() - BEFORE_LEFT_FOOT.x()) < aheadTolerance
+    private static boolean isThere(Spot ball, double turn, double factor) {
+        return Math.abs(ball.x() - BEFORE_LEFT_FOOT.x()) < Math.min(MOST_AHEAD_TOLERANCE, factor * AHEAD_TOLERANCE)
                 && Math.abs(ball.y() - before(ball).y()) < factor * LEFT_TOLERANCE
                 && Math.abs(turn) < factor * factor * TURN_TOLERANCE;
     }
@@ -121,26 +113,14 @@ public final class Kick {
         } else if (ahead < 0.1) {
             double side = ball.dot(aside) <= 0 ? 1 : -1;
             feet.step(world, ball.minus(direction.times(foot.x())).plus(aside.times(side * AROUND_METRES)), turn);
-        } else if (Math.abs(miss) > 0.06 || Math.abs(turn) > ALIGNED * TURN_TOLERANCE) {
+        } else if (Math.abs(miss) > 0.06 || Math.abs(turn) > 2 * TURN_TOLERANCE) {
             feet.step(world, place.minus(direction.times(BEHIND_METRES)), turn);
         } else {
-            double left = place.x() - ball.x() + afterStop(world).x() + (isSlow(world) ? CLOSER_METRES : 0);
-            body.walk().towards(gentle(left), gentle(place.y()), turn);
+            body.walk().towards(gentle(place.x() + CLOSER_METRES), gentle(place.y()), turn);
         }
     }
 
-    /** Where the ball lies before the robot when it has come to rest: out of a walk it takes another step or two. */
-    private static Spot afterStop(WorldModel world) {
-        return world.ballFromHere().minus(new Spot(isSlow(world) ? 0 : STOPPING_METRES, 0));
-    }
-
-    private static boolean isSlow(WorldModel world) {
-        return world.speedAhead() < SLOW;
-    }
-
-    /** How fast the robot may walk so that it still comes to rest in time: in each second it gets slower by a little at most. */
     private static double gentle(double metres) {
-        double most = Math.sqrt(2 * BRAKES * Math.abs(metres));
-        return Math.max(-most, Math.min(most, metres / REACTION_SECONDS));
+        return Math.max(-MOST_SPEED, Math.min(MOST_SPEED, metres / REACTION_SECONDS));
     }
 }

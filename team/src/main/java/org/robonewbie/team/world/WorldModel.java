@@ -37,7 +37,6 @@ public final class WorldModel {
     private final SelfLocalisation self = new SelfLocalisation();
     private final BallTracker tracker = new BallTracker();
     private final Tilt tilt = new Tilt();
-    private final Momentum momentum = new Momentum();
     private final SideWatch sides = new SideWatch();
     private final SortedMap<Integer, Mate> mates = new TreeMap<>();
     private GroundPose pose = GroundPose.ORIGIN;
@@ -76,17 +75,15 @@ public final class WorldModel {
             tracker.look(self, view.ball(), seconds);
         }
         sides.look(sides.convert(self.pose()), seconds);
-        momentum.move(self.odometry().pose());
-        GroundPose seen = sides.convert(self.pose());
-        pose = fallen ? seen : momentum.after(seen);
+        pose = sides.convert(self.pose());
         rememberBegin();
         tracker.roll();
         updateSituation(nao);
         mates.values().removeIf(mate -> seconds - mate.heardSeconds() > MATE_SECONDS);
-        believeBall(seen);
+        believeBall();
         if (upright && nao.getVision().isPresent()) {
-            opponents = opponents(view.opponents().stream(), seen);
-            uprightOpponents = opponents(view.opponents().stream().filter(player -> !isLying(player)), seen);
+            opponents = opponents(view.opponents().stream());
+            uprightOpponents = opponents(view.opponents().stream().filter(player -> !isLying(player)));
         }
     }
 
@@ -108,9 +105,9 @@ public final class WorldModel {
     }
 
     /** Believes its own eyes if they have seen the ball lately, else the team mate who has seen it last. */
-    private void believeBall(GroundPose seen) {
-        ball = tracker.position().onMap(seen);
-        ballVelocity = tracker.velocity().onMap(new GroundPose(0, 0, seen.headingDegrees()));
+    private void believeBall() {
+        ball = tracker.position().onMap(pose);
+        ballVelocity = tracker.velocity().onMap(new GroundPose(0, 0, pose.headingDegrees()));
         ballSeenSeconds = tracker.seenSeconds();
         if (seconds - ballSeenSeconds > OWN_EYES_SECONDS) {
             Optional<Mate> witness = mates.values().stream()
@@ -133,9 +130,9 @@ public final class WorldModel {
         ballSeenSeconds = sawBallSeconds(witness);
     }
 
-    private List<Spot> opponents(Stream<PlayerItem> players, GroundPose seen) {
+    private List<Spot> opponents(Stream<PlayerItem> players) {
         return players.filter(player -> player.ageSeconds() < OPPONENT_SECONDS)
-                .map(player -> Spot.of(self.odometry().positionNow(player)).onMap(seen))
+                .map(player -> Spot.of(self.odometry().positionNow(player)).onMap(pose))
                 .toList();
     }
 
@@ -218,11 +215,6 @@ public final class WorldModel {
     /** {@return where the robot is} */
     public GroundPose pose() {
         return pose;
-    }
-
-    /** {@return how fast the robot walks ahead, metres per second} */
-    public double speedAhead() {
-        return momentum.speedAhead();
     }
 
     /** {@return seconds since the robot has seen where it is} */
