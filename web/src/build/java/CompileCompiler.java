@@ -23,8 +23,11 @@ final class CompileCompiler {
 
     private static final List<String> MODULES = List.of("jdk.compiler", "java.compiler", "jdk.internal.opt");
 
-    /** What the studio proposes while somebody writes; the page proposes the same. */
-    private static final String COMPLETION = "org/robonewbie/studio/completion";
+    /** What the studio proposes and says while somebody writes; the page does the same. */
+    private static final List<String> SHARED = List.of(
+            "studio/src/main/java/org/robonewbie/studio/completion",
+            "app/src/main/java/org/robonewbie/app/hint",
+            "agent/src/main/java/org/robonewbie/agent/log/Spelling.java");
 
     private static final String MAIN_CLASS = "org.robonewbie.web.compiler.CompilerInPage";
 
@@ -43,8 +46,9 @@ final class CompileCompiler {
         }
         copy(sources.resolveSibling("resources"), classes);
         String libraries = javac + File.pathSeparator + withoutRobonewbie(System.getProperty("java.class.path"));
-        Path completion = sources.resolve("../../../../studio/src/main/java/" + COMPLETION).normalize();
-        compile(List.of(sources, completion), classes, libraries);
+        List<Path> ours = new ArrayList<>(List.of(sources));
+        SHARED.forEach(place -> ours.add(sources.resolve("../../../..").resolve(place).normalize()));
+        compile(ours, classes, libraries);
         Path compileToWebAssembly = sources.resolve("../../build/java/CompileToWebAssembly.java").normalize();
         int exitCode = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),

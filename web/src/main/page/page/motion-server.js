@@ -94,13 +94,12 @@ export class MotionServer {
   async #write(shelf, name, options) {
     const text = asText(await bodyOf(options));
     const known = new Headers(options.headers).get('Known-Version');
-    if (known !== null) {
-      const answer = shelf.overwrite(name, text, known);
-      this.changed();
-      return answer;
+    if (known === null) {
+      shelf.write(name, text);
     }
-    shelf.write(name, text);
-    return new Response('');
+    const answer = known === null ? new Response('') : shelf.overwrite(name, text, known);
+    this.changed();
+    return answer;
   }
 
   /** @param {RequestInit} options */

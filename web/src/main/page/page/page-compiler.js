@@ -84,7 +84,7 @@ export class PageCompiler {
  */
 function remarks(lines, shown, text) {
   return lines.map((line) => {
-    const [kind, path, number, , begin, end, , ...words] = line.split('\t');
+    const [kind, path, number, begin, end, hint, ...words] = line.split('\t');
     const isHere = path === shown && Number(begin) >= 0;
     const from = isHere ? Math.min(Number(begin), text.length) : 0;
     return {
@@ -93,7 +93,7 @@ function remarks(lines, shown, text) {
       line: isHere ? Number(number) : 0,
       serious: kind === 'ERROR',
       text: (isHere || path === '' ? '' : `${path}:${number}: `) + words.join('\t'),
-      hint: insteadOfMissing(words.join('\t')),
+      hint: insteadOfMissing(words.join('\t')) || hint,
     };
   });
 }

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.robonewbie.agent.cycle.TelemetryPublisher;
@@ -29,7 +28,7 @@ public final class TunableNumbers {
 
     private static final ThreadLocal<Optional<Map<String, Double>>> TRIED = ThreadLocal.withInitial(Optional::empty);
 
-    private static final int CYCLES_UNTIL_TOLD_AGAIN = 50;
+    private static final int CYCLES_UNTIL_PUBLISHED_AGAIN = 50;
 
     private final String file;
     private final Mistakes mistakes;
@@ -37,7 +36,7 @@ public final class TunableNumbers {
     private final Map<String, TunableNumber> declared = new LinkedHashMap<>();
     private Set<String> declaredAtFirst = Set.of();
     private boolean followed;
-    private int cyclesUntilTold;
+    private int cyclesUntilPublished;
 
     private TunableNumbers(String file, Mistakes mistakes, Optional<Map<String, Double>> wanted) {
         this.file = file;
@@ -97,10 +96,10 @@ public final class TunableNumbers {
     }
 
     /**
-     * Tells a viewer the numbers of a running robot, and takes over what people want of them there.
+     * Publishes the numbers of a running robot, and takes over the values that people want of them at the viewer.
      *
      * @param robot the robot, between two cycles
-     * @param viewer whom to tell
+     * @param viewer who sees them
      */
     void follow(Agent robot, TelemetryPublisher viewer) {
         if (!followed) {
@@ -110,19 +109,21 @@ public final class TunableNumbers {
         if (declared.isEmpty() || !viewer.isWatched()) {
             return;
         }
-        Map<String, Double> before = values();
-        boolean changed = false;
-        for (TunableNumber number : list()) {
-            OptionalDouble wish = viewer.wish(number.name());
-            if (wish.isPresent()) {
-                changed = true;
-                declared.put(number.name(), number.withValue(wish.getAsDouble()));
-            }
-        }
-        if (changed) {
+        Map<String, Double> wishes = wishes(viewer);
+        if (!wishes.isEmpty()) {
+            Map<String, Double> before = values();
+            wishes.forEach((name, value) -> declared.computeIfPresent(name, (same, number) -> number.withValue(value)));
             renewFields(robot, before);
         }
-        tell(viewer, changed);
+        publish(viewer, !wishes.isEmpty());
+    }
+
+    private Map<String, Double> wishes(TelemetryPublisher viewer) {
+        Map<String, Double> wishes = new HashMap<>();
+        for (String name : declared.keySet()) {
+            viewer.wish(name).ifPresent(value -> wishes.put(name, value));
+        }
+        return wishes;
     }
 
     /** Fields got their values when the robot was made: what two robots made with the old and the new numbers differ in is changed. */
@@ -145,11 +146,11 @@ public final class TunableNumbers {
         }
     }
 
-    /** Pages come and go without a word, so the numbers are told again and again. */
-    private void tell(TelemetryPublisher viewer, boolean changed) {
-        cyclesUntilTold--;
-        if (changed || cyclesUntilTold < 0) {
-            cyclesUntilTold = CYCLES_UNTIL_TOLD_AGAIN;
+    /** Pages come and go without a word, so the numbers are published again and again. */
+    private void publish(TelemetryPublisher viewer, boolean changed) {
+        cyclesUntilPublished--;
+        if (changed || cyclesUntilPublished < 0) {
+            cyclesUntilPublished = CYCLES_UNTIL_PUBLISHED_AGAIN;
             for (TunableNumber number : declared.values()) {
                 viewer.declare(new DeclaredNumber(
                         number.name(), number.usual(), number.least(), number.most(), number.value()));

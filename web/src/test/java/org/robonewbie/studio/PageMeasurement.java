@@ -95,13 +95,14 @@ class PageMeasurement {
         browser.resize(1366, 768);
         browser.drawSharply();
         double[][] opened = new double[OPENINGS][];
+        double empty = memoryOfPages();
         for (int i = 0; i < OPENINGS; i++) {
             try (StaticServer server = server()) {
                 browser.visit(server.address());
                 opened[i] = Arrays.stream(browser.evaluate(OPENED).getAsString().split(",", -1))
                         .mapToDouble(Double::parseDouble)
                         .toArray();
-                print("memory of the processes for pages: %.0f MB", memoryOfPages() / 1e6);
+                print("memory of so many pages: %.0f, %.0f MB", i + 1.0, (memoryOfPages() - empty) / 1e6);
                 browser.visit("about:blank");
             }
         }
@@ -132,18 +133,20 @@ class PageMeasurement {
     void millisecondsFromASliderToTheRobot() throws IOException {
         browser.resize(1366, 768);
         browser.drawSharply();
+        double empty = memoryOfPages();
         try (StaticServer server = server()) {
             browser.visit(server.address() + "#program");
             browser.await("studio.rooms.program?.files?.file !== undefined");
             browser.evaluate("studio.rooms.program.editor.replace(" + Chromium.quoted(SLIDING) + ")");
             browser.click("#program-run");
             browser.await("document.querySelector('#program-values').innerText.includes('gain 0.5')");
+            browser.await("document.querySelector('#program-sliders input') !== null");
             tell(
                     "from slider to robot",
                     IntStream.rangeClosed(1, SLIDES)
                             .mapToDouble(i -> browser.evaluate(SLIDE.replace("VALUE", "0." + (i % 2 == 0 ? 2 : 7)))
                                     .getAsDouble()));
-            print("memory of the processes for pages, with compiler: %.0f MB", memoryOfPages() / 1e6);
+            print("memory of the page with its compiler: %.0f MB", (memoryOfPages() - empty) / 1e6);
             browser.visit("about:blank");
         }
     }

@@ -92,6 +92,20 @@ class ProgramInThePageTest {
         browser.await("document.querySelector('#program-room').innerText.includes(" + Chromium.quoted(advice) + ")");
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "nao.setJointSped(0);, Did you mean setJointSpeed?",
+        "nao.getJointAngle(Joint.NECK_YAW);, Add at the top of the file: import org.robonewbie.nao.Joint;",
+        "org.robonewbie.nao.motion.Posture.ZERO.zzz();, Posture has the methods",
+        "int a = 1, Something is missing just before this place"
+    })
+    void mistakeSaysWhatToDo(String statement, String advice) {
+        type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        " + statement
+                + "\n    }\n}\n");
+
+        browser.await("document.querySelector('#program-room').innerText.includes(" + Chromium.quoted(advice) + ")");
+    }
+
     @Test
     void robotInTheHandWaitsInTheMiddleOfItsProgram() {
         type("""

@@ -69,7 +69,7 @@ public final class TelemetryPublisher {
     }
 
     /**
-     * Tells that the robot's program has a number which can be tuned.
+     * Publishes a number of the robot's program that can be tuned.
      *
      * @param number the number
      */

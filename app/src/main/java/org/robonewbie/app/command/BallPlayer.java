@@ -24,10 +24,18 @@ final class BallPlayer extends Agent {
     private final Gaze gaze = new Gaze(body);
     private boolean begun;
 
-    BallPlayer(boolean dribbles) {
+    private BallPlayer(boolean dribbles) {
         this.dribbles = dribbles;
         fieldView.setTransformation(CameraTransformation.KINEMATICS);
         walk.setStyle(Footwork.STYLE);
+    }
+
+    static BallPlayer dribbling() {
+        return new BallPlayer(true);
+    }
+
+    static BallPlayer kicking() {
+        return new BallPlayer(false);
     }
 
     @Override

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import org.robonewbie.app.course.ExerciseContests;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.program.ExampleCatalogue;
@@ -26,6 +27,7 @@ import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamList;
 import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.competition.trial.Spectators;
+import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -149,15 +151,16 @@ final class CompetitionCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         try {
-            hold(teams());
+            Function<Conditions, Contest> contest = contest(); // one that does not exist is named before teams are missed
+            List<TeamEntry> teams = teams();
+            hold(contest.apply(conditions(teams)), teams);
             return ExitCode.OK;
         } catch (WrongEntryException wrong) {
             throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         }
     }
 
-    private void hold(List<TeamEntry> teams) throws IOException, InterruptedException {
-        Contest contest = contest(teams);
+    private void hold(Contest contest, List<TeamEntry> teams) throws IOException, InterruptedException {
         Path folder = results.orElse(Path.of("competition-" + contest.name()));
         System.out.println(contest.title() + ": " + contest.rule());
         if (!watched || headless) {
@@ -204,7 +207,6 @@ final class CompetitionCommand implements Callable<Integer> {
     }
 
     private List<TeamEntry> teams() {
-        contest(List.of()); // a contest that does not exist is named before its teams are missed
         List<TeamEntry> teams = teamsFile.isPresent() ? TeamList.read(teamsFile.get()) : TeamList.parse(entries);
         if (teamsFile.isPresent() && !entries.isEmpty()) {
             throw new CalledWronglyException("Teams stand in " + teamsFile.get()
@@ -222,7 +224,13 @@ final class CompetitionCommand implements Callable<Integer> {
         return teams;
     }
 
-    private Contest contest(List<TeamEntry> teams) {
+    private Conditions conditions(List<TeamEntry> teams) {
+        Map<String, Long> seeds = new HashMap<>();
+        teams.forEach(team -> team.seed().ifPresent(own -> seeds.put(team.name(), own)));
+        return new Conditions(seed, varied, seeds);
+    }
+
+    private Function<Conditions, Contest> contest() {
         if (players < 1
                 || players > 11
                 || rounds < 1
@@ -230,23 +238,20 @@ final class CompetitionCommand implements Callable<Integer> {
             throw new CalledWronglyException(
                     "--players is 1 to 11, --rounds at least 1, and --seconds above 0. Correct the one that is not.");
         }
-        Map<String, Long> seeds = new HashMap<>();
-        teams.forEach(team -> team.seed().ifPresent(own -> seeds.put(team.name(), own)));
-        Conditions conditions = new Conditions(seed, varied, seeds);
         if (kind.startsWith(ExerciseContests.PREFIX)) {
             String name = kind.substring(ExerciseContests.PREFIX.length());
-            return ExerciseContests.of(
-                    Exercises.find(name).orElseThrow(() -> GradeCommand.unknown(name)), rounds, conditions);
+            Exercise exercise = Exercises.find(name).orElseThrow(() -> GradeCommand.unknown(name));
+            return conditions -> ExerciseContests.of(exercise, rounds, conditions);
         }
         return switch (kind) {
-            case "scoring" -> Contests.scoring(conditions, seconds.orElse(Contests.SCORING_SECONDS));
-            case "penalties" -> Contests.penalties(conditions, rounds, seconds.orElse(30.0));
-            case "matches" -> matches(MatchKind.MATCHES, conditions);
-            case "league" -> matches(MatchKind.LEAGUE, conditions);
-            case "walk" -> Contests.walk(conditions);
-            case "kick" -> Contests.kick(conditions);
-            case "stand" -> Contests.stand(conditions);
-            case "gymnastics" -> Contests.gymnastics(conditions);
+            case "scoring" -> conditions -> Contests.scoring(conditions, seconds.orElse(Contests.SCORING_SECONDS));
+            case "penalties" -> conditions -> Contests.penalties(conditions, rounds, seconds.orElse(30.0));
+            case "matches" -> matches(MatchKind.MATCHES);
+            case "league" -> matches(MatchKind.LEAGUE);
+            case "walk" -> Contests::walk;
+            case "kick" -> Contests::kick;
+            case "stand" -> Contests::stand;
+            case "gymnastics" -> Contests::gymnastics;
             default ->
                 throw new CalledWronglyException("There is no contest \"" + kind
                         + "\". There are: scoring, penalties, matches, league, walk, kick, stand, gymnastics,"
@@ -254,8 +259,8 @@ final class CompetitionCommand implements Callable<Integer> {
         };
     }
 
-    private Contest matches(MatchKind matches, Conditions conditions) {
-        return new MatchContest(matches, players, seconds.orElse(HALF_SECONDS), conditions);
+    private Function<Conditions, Contest> matches(MatchKind match) {
+        return conditions -> new MatchContest(match, players, seconds.orElse(HALF_SECONDS), conditions);
     }
 
     /** Prints the table in columns. */

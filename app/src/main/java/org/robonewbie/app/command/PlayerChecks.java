@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import org.robonewbie.learning.measure.MotionCheck;
 import org.robonewbie.learning.measure.Outcome;
@@ -88,16 +89,17 @@ final class PlayerChecks {
 
     private MotionCheck dribble(
             String name, String rule, String unit, ToDoubleFunction<Dribbled> value, Predicate<Dribbled> success) {
-        return check(name, 0.25, rule, unit, value, success, this::dribble);
+        return check(name, BallPlayer::dribbling, 0.25, rule, unit, value, success, this::dribble);
     }
 
     private MotionCheck kick(
             String name, String rule, String unit, ToDoubleFunction<Kicked> value, Predicate<Kicked> success) {
-        return check(name, 1.5, rule, unit, value, success, this::kick);
+        return check(name, BallPlayer::kicking, 1.5, rule, unit, value, success, this::kick);
     }
 
     private <T> MotionCheck check(
             String name,
+            Supplier<BallPlayer> player,
             double ballAhead,
             String rule,
             String unit,
@@ -111,20 +113,19 @@ final class PlayerChecks {
                 rule,
                 unit,
                 seed -> {
-                    boolean dribbles = name.startsWith("dribble");
-                    try (Trial trial = trial(seed, ballAhead, dribbles)) {
+                    try (Trial trial = trial(seed, ballAhead, player.get())) {
                         T done = act.apply(trial);
                         return new Outcome(success.test(done), value.applyAsDouble(done));
                     }
                 });
     }
 
-    private Trial trial(long seed, double ballAhead, boolean dribbles) {
+    private Trial trial(long seed, double ballAhead, BallPlayer player) {
         double aside = ASIDE_METRES * Math.sin((double) seed);
         Scene scene = Scene.of(RobotStart.at(START).withType(type).after("stand"))
                 .withParameters(SoccerParameters.league())
                 .withBall(START.pointAt(ballAhead, aside));
-        return Trial.served(scene, seed, Performer.ofAgent(new BallPlayer(dribbles)));
+        return Trial.served(scene, seed, Performer.ofAgent(player));
     }
 
     private Dribbled dribble(Trial trial) {

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import javax.tools.Diagnostic;
+import org.robonewbie.app.hint.FrameworkNames;
 import org.robonewbie.studio.completion.BegunWord;
 import org.robonewbie.studio.completion.Completion;
 import org.robonewbie.studio.completion.Proposal;
@@ -80,7 +81,7 @@ public final class StudentsProgram {
                 unit,
                 begun,
                 ApiComments::of,
-                CompilerMessages.frameworkTypes().map(Class::getName).toList());
+                FrameworkNames.TYPES);
     }
 
     private static Remark remark(CompilerMessages.Remark said) {

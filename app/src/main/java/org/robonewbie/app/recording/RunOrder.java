@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -16,8 +17,6 @@ import org.robonewbie.simulator.server.SimulatorSettings;
  * @param firstSeed seed of the first run; each run has one more than the run before
  */
 public record RunOrder(List<String> agentAndOptions, int robots, double seconds, long firstSeed) {
-
-    private static final double CYCLES_PER_SECOND = 50;
 
     /** Copies the list. */
     public RunOrder {
@@ -53,7 +52,7 @@ public record RunOrder(List<String> agentAndOptions, int robots, double seconds,
 
     /** The number of cycles after which a run is over. */
     long cycles() {
-        return Math.round(seconds * CYCLES_PER_SECOND);
+        return Math.round(seconds / Cycle.SECONDS);
     }
 
     SimulatorSettings settings(int run) {

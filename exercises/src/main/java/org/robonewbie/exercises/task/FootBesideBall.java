@@ -6,12 +6,11 @@ import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.trial.Place;
 
 /** Where a foot that swung at a ball and did not touch it was in relation to the ball, when it was furthest forward. */
 final class FootBesideBall {
-
-    private static final double BALL_RADIUS = 0.042;
 
     private final Place start;
     private final Vector3 ball;
@@ -57,7 +56,7 @@ final class FootBesideBall {
 
     /** {@return the distance between foot and ball in words, such as "the foot stayed 2.1 cm above it"} */
     String finding() {
-        double gap = Math.max(0, nearest.distanceTo(ball) - BALL_RADIUS);
+        double gap = Math.max(0, nearest.distanceTo(ball) - BallProperties.STANDARD.radius());
         double behind = start.ahead(ball) - start.ahead(nearest);
         double aside = Math.abs(start.left(ball) - start.left(nearest));
         double above = nearest.z() - ball.z();

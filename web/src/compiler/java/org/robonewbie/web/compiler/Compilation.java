@@ -11,16 +11,21 @@ import com.sun.tools.javac.util.Context;
 import com.sun.tools.javac.util.Options;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
+import java.util.Locale;
 import javax.tools.Diagnostic;
 import javax.tools.DiagnosticListener;
 import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
+import org.jspecify.annotations.Nullable;
+import org.robonewbie.app.hint.FrameworkNames;
+import org.robonewbie.app.hint.Hints;
 import org.robonewbie.studio.completion.Completion;
 import org.robonewbie.studio.completion.Proposal;
 
 /** One run of {@code javac}. */
 final class Compilation {
+
+    private static @Nullable Hints hints;
 
     private final Context context = new Context();
     private final List<Diagnostic<? extends JavaFileObject>> remarks = new ArrayList<>();
@@ -42,7 +47,7 @@ final class Compilation {
      * @param sources the files with Java
      * @return what javac has to say, in its order
      */
-    static List<Diagnostic<? extends JavaFileObject>> of(MemoryFiles files, List<JavaFileObject> sources) {
+    static List<Remark> of(MemoryFiles files, List<JavaFileObject> sources) {
         Compilation compilation = new Compilation(files);
         JavaCompiler compiler = JavaCompiler.instance(compilation.context);
         try {
@@ -50,8 +55,38 @@ final class Compilation {
         } catch (Throwable failure) {
             throw new IllegalStateException("The compiler itself has failed: " + failure, failure);
         }
+        List<Remark> remarks = compilation.remarks.stream().map(compilation::remark).toList();
         compiler.close();
-        return compilation.remarks;
+        return remarks;
+    }
+
+    /**
+     * What javac says.
+     *
+     * @param diagnostic its own words
+     * @param hint what to do; empty if nothing is to be added
+     */
+    record Remark(Diagnostic<? extends JavaFileObject> diagnostic, String hint) {}
+
+    private Remark remark(Diagnostic<? extends JavaFileObject> diagnostic) {
+        boolean placed =
+                diagnostic.getSource() instanceof MemoryFile && diagnostic.getStartPosition() != Diagnostic.NOPOS;
+        String place = placed
+                ? ((MemoryFile) diagnostic.getSource())
+                        .text()
+                        .substring((int) diagnostic.getStartPosition(), (int) diagnostic.getEndPosition())
+                : "";
+        return new Remark(
+                diagnostic,
+                hints().of(new Hints.Remark(
+                        String.valueOf(diagnostic.getCode()), place, diagnostic.getMessage(Locale.ENGLISH))));
+    }
+
+    /** The library is always the same, so its names are read once. */
+    private Hints hints() {
+        Hints known = hints == null ? new Hints(NamesOfTheLibrary.read(JavacElements.instance(context))) : hints;
+        hints = known;
+        return known;
     }
 
     /**
@@ -60,11 +95,9 @@ final class Compilation {
      * @param files the libraries
      * @param sources the files with Java, the first one with a word that nobody writes at the place
      * @param begun what of the word is there
-     * @param typeNames classes that are proposed where a class may stand
      * @return proposals; instead of its documentation each has a tab, its class, a tab and its key
      */
-    static List<Proposal> proposals(
-            MemoryFiles files, List<JavaFileObject> sources, String begun, Set<String> typeNames) {
+    static List<Proposal> proposals(MemoryFiles files, List<JavaFileObject> sources, String begun) {
         Context context = new Compilation(files).context;
         Options.instance(context).put(Option.PARAMETERS, "");
         JavaCompiler compiler = JavaCompiler.instance(context);
@@ -77,7 +110,8 @@ final class Compilation {
         Completion.Compiler known = new Completion.Compiler(
                 JavacTrees.instance(context), JavacElements.instance(context), JavacTypes.instance(context));
         List<Proposal> proposals =
-                Completion.of(known, asked, begun, (className, key) -> "\t" + className + "\t" + key, typeNames);
+                Completion.of(
+                        known, asked, begun, (className, key) -> "\t" + className + "\t" + key, FrameworkNames.TYPES);
         compiler.close();
         return proposals;
     }

@@ -20,7 +20,7 @@ public final class CompilerInPage {
     private static final MemoryFiles FILES = new MemoryFiles();
     private static final List<MemoryFile> SOURCES = new ArrayList<>();
     private static final List<Proposal> PROPOSALS = new ArrayList<>();
-    private static final List<Diagnostic<? extends JavaFileObject>> REMARKS = new ArrayList<>();
+    private static final List<Compilation.Remark> REMARKS = new ArrayList<>();
 
     private CompilerInPage() {}
 
@@ -78,7 +78,7 @@ public final class CompilerInPage {
     }
 
     /**
-     * Returns a remark as tab-separated words: kind, file, line, column, first and last character of the place, javac's name for it, and
+     * Returns a remark as tab-separated words: kind, file, line, first and last character of the place, what to do about it, and
      * the text.
      *
      * @param index from 0
@@ -86,11 +86,11 @@ public final class CompilerInPage {
      */
     @JSExport
     public static String remark(int index) {
-        Diagnostic<? extends JavaFileObject> remark = REMARKS.get(index);
+        Compilation.Remark said = REMARKS.get(index);
+        Diagnostic<? extends JavaFileObject> remark = said.diagnostic();
         String file = remark.getSource() == null ? "" : remark.getSource().getName();
-        return remark.getKind() + "\t" + file + "\t" + remark.getLineNumber() + "\t" + remark.getColumnNumber() + "\t"
-                + remark.getStartPosition() + "\t" + remark.getEndPosition() + "\t" + remark.getCode() + "\t"
-                + remark.getMessage(Locale.ENGLISH);
+        return remark.getKind() + "\t" + file + "\t" + remark.getLineNumber() + "\t" + remark.getStartPosition() + "\t"
+                + remark.getEndPosition() + "\t" + said.hint() + "\t" + remark.getMessage(Locale.ENGLISH);
     }
 
     /**
@@ -120,7 +120,7 @@ public final class CompilerInPage {
                 sources.add(source);
             }
         }
-        return Compilation.proposals(FILES, sources, begun, FILES.classesForPrograms());
+        return Compilation.proposals(FILES, sources, begun);
     }
 
     /**

@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
 import javax.tools.FileObject;
 import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
@@ -19,12 +18,6 @@ import javax.tools.StandardLocation;
 final class MemoryFiles implements JavaFileManager {
 
     private static final String BASE = "java.base";
-    private static final Set<String> FOR_PROGRAMS = Set.of(
-            "org.robonewbie.agent",
-            "org.robonewbie.agent.perception",
-            "org.robonewbie.agent.walk",
-            "org.robonewbie.nao",
-            "org.robonewbie.nao.motion");
 
     /** The module with Java's class library. */
     private static final Location JAVA = new Location() {
@@ -55,16 +48,6 @@ final class MemoryFiles implements JavaFileManager {
         (isRobonewbie ? robonewbie : java)
                 .computeIfAbsent(file.packageName(), name -> new ArrayList<>())
                 .add(file);
-    }
-
-    /** {@return full names of the classes of RoboNewbie that programs use most} */
-    Set<String> classesForPrograms() {
-        return robonewbie.entrySet().stream()
-                .filter(folder -> FOR_PROGRAMS.contains(folder.getKey()))
-                .flatMap(folder -> folder.getValue().stream())
-                .map(MemoryFile::className)
-                .filter(name -> !name.contains("$") && !name.endsWith("package-info"))
-                .collect(Collectors.toSet());
     }
 
     /** {@return the classes that were made, since {@link #forgetMade} was called} */

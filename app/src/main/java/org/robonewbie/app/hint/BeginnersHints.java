@@ -1,4 +1,4 @@
-package org.robonewbie.app.program;
+package org.robonewbie.app.hint;
 
 import java.util.List;
 
