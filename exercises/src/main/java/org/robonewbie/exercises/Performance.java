@@ -22,6 +22,10 @@ public final class Performance {
     /** What to do about a program that could not be tried to the end. */
     public static final String MEND = "Mend this first; the rest was not tried.";
 
+    /** What to do about a program that went on after an exception in a step. */
+    public static final String MEND_STEP =
+            "think() failed, as the program's own lines above say. Mend that first; what the robot did has little to do with your idea.";
+
     private Performance() {}
 
     /**

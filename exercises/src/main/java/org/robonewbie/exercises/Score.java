@@ -61,6 +61,16 @@ public record Score(boolean passed, int points, String finding, String hint) {
     }
 
     /**
+     * Replaces the hint.
+     *
+     * @param other what to do instead
+     * @return the same score with this hint
+     */
+    public Score withHint(String other) {
+        return new Score(passed, points, finding, other);
+    }
+
+    /**
      * Translates finding and hint.
      *
      * @param language the language

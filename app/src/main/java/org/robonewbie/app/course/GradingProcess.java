@@ -132,7 +132,8 @@ public final class GradingProcess {
             Optional<Score> reason = score.passed() ? Optional.empty() : student.reason(door.port());
             stuck |= reason.filter(told -> told.finding().startsWith(Performance.ENDLESS))
                     .isPresent();
-            return reason.orElse(score);
+            return reason.map(told -> told.finding().isEmpty() ? score.withHint(told.hint()) : told)
+                    .orElse(score);
         }
     }
 

@@ -151,9 +151,14 @@ public final class RobotsOnCall {
         EffectorMessageWriter writer = new EffectorMessageWriter(answer);
         writer.synchronise();
         link.send(answer);
+        boolean failed = false;
         while (link.receive(message)) {
             answer.clear();
             driver.respond(reader.read(message)).forEach(writer::write);
+            if (!failed && driver.hasFailed()) {
+                failed = true;
+                complain(robot, Score.failed(0, "", Performance.MEND_STEP));
+            }
             robot.patience().progress();
             link.send(answer);
         }

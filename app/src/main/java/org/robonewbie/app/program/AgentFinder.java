@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.log.Spelling;
 
 /** Finds the program that the user names: an example, a class or a Java file. */
@@ -75,7 +76,7 @@ public final class AgentFinder {
     }
 
     private static AgentProgram programOf(Class<?> type) {
-        return AgentProgram.of(type).orElseThrow(() -> withoutMain(type.getSimpleName()));
+        return AgentProgram.of(type).orElseThrow(() -> withoutMain(type));
     }
 
     private static JavaSource source(String name) {
@@ -102,7 +103,7 @@ public final class AgentFinder {
     }
 
     private Optional<AgentProgram> findOwnClass(String name) {
-        return ownClass(name).map(type -> AgentProgram.of(type).orElseThrow(() -> withoutMain(type.getSimpleName())));
+        return ownClass(name).map(type -> AgentProgram.of(type).orElseThrow(() -> withoutMain(type)));
     }
 
     private Optional<Class<?>> ownClass(String name) {
@@ -132,12 +133,18 @@ public final class AgentFinder {
         }
     }
 
-    static CalledWronglyException withoutMain(String simpleName) {
+    static CalledWronglyException withoutMain(Class<?> type) {
+        String robot = Agent.class.isAssignableFrom(type)
+                ? ""
+                : """
+                 It is no robot either: write "public class %s extends Agent", with "import org.robonewbie.agent.Agent;" at the top, and
+                what the robot does in "protected void think()"."""
+                        .formatted(type.getSimpleName());
         return new CalledWronglyException("""
-                %1$s cannot be run, since it has no main method. Add to it:
+                %1$s cannot be run, since it has no main method.%2$s Add to it:
                   public static void main(String[] args) {
                     new %1$s().run(args);
-                  }""".formatted(simpleName));
+                  }""".formatted(type.getSimpleName(), robot));
     }
 
     private CalledWronglyException unknown(String name) {

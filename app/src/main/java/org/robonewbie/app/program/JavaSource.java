@@ -75,7 +75,8 @@ final class JavaSource {
      * @throws CompilationFailedException if it has errors; they have been shown
      */
     AgentProgram compile(List<Path> classPath) {
-        return AgentProgram.of(load(classPath).get()).orElseThrow(() -> AgentFinder.withoutMain(simpleName()));
+        Class<?> type = load(classPath).get();
+        return AgentProgram.of(type).orElseThrow(() -> AgentFinder.withoutMain(type));
     }
 
     /**

@@ -208,6 +208,15 @@ class GradeCommandTest {
         assertThat(printed.out()).contains("its constructor threw java.lang.IllegalStateException: mistake");
     }
 
+    @Test
+    void exceptionInAStepIsToBeMendedBeforeAnythingElse() throws IOException {
+        Printed printed = Printed.by("grade", "raise-arms", program("trials = 1 / (trials - trials);"), "--seeds", "1");
+
+        assertThat(printed.exitCode()).isEqualTo(1);
+        assertThat(printed.out()).containsOnlyOnce("Hint: think() failed, as the program's own lines above say.");
+        assertThat(printed.out() + printed.err()).contains("ArithmeticException");
+    }
+
     @Tag("slow")
     @Test
     void programThatLoopsForEverIsStoppedWithItsLine() throws IOException {

@@ -117,7 +117,11 @@ class RunCommandTest {
         Printed answer = Printed.by("run", file.toString());
 
         assertThat(answer.exitCode()).isEqualTo(2);
-        assertThat(answer.err()).contains("Idle cannot be run, since it has no main method.", "new Idle().run(args);");
+        assertThat(answer.err())
+                .contains(
+                        "Idle cannot be run, since it has no main method.",
+                        "public class Idle extends Agent",
+                        "new Idle().run(args);");
     }
 
     @Test
