@@ -37,7 +37,6 @@ final class Compilation {
         Options options = Options.instance(context);
         options.put(Option.PROC, "none");
         options.put(Option.G, "");
-        files.forgetMade();
     }
 
     /**
@@ -48,6 +47,7 @@ final class Compilation {
      * @return what javac has to say, in its order
      */
     static List<Remark> of(MemoryFiles files, List<JavaFileObject> sources) {
+        files.forgetMade();
         Compilation compilation = new Compilation(files);
         JavaCompiler compiler = JavaCompiler.instance(compilation.context);
         try {
@@ -55,9 +55,8 @@ final class Compilation {
         } catch (Throwable failure) {
             throw new IllegalStateException("The compiler itself has failed: " + failure, failure);
         }
-        List<Remark> remarks = compilation.remarks.stream().map(compilation::remark).toList();
         compiler.close();
-        return remarks;
+        return compilation.remarks.stream().map(remark -> remark(files, remark)).toList();
     }
 
     /**
@@ -68,7 +67,7 @@ final class Compilation {
      */
     record Remark(Diagnostic<? extends JavaFileObject> diagnostic, String hint) {}
 
-    private Remark remark(Diagnostic<? extends JavaFileObject> diagnostic) {
+    private static Remark remark(MemoryFiles files, Diagnostic<? extends JavaFileObject> diagnostic) {
         boolean placed =
                 diagnostic.getSource() instanceof MemoryFile && diagnostic.getStartPosition() != Diagnostic.NOPOS;
         String place = placed
@@ -78,15 +77,24 @@ final class Compilation {
                 : "";
         return new Remark(
                 diagnostic,
-                hints().of(new Hints.Remark(
+                hints(files).of(new Hints.Remark(
                         String.valueOf(diagnostic.getCode()), place, diagnostic.getMessage(Locale.ENGLISH))));
     }
 
     /** The library is always the same, so its names are read once. */
-    private Hints hints() {
-        Hints known = hints == null ? new Hints(NamesOfTheLibrary.read(JavacElements.instance(context))) : hints;
+    private static Hints hints(MemoryFiles files) {
+        Hints known = hints == null ? new Hints(names(files)) : hints;
         hints = known;
         return known;
+    }
+
+    private static FrameworkNames names(MemoryFiles files) {
+        Context context = new Compilation(files).context;
+        JavaCompiler compiler = JavaCompiler.instance(context);
+        compiler.initModules(com.sun.tools.javac.util.List.nil());
+        FrameworkNames names = NamesOfTheLibrary.read(JavacElements.instance(context));
+        compiler.close();
+        return names;
     }
 
     /**
