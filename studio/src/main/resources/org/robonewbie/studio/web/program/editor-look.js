@@ -30,6 +30,10 @@ const theme = EditorView.theme({
   '.cm-tooltip-autocomplete .cm-completionDetail': { marginLeft: '1em', fontStyle: 'normal', opacity: '0.75' },
   '.cm-completionInfo': { maxWidth: '30em', padding: '6px 10px', whiteSpace: 'pre-wrap', fontFamily: 'inherit' },
   '.cm-said': {
+    // As wide as the program's lines, and wrapped there: long remarks do not widen the editor.
+    boxSizing: 'border-box',
+    width: '0',
+    minWidth: '100%',
     padding: '2px 10px 4px',
     fontFamily: 'system-ui, sans-serif',
     fontSize: '13px',
