@@ -173,7 +173,10 @@ class PageMeasurement {
                         .toArray());
     }
 
-    /** What the browser's processes for pages and their workers have for themselves, in bytes; on Linux only. */
+    /**
+     * What the browser's processes for pages and their workers have for themselves, in bytes; on Linux only. The browser keeps pages that
+     * were left, so a measurement of memory needs a browser of its own: {@code -Dtest=PageMeasurement#millisecondsFromASliderToTheRobot}.
+     */
     private static double memoryOfPages() {
         return ProcessHandle.current()
                 .descendants()
