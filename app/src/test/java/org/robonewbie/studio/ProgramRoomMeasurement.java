@@ -112,7 +112,9 @@ class ProgramRoomMeasurement {
             version = "";
         }
         print("from opening to the editor", Arrays.stream(opened).mapToDouble(times -> times[0]));
-        print("from opening to a moving robot, Run at once", Arrays.stream(opened).mapToDouble(times -> times[1]));
+        print(
+                "from opening to a moving robot, Run at once",
+                Arrays.stream(opened).mapToDouble(times -> times[1]));
     }
 
     @Test

@@ -151,7 +151,8 @@ final class CompetitionCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         try {
-            Function<Conditions, Contest> contest = contest(); // one that does not exist is named before teams are missed
+            // a contest that does not exist is named before its teams are missed
+            Function<Conditions, Contest> contest = contest();
             List<TeamEntry> teams = teams();
             hold(contest.apply(conditions(teams)), teams);
             return ExitCode.OK;

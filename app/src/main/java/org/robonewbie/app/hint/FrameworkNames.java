@@ -78,8 +78,9 @@ public record FrameworkNames(
 
     /** The methods of a class; those of all classes if it is none of them. */
     List<String> methodsOf(Optional<String> type) {
-        return type.map(owner -> List.copyOf(methods.get(owner))).orElseGet(() -> methods.values().stream()
-                .flatMap(Collection::stream)
-                .toList());
+        return methods.entrySet().stream()
+                .filter(each -> type.map(each.getKey()::equals).orElse(true))
+                .flatMap(each -> each.getValue().stream())
+                .toList();
     }
 }

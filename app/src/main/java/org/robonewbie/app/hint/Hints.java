@@ -78,10 +78,7 @@ public final class Hints {
         boolean constant = written.equals(written.toUpperCase(Locale.ROOT));
         boolean type = Character.isUpperCase(written.charAt(0)) && !constant;
         return Spelling.nearest(
-                written,
-                constant
-                        ? names.constants()
-                        : type ? names.types().keySet() : names.methodsOf(owner(remark)));
+                written, constant ? names.constants() : type ? names.types().keySet() : names.methodsOf(owner(remark)));
     }
 
     /** What can be called where nothing similar to the written name is. */
@@ -93,8 +90,6 @@ public final class Hints {
     /** The class of the framework in which the compiler has looked for a method; only its own can be meant. */
     private Optional<String> owner(Remark remark) {
         Matcher place = OWNER.matcher(remark.text());
-        return place.find()
-                ? Optional.of(place.group(1)).filter(names.types()::containsKey)
-                : Optional.empty();
+        return place.find() ? Optional.of(place.group(1)).filter(names.types()::containsKey) : Optional.empty();
     }
 }

@@ -134,12 +134,9 @@ public final class AgentFinder {
     }
 
     static CalledWronglyException withoutMain(Class<?> type) {
-        String robot = Agent.class.isAssignableFrom(type)
-                ? ""
-                : """
+        String robot = Agent.class.isAssignableFrom(type) ? "" : """
                  It is no robot either: write "public class %s extends Agent", with "import org.robonewbie.agent.Agent;" at the top, and
-                what the robot does in "protected void think()"."""
-                        .formatted(type.getSimpleName());
+                what the robot does in "protected void think()".""".formatted(type.getSimpleName());
         return new CalledWronglyException("""
                 %1$s cannot be run, since it has no main method.%2$s Add to it:
                   public static void main(String[] args) {

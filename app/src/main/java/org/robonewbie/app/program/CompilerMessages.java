@@ -38,7 +38,9 @@ final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
             Class<?> type = type(name);
             types.put(type.getSimpleName(), name);
             if (type.isEnum()) {
-                Stream.of(type.getEnumConstants()).map(each -> ((Enum<?>) each).name()).forEach(constants::add);
+                Stream.of(type.getEnumConstants())
+                        .map(each -> ((Enum<?>) each).name())
+                        .forEach(constants::add);
             }
             methods.put(
                     type.getSimpleName(),
