@@ -17,7 +17,8 @@ import org.robonewbie.trial.Trial;
 
 /**
  * Number 1 passes to the one of two team mates to whom the way is free. First an opponent stands before the nearer mate, then before
- * the farther one; between the two passes everybody is carried back.
+ * the farther one; between the two passes everybody is carried back. What the ball does after it has met the opponent no longer counts: it
+ * may roll to the free mate from there, but that is luck.
  */
 public final class BetterPassTask implements Task {
 
@@ -28,12 +29,15 @@ public final class BetterPassTask implements Task {
     private static final double OPPONENT_METRES = 0.8;
     private static final double REACHED_METRES = 0.8;
     private static final double STAYED_METRES = 0.9;
+    private static final double STOPPED_METRES = 0.3;
+    private static final int OPPONENT = 3;
 
     /** The passer, both mates, the opponent: where they stand at the beginning of a pass. */
     private final List<List<Place>> starts = new ArrayList<>();
 
     private final double[] nearest = new double[PASSES];
     private int pass;
+    private boolean stopped;
     private double strayed;
 
     /** Creates the task of one trial. */
@@ -75,6 +79,7 @@ public final class BetterPassTask implements Task {
     public void act(Trial trial) {
         if (pass == 0 && trial.seconds() >= PASS_SECONDS) {
             pass = 1;
+            stopped = false;
             for (int i = 0; i < starts.get(1).size(); i++) {
                 trial.moveRobot(i, starts.get(1).get(i));
             }
@@ -89,8 +94,11 @@ public final class BetterPassTask implements Task {
             strayed = Math.max(
                     strayed, places.get(i).distance(moment.robots().get(i).position()));
         }
-        Place free = places.get(freeMate(pass));
-        nearest[pass] = Math.min(nearest[pass], free.distance(moment.ball()));
+        stopped |= places.get(OPPONENT).distance(moment.ball()) < STOPPED_METRES;
+        if (!stopped) {
+            Place free = places.get(freeMate(pass));
+            nearest[pass] = Math.min(nearest[pass], free.distance(moment.ball()));
+        }
     }
 
     /** First the farther mate is free, then the nearer one. */

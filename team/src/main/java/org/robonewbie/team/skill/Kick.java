@@ -7,7 +7,7 @@ import org.robonewbie.team.world.WorldModel;
 /**
  * Kicks the ball far. The kick is a motion of keyframes that begins in the stance, with the ball before a foot. So the robot walks
  * there, stops, looks whether the ball lies within reach, and only then kicks; else it goes on walking. With an opponent near it is
- * content with less.
+ * content with less, but not ahead: a ball that touches the foot already rolls two metres only, one that is too far ahead rolls one.
  */
 public final class Kick {
 
@@ -18,17 +18,16 @@ public final class Kick {
     private static final double HURRY_METRES = 1;
     private static final double HURRY = 1.4;
 
-    private static final Spot BEFORE_LEFT_FOOT = new Spot(0.195, 0.06);
-    private static final double AHEAD_TOLERANCE = 0.04;
-    private static final double MOST_AHEAD_TOLERANCE = 0.052;
-    private static final double CLOSER_METRES = 0.025;
+    private static final Spot BEFORE_LEFT_FOOT = new Spot(0.205, 0.05);
+    private static final double AHEAD_TOLERANCE = 0.035;
+    private static final double CLOSER_METRES = 0.035;
     private static final double DRIFT = 1.4;
     private static final double LEFT_TOLERANCE = 0.022;
     private static final double TURN_TOLERANCE = 8;
     private static final double FAR_METRES = 0.9;
     private static final double BEHIND_METRES = 0.12;
     private static final double AROUND_METRES = 0.4;
-    private static final double REACTION_SECONDS = 0.5;
+    private static final double REACTION_SECONDS = 0.8;
     private static final double MOST_SPEED = 0.5;
 
     private final Limbs body;
@@ -95,7 +94,7 @@ public final class Kick {
     }
 
     private static boolean isThere(Spot ball, double turn, double factor) {
-        return Math.abs(ball.x() - BEFORE_LEFT_FOOT.x()) < Math.min(MOST_AHEAD_TOLERANCE, factor * AHEAD_TOLERANCE)
+        return Math.abs(ball.x() - BEFORE_LEFT_FOOT.x()) < AHEAD_TOLERANCE
                 && Math.abs(ball.y() - before(ball).y()) < factor * LEFT_TOLERANCE
                 && Math.abs(turn) < factor * factor * TURN_TOLERANCE;
     }

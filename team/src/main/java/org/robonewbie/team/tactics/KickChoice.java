@@ -32,6 +32,7 @@ public final class KickChoice {
     private static final double LOSS = 0.03;
     private static final double VALUE_METRES = 8;
     private static final double LANE_METRES = 0.3;
+    private static final double LANE_SLOPE = 0.1;
     private static final double SHOT_DEVIATION_DEGREES = 6;
     private static final double PASS_METRES = 3;
     private static final double LOYALTY = 0.6;
@@ -182,10 +183,12 @@ public final class KickChoice {
         return probability(1.7 * toLeft) * probability(1.7 * toRight);
     }
 
+    /** How probable it is that nobody stops the ball. No kick is quite straight, so the way that has to be free grows wider with its length. */
     private double freeLane(Spot from, Spot to) {
         double free = 1;
         for (Spot opponent : world.opponents()) {
-            double near = opponent.distanceToWay(from, to) / LANE_METRES;
+            double lane = LANE_METRES + LANE_SLOPE * opponent.distanceTo(from);
+            double near = opponent.distanceToWay(from, to) / lane;
             free *= 1 - 0.9 * PortableMath.exp(-near * near);
         }
         return free;

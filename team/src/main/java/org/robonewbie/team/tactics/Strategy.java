@@ -27,6 +27,8 @@ public final class Strategy {
     private static final double NEAR_METRES = 0.8;
     private static final double KICK_LASTS_SECONDS = 5;
     private static final double PASS_SECONDS = 2;
+    private static final double BESIDE_METRES = 0.4;
+    private static final double MOST_TURNED_DEGREES = 90;
 
     private final WorldModel world;
     private final SetPlay setPlay = new SetPlay();
@@ -108,11 +110,25 @@ public final class Strategy {
                 .filter(mate -> mate.message().receiver() == world.number())
                 .filter(mate -> world.seconds() - mate.heardSeconds() < PASS_SECONDS)
                 .map(mate -> mate.message().passTarget())
+                .map(this::behind)
                 .findFirst();
     }
 
+    /** Where to wait for a ball that is to come to rest at a place: behind it, seen from the goal, and beside its way. */
+    private Spot behind(Spot end) {
+        Spot back = world.ourGoal().minus(end);
+        Spot behind = end.towards(world.ourGoal(), BESIDE_METRES);
+        Spot aside = new Spot(-back.y(), back.x()).times(BESIDE_METRES / Math.max(BESIDE_METRES, back.length()));
+        Spot left = behind.plus(aside);
+        Spot right = behind.minus(aside);
+        return left.distanceTo(world.place()) < right.distanceTo(world.place()) ? left : right;
+    }
+
+    /** Who waits looks at the ball, but never turns its back to the opponents' goal: that is where it has to play next. */
     private double facing(Spot place) {
-        return world.ball().minus(place).degrees();
+        double goal = world.theirGoal().minus(place).degrees();
+        double turned = PortableMath.IEEEremainder(world.ball().minus(place).degrees() - goal, 360);
+        return goal + Math.max(-MOST_TURNED_DEGREES, Math.min(MOST_TURNED_DEGREES, turned));
     }
 
     /**
