@@ -13,7 +13,7 @@ const INSTEAD = [
     `Programs of this page cannot start trials themselves: press Check, and change the numbers between two trials. ${ELSEWHERE}`,
   ],
   [
-    /class (File|Files|Path|Paths|Scanner|FileReader|FileWriter|BufferedReader|BufferedWriter|InputStream|Socket)\b|package java\.(nio|net)|have java\.(io|nio|net)\./,
+    /class (File|Files|Path|Paths|Scanner|FileReader|FileWriter|BufferedReader|BufferedWriter|InputStream|Socket)\b|package java\.(nio|net)|(have|for) java\.(io|nio|net)\./,
     `This page has neither files nor a keyboard for programs: log.info(...) shows what a program says. ${ELSEWHERE}`,
   ],
   [
