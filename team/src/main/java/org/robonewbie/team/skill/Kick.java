@@ -12,7 +12,7 @@ import org.robonewbie.team.world.WorldModel;
 public final class Kick {
 
     /** How far the ball usually rolls, metres. */
-    public static final double METRES = 6;
+    public static final double METRES = 5.4;
 
     private static final double USUAL_SECONDS = 1.4;
     private static final double HURRY_METRES = 1;
