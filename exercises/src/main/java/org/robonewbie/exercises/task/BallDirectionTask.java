@@ -119,6 +119,6 @@ public final class BallDirectionTask implements Task {
                         5 - error,
                         finding,
                         "CameraTransformation.KINEMATICS follows the neck exactly, but takes the torso as upright. How far does it"
-                                + " lean? At rest the accelerometer points up.");
+                                + " lean? At rest the accelerometer points up: turn the point so that up becomes (0, 0, 1).");
     }
 }

@@ -76,7 +76,7 @@ public final class FasterWalkTask implements Task {
                 : Score.failed(
                         metres,
                         finding,
-                        "The framework's walk stays below 6 m with its own numbers. Give walk.setStyle others: let a program try"
+                        "With its own numbers the framework's walk gets 5.8 m far. Give walk.setStyle others: let a program try"
                                 + " many, keep the best, and vary it again.");
     }
 }

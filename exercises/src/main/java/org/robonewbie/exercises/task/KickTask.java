@@ -123,7 +123,7 @@ public final class KickTask implements Task {
                         finding,
                         metres < TOUCHED_METRES
                                 ? "The foot has not touched the ball. Short of it: do the toes scrape the ground? Raise them by 20°, or bend the knee more."
-                                        + " Above it: less hip pitch. Beside it: less hip roll."
+                                        + " If less than 1 cm is missing: more hip pitch. Above it: less hip pitch. Beside it: less hip roll."
                                 : "Look down to see before which foot the ball lies. The foot must be quick where the ball is:"
                                         + " a short keyframe there.");
     }

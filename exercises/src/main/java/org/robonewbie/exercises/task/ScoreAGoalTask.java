@@ -109,8 +109,8 @@ public final class ScoreAGoalTask implements Task {
                             "no goal%s; the ball came within %.2f m of it",
                             isStuck() ? ", and for " + Math.round(SECONDS_OF_PATIENCE) + " s nothing moved" : "",
                             nearest),
-                    "Push the ball past the wall first, then to the goal: choose a point beside the outermost robot, and the goal"
-                            + " when the ball has passed it.");
+                    "Push the ball past the wall first: choose a point beside the outermost robot. When the ball has passed it,"
+                            + " choose the goal, whose middle is at (6, 0).");
         }
         return Score.passed(
                 (int) Math.floor(10 - Math.max(0, Math.ceil((seconds - QUICK_SECONDS) / SECONDS_PER_POINT))),
