@@ -124,8 +124,7 @@ final class BlockCholesky {
                 DenseBlocks.replaceByUnit(factor, start, width, height, c);
             }
         }
-        DenseBlocks.factorise(factor, start, width, inverseDiagonal, plan.firstRow[column]);
-        DenseBlocks.divide(factor, start, width, height, inverseDiagonal, plan.firstRow[column]);
+        DenseBlocks.factorise(factor, start, width, height, inverseDiagonal, plan.firstRow[column]);
     }
 
     /**

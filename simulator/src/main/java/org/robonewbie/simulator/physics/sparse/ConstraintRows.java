@@ -116,21 +116,30 @@ final class ConstraintRows {
         }
     }
 
-    /** Adds what a row's force does to the accelerations of the bodies. */
+    /** Adds what the forces of a joint's rows do to the accelerations of the bodies. */
     void accelerate(ConstraintJoint joint) {
-        int from = joint.firstRow;
-        int to = from + joint.rowCount();
-        for (int row = from; row < to; row++) {
-            add(firstResponse, row, force[row], joint.first.acceleration);
-            if (joint.second != null) {
-                add(secondResponse, row, force[row], joint.second.acceleration);
-            }
+        add(firstResponse, joint, joint.first.acceleration);
+        if (joint.second != null) {
+            add(secondResponse, joint, joint.second.acceleration);
         }
     }
 
-    private static void add(double[] response, int row, double factor, double[] acceleration) {
-        for (int i = 0; i < 6; i++) {
-            acceleration[i] += response[6 * row + i] * factor;
+    private void add(double[] response, ConstraintJoint joint, double[] acceleration) {
+        int end = joint.firstRow + joint.rowCount();
+        for (int half = 0; half < 6; half += 3) {
+            double x = acceleration[half];
+            double y = acceleration[half + 1];
+            double z = acceleration[half + 2];
+            for (int row = joint.firstRow; row < end; row++) {
+                int at = 6 * row + half;
+                double factor = force[row];
+                x += response[at] * factor;
+                y += response[at + 1] * factor;
+                z += response[at + 2] * factor;
+            }
+            acceleration[half] = x;
+            acceleration[half + 1] = y;
+            acceleration[half + 2] = z;
         }
     }
 
