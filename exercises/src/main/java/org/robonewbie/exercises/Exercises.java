@@ -58,7 +58,7 @@ public final class Exercises {
                     "ArmBySide",
                     "The arm on the side of the other robot",
                     30,
-                    "Raise the arm on whose side another robot is seen; none seen, both arms down.",
+                    "Raise the arm on the side where another robot is seen; none seen, both arms down.",
                     18,
                     ArmBySideTask::new),
             new Exercise(
