@@ -95,7 +95,7 @@ class ProgramInThePageTest {
     @ParameterizedTest
     @CsvSource({
         "nao.setJointSped(0);, Did you mean setJointSpeed?",
-        "Vector3.ZERO.length();, Add at the top of the file: import org.robonewbie.nao.Vector3;",
+        "'new Vector3(1, 2, 3);', Add at the top of the file: import org.robonewbie.nao.Vector3;",
         "org.robonewbie.nao.motion.Posture.ZERO.zzz();, Posture has the methods",
         "int a = 1, Something is missing just before this place"
     })

@@ -16,6 +16,9 @@ public final class Hints {
     private static final Pattern OWNER =
             Pattern.compile("symbol: +method[^\\n]*\\n.*\\b(?:class|interface|of type) (?:\\w+\\.)*(\\w+)");
 
+    /** The compiler takes a class that it does not know for a package, if more than one name follows. */
+    private static final Pattern TAKEN_FOR_PACKAGE = Pattern.compile("package ([A-Z]\\w*) does not exist");
+
     private final FrameworkNames names;
 
     /**
@@ -37,10 +40,16 @@ public final class Hints {
     public record Remark(String code, String place, String text) {
 
         private boolean isUnknownName() {
-            return code.contains("cant.resolve") || code.contains("enum.label");
+            return code.contains("cant.resolve")
+                    || code.contains("enum.label")
+                    || TAKEN_FOR_PACKAGE.matcher(text).find();
         }
 
         private String lastName() {
+            Matcher taken = TAKEN_FOR_PACKAGE.matcher(text);
+            if (taken.find()) {
+                return taken.group(1);
+            }
             String name = place.substring(place.lastIndexOf('.') + 1).strip();
             return name.matches("\\w+") ? name : "";
         }

@@ -42,6 +42,13 @@ class CompilerMessagesTest {
     }
 
     @Test
+    void classThatTheCompilerTakesForAPackageIsKnown() throws IOException {
+        assertThat(messagesFor("", "Vector3.ZERO.length();"))
+                .contains("Add at the top of the file: import org.robonewbie.nao.Vector3;");
+        assertThat(messagesFor("", "Vektor3.ZERO.length();")).contains("Did you mean Vector3?");
+    }
+
+    @Test
     void methodsOfTheClassItselfAreOfferedWhereNothingIsSimilar() throws IOException {
         String imports = "import org.robonewbie.nao.Joint; import org.robonewbie.nao.motion.Posture;";
 
