@@ -83,23 +83,13 @@ class ProgramInThePageTest {
         "new Thread(() -> {}).start();, This page has no threads",
         "new org.robonewbie.exercises.Grader();, press Check",
         "new java.util.Scanner(System.in);, neither files nor a keyboard",
-        "java.time.Instant.now();, nao.getTime()"
-    })
-    void whatThePageLacksIsToldWithWhatToDo(String statement, String advice) {
-        type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        " + statement
-                + "\n    }\n}\n");
-
-        browser.await("document.querySelector('#program-room').innerText.includes(" + Chromium.quoted(advice) + ")");
-    }
-
-    @ParameterizedTest
-    @CsvSource({
+        "java.time.Instant.now();, nao.getTime()",
         "nao.setJointSped(0);, Did you mean setJointSpeed?",
         "'new Vector3(1, 2, 3);', Add at the top of the file: import org.robonewbie.nao.Vector3;",
         "org.robonewbie.nao.motion.Posture.ZERO.zzz();, Posture has the methods",
         "int a = 1, Something is missing just before this place"
     })
-    void mistakeSaysWhatToDo(String statement, String advice) {
+    void remarkSaysWhatToDo(String statement, String advice) {
         type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        " + statement
                 + "\n    }\n}\n");
 

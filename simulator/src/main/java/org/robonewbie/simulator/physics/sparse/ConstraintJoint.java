@@ -28,7 +28,7 @@ abstract class ConstraintJoint {
         }
     }
 
-    /** The number of rows that the joint needs in this step. */
+    /** The number of rows that the joint needs in this step, a multiple of three as {@link DenseBlocks} wants it. */
     abstract int rowCount();
 
     /**
