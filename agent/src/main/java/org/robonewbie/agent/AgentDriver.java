@@ -86,6 +86,7 @@ public final class AgentDriver {
      */
     public void join(AgentLink link, Options options) throws IOException {
         agent.begin(options);
+        link.offerState(new AgentState(agent));
         LinkPort wire = new LinkPort(link, agent.clockwork().senses().buffer());
         new StartDialogue(wire, agent.clockwork(), options).run(() -> {});
         session = new Session(agent.clockwork(), wire, options.seconds(), CycleWatch.NONE);

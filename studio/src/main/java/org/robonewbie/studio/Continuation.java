@@ -3,9 +3,6 @@ package org.robonewbie.studio;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.protocol.order.Order;
@@ -16,12 +13,6 @@ import org.robonewbie.studio.scene.LivingWorld;
 
 /** Continues the running simulation from a kept moment; puppets take the places of robots that have left. */
 final class Continuation implements LivingWorld {
-
-    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
-    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
-
-    /** Longer than a running simulation waits for its agents; only one that has ended does not answer. */
-    private static final long ANSWER_SECONDS = 5;
 
     private final Stage stage;
 
@@ -41,13 +32,17 @@ final class Continuation implements LivingWorld {
 
     @Override
     public Optional<WorldState> save() {
-        return answer(Optional.empty(), stage.simulation()::save);
+        return stage.waitingRoom().answer(Optional.empty(), stage.simulation()::save);
     }
 
     @Override
     public Restored goOnFrom(KeptMoment moment) {
         if (!stage.simulation().hasClock()) {
             throw new IllegalStateException("A server of another process cannot be put into a kept state.");
+        }
+        if (stage.simulation().trial().isPresent()) {
+            throw new IllegalStateException(
+                    "This trial counts, so it goes its way. Go back to a scene when it is over.");
         }
         awaitRobots(moment.state());
         stage.simulation().order(new Order.Pause());
@@ -57,9 +52,11 @@ final class Continuation implements LivingWorld {
     private Restored restore(KeptMoment moment) {
         OptionalInt agents = moment.exact()
                 .filter(state -> players(moment.state()).equals(players(stage.now())))
-                .map(state -> answer(
-                        OptionalInt.empty(),
-                        (Consumer<OptionalInt> receiver) -> stage.simulation().restore(state, receiver)))
+                .map(state -> stage.waitingRoom()
+                        .answer(
+                                OptionalInt.empty(),
+                                (Consumer<OptionalInt> receiver) ->
+                                        stage.simulation().restore(state, receiver)))
                 .orElse(OptionalInt.empty());
         if (agents.isEmpty()) {
             stage.simulation().restore(moment.before(), moment.state());
@@ -98,21 +95,12 @@ final class Continuation implements LivingWorld {
                 .toList();
     }
 
-    private static <T> T answer(T none, Consumer<Consumer<T>> request) {
-        CompletableFuture<T> answer = new CompletableFuture<>();
-        request.accept(answer::complete);
-        return answer.completeOnTimeout(none, ANSWER_SECONDS, TimeUnit.SECONDS).join();
-    }
-
     /** Newcomers need a running clock; whoever does not come is left out. */
     private void awaitRobots(WorldSnapshot state) {
-        long end = System.nanoTime() + PATIENCE_NANOS;
         if (stage.puppets().fillUp(state, stage.now()) == 0 || !stage.puppets().isOpen()) {
             return;
         }
         stage.simulation().order(new Order.Resume());
-        while (stage.puppets().fillUp(state, stage.now()) > 0 && System.nanoTime() < end) {
-            LockSupport.parkNanos(LOOK_NANOS);
-        }
+        stage.waitingRoom().await(() -> stage.puppets().fillUp(state, stage.now()) == 0);
     }
 }

@@ -2,13 +2,7 @@ package org.robonewbie.studio;
 
 import java.io.IOException;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.WorldSnapshot;
@@ -19,16 +13,15 @@ import org.robonewbie.studio.scene.KeptMoment;
 import org.robonewbie.studio.scene.LivingWorld;
 
 /**
- * What people do to the world, one thing after the other on one thread, so that each can be taken back. Each change waits until
- * the moment before it is kept.
+ * What people do to the world, one thing after the other, so that each can be taken back. Each change waits until the moment before
+ * it is kept.
  */
-final class Deeds implements LivingWorld, AutoCloseable {
+final class Deeds implements LivingWorld {
 
     private final Stage stage;
     private final Continuation world;
     private final Consumer<String> teller;
     private final DeedHistory history = new DeedHistory();
-    private final ExecutorService thread = Executors.newSingleThreadExecutor(Deeds::newThread);
     private Optional<WorldChange> last = Optional.empty();
     private volatile Names names = new Names("", "");
 
@@ -47,12 +40,6 @@ final class Deeds implements LivingWorld, AutoCloseable {
         this.teller = teller;
     }
 
-    private static Thread newThread(Runnable work) {
-        Thread made = new Thread(work, "studio-deeds");
-        made.setDaemon(true);
-        return made;
-    }
-
     Names names() {
         return names;
     }
@@ -65,7 +52,7 @@ final class Deeds implements LivingWorld, AutoCloseable {
      * @param act gives the orders
      */
     void change(String name, long gesture, Runnable act) {
-        if (!stage.simulation().hasClock()) {
+        if (!stage.simulation().hasClock() || stage.simulation().trial().isPresent()) {
             act.run();
             return;
         }
@@ -168,14 +155,14 @@ final class Deeds implements LivingWorld, AutoCloseable {
     }
 
     private void later(Runnable work) {
-        try {
-            thread.execute(() -> {
-                carryOut(work);
-                names = new Names(history.nextUndo(), history.nextRedo());
-            });
-        } catch (RejectedExecutionException ended) {
-            // The studio is closing; nobody sees the world any more.
-        }
+        stage.waitingRoom().later(() -> {
+            carryOut(work);
+            nameNext();
+        });
+    }
+
+    private void nameNext() {
+        names = new Names(history.nextUndo(), history.nextRedo());
     }
 
     private void carryOut(Runnable work) {
@@ -203,32 +190,12 @@ final class Deeds implements LivingWorld, AutoCloseable {
 
     @Override
     public Restored goOnFrom(KeptMoment moment) {
-        return answer(() -> {
-            remember(new WorldChange(world, "scene loaded", 0));
-            return world.goOnFrom(moment);
+        return stage.waitingRoom().result(() -> {
+            WorldChange change = new WorldChange(world, "scene loaded", 0);
+            Restored restored = world.goOnFrom(moment);
+            remember(change);
+            nameNext();
+            return restored;
         });
-    }
-
-    private <T> T answer(Supplier<T> work) {
-        CompletableFuture<T> answer = new CompletableFuture<>();
-        later(() -> {
-            try {
-                answer.complete(work.get());
-            } catch (IllegalStateException | IllegalArgumentException refused) {
-                answer.completeExceptionally(refused);
-            }
-        });
-        try {
-            return answer.join();
-        } catch (CompletionException e) {
-            throw e.getCause() instanceof IllegalStateException refused
-                    ? refused
-                    : new IllegalStateException(e.getCause());
-        }
-    }
-
-    @Override
-    public void close() {
-        thread.shutdownNow();
     }
 }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.ServiceLoader;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -15,6 +16,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.protocol.embedded.PuppetProvider;
 import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
@@ -46,6 +48,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private final PuppetDesk puppets;
     private final RoboVizBoard board = new RoboVizBoard();
     private final NumberWishes numbers = new NumberWishes();
+    private final WaitingRoom waitingRoom = new ThreadWaitingRoom();
     private final Deeds deeds = new Deeds(this, this::told);
     private final Queue<MatchEvent> events = new ConcurrentLinkedQueue<>();
     private final Queue<String> sentences = new ConcurrentLinkedQueue<>();
@@ -76,7 +79,8 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     LiveFeed(SimulationControl simulation, Consumer<TelemetryMessage> notes) {
         this.simulation = simulation;
         this.notes = notes;
-        this.puppets = new PuppetDesk(simulation);
+        this.puppets = new PuppetDesk(
+                simulation, ServiceLoader.load(PuppetProvider.class).findFirst());
         sender.setDaemon(true);
     }
 
@@ -107,6 +111,11 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     @Override
     public Deeds deeds() {
         return deeds;
+    }
+
+    @Override
+    public WaitingRoom waitingRoom() {
+        return waitingRoom;
     }
 
     @Override
@@ -285,7 +294,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         simulation.removeObserver(this);
         open = false;
         puppets.close();
-        deeds.close();
+        waitingRoom.close();
         LockSupport.unpark(sender);
         spectators.forEach(Spectator::sayGoodbye);
     }

@@ -4,16 +4,15 @@ import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
-import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.nao.SoccerField;
-import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.embedded.PuppetProvider;
 import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
@@ -24,24 +23,36 @@ import org.robonewbie.simulator.soccer.MatchEvent;
  */
 public final class PageFeed implements TelemetrySink {
 
-    private static final String NOT_HERE =
-            "That needs RoboNewbie on your computer: robots steered by hand, and undo, are not in this page yet.";
-
-    private static final OptionalInt NO_PORT = OptionalInt.of(0);
-
-    private final SoccerField field;
-    private final Consumer<Order> world;
+    private final World world;
     private final Page page;
+    private final SteppedStage stage;
     private final Thoughts thoughts = new Thoughts();
     private final TelemetryHistory memory = new TelemetryHistory();
-    private final NumberWishes numbers = new NumberWishes();
     private final MistakeNews mistakes = new MistakeNews();
     private final List<String> news = new ArrayList<>();
     private Optional<TrialLabel> judged = Optional.empty();
+    private Optional<Deeds.Names> toldDeeds = Optional.empty();
     private boolean ready = true;
     private int sceneRevision;
     private @Nullable LineUp scene;
     private @Nullable ByteBuffer shown;
+
+    /** The world that is shown. What the page asks for is carried out at once, and puppets enter before their maker returns. */
+    public interface World extends SimulationControl, PuppetProvider {
+
+        /** {@return its present state} */
+        WorldSnapshot now();
+
+        @Override
+        default void addObserver(SimulationObserver observer) {
+            throw new UnsupportedOperationException("The feed of the page is the only one that looks at its world.");
+        }
+
+        @Override
+        default void removeObserver(SimulationObserver observer) {
+            throw new UnsupportedOperationException("The feed of the page is the only one that looks at its world.");
+        }
+    }
 
     /** Where the messages go. */
     public interface Page {
@@ -64,14 +75,13 @@ public final class PageFeed implements TelemetrySink {
     /**
      * Prepares to show a world.
      *
-     * @param field its pitch
-     * @param world carries out what the page asks for
+     * @param world what is shown and acted upon; it need not have begun
      * @param page gets the messages
      */
-    public PageFeed(SoccerField field, Consumer<Order> world, Page page) {
-        this.field = field;
+    public PageFeed(World world, Page page) {
         this.world = world;
         this.page = page;
+        this.stage = new SteppedStage(world, this::told);
     }
 
     /**
@@ -81,6 +91,11 @@ public final class PageFeed implements TelemetrySink {
      */
     public void judge(TrialLabel trial) {
         judged = Optional.of(trial);
+    }
+
+    /** {@return what is judged in this world; empty where everybody just plays} */
+    public Optional<TrialLabel> trial() {
+        return judged;
     }
 
     /**
@@ -96,17 +111,11 @@ public final class PageFeed implements TelemetrySink {
             } else if (request instanceof StudioRequest.Watch watch) {
                 thoughts.watch(TelemetryHistory.key(watch.team(), watch.number()));
                 thoughts.remember(memory);
-            } else if (request instanceof StudioRequest.Tune tune) {
-                numbers.put(tune.wish());
-            } else if (request instanceof StudioRequest.Orders clock) {
-                clock.orders().forEach(world);
-            } else if (request instanceof StudioRequest.Change change) {
-                change.orders().forEach(world);
             } else {
-                news.add(LineUpWriter.told(NOT_HERE));
+                request.applyTo(stage);
             }
-        } catch (IllegalArgumentException wrong) {
-            news.add(LineUpWriter.told(String.valueOf(wrong.getMessage())));
+        } catch (IllegalArgumentException | IllegalStateException wrong) {
+            told(String.valueOf(wrong.getMessage()));
         }
     }
 
@@ -157,7 +166,7 @@ public final class PageFeed implements TelemetrySink {
 
     @Override
     public Optional<NumberWishes> wishes() {
-        return Optional.of(numbers);
+        return Optional.of(stage.numbers());
     }
 
     /** {@return whether the page has drawn what it got last} */
@@ -174,7 +183,9 @@ public final class PageFeed implements TelemetrySink {
         if (!ready) {
             return;
         }
+        stage.puppets().place(snapshot);
         tellWhoPlays(snapshot);
+        tellDeeds();
         news.forEach(page::tell);
         news.clear();
         thoughts.take().ifPresent(page::tell);
@@ -189,22 +200,19 @@ public final class PageFeed implements TelemetrySink {
     }
 
     private void tellWhoPlays(WorldSnapshot snapshot) {
-        LineUp current = new LineUp(
-                field,
-                true,
-                NO_PORT,
-                false,
-                judged,
-                snapshot.teamLeft(),
-                snapshot.teamRight(),
-                snapshot.robots().stream()
-                        .map(robot -> LineUp.Player.of(robot, false))
-                        .toList(),
-                snapshot.things().stream().map(LineUp.Standing::of).toList());
+        LineUp current = LineUp.of(world, stage.puppets(), snapshot);
         if (!current.equals(scene)) {
             scene = current;
             sceneRevision++;
             page.tell(LineUpWriter.write(current, sceneRevision));
+        }
+    }
+
+    private void tellDeeds() {
+        Optional<Deeds.Names> names = Optional.of(stage.deeds().names());
+        if (!names.equals(toldDeeds)) {
+            toldDeeds = names;
+            news.add(LineUpWriter.deeds(names.get()));
         }
     }
 }

@@ -1,8 +1,8 @@
 package org.robonewbie.studio;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.ServiceLoader;
 import java.util.concurrent.ConcurrentHashMap;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
@@ -17,8 +17,7 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * The robots that people steer from the page, before any line of code is written. They join as ordinary agents do; the class that
- * moves them is found by {@link ServiceLoader}.
+ * The robots that people steer from the page, before any line of code is written. They join as ordinary agents do.
  */
 final class PuppetDesk {
 
@@ -31,19 +30,27 @@ final class PuppetDesk {
     private static final double METRES_BETWEEN = 0.5;
 
     private final SimulationControl simulation;
-    private final Optional<PuppetProvider> provider =
-            ServiceLoader.load(PuppetProvider.class).findFirst();
+    private final Optional<PuppetProvider> provider;
     private final Map<PlayerNumber, Puppet> puppets = new ConcurrentHashMap<>();
     /** Puppets on their way, and since which cycle each has been in the game. */
     private final Map<PlayerNumber, Long> arriving = new ConcurrentHashMap<>();
 
-    PuppetDesk(SimulationControl simulation) {
+    /**
+     * Opens the desk.
+     *
+     * @param simulation the world that puppets join
+     * @param provider makes them; empty where there are none
+     */
+    PuppetDesk(SimulationControl simulation, Optional<PuppetProvider> provider) {
         this.simulation = simulation;
+        this.provider = provider;
     }
 
-    /** Whether puppets can join this simulation. */
+    /** Whether puppets can join this simulation, which no judge looks at. */
     boolean isOpen() {
-        return provider.isPresent() && simulation.hasClock();
+        return provider.isPresent()
+                && simulation.hasClock()
+                && simulation.trial().isEmpty();
     }
 
     boolean isPuppet(RobotSnapshot robot) {
@@ -73,7 +80,7 @@ final class PuppetDesk {
 
     /** Puts puppets behind the ball, where they can kick it at once, as soon as they have taken their places in the line-up. */
     void place(WorldSnapshot now) {
-        for (PlayerNumber player : arriving.keySet()) {
+        for (PlayerNumber player : List.copyOf(arriving.keySet())) {
             find(now, player).ifPresent(robot -> {
                 long joined = arriving.merge(player, now.cycle(), Math::min);
                 if (now.cycle() - joined >= CYCLES_TO_LINE_UP) {

@@ -13,6 +13,9 @@ interface Stage {
     /** What people do to the world, so that it can be undone. */
     Deeds deeds();
 
+    /** Where what people do waits for the world. */
+    WaitingRoom waitingRoom();
+
     /** What people want of the numbers of robots' programs. */
     NumberWishes numbers();
 

@@ -126,7 +126,8 @@ class JavaScriptTest {
                     3.5);
             Files.writeString(
                     folder.resolve("scene.json"),
-                    LineUpWriter.write(LineUp.of(simulation, new PuppetDesk(simulation), snapshot), 7));
+                    LineUpWriter.write(
+                            LineUp.of(simulation, new PuppetDesk(simulation, Optional.empty()), snapshot), 7));
             ByteBuffer frame = StateFrame.write(snapshot, 7);
             byte[] bytes = new byte[frame.remaining()];
             frame.get(bytes);

@@ -8,9 +8,14 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.embedded.Puppet;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.order.Order;
@@ -18,8 +23,11 @@ import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.TrialLabel;
+import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 import org.robonewbie.simulator.cycle.WorldSettings;
+import org.robonewbie.simulator.state.WorldState;
 
 class PageFeedTest {
 
@@ -30,7 +38,7 @@ class PageFeedTest {
     private final List<Order> clock = new ArrayList<>();
     private final List<JsonObject> told = new ArrayList<>();
     private final List<byte[]> frames = new ArrayList<>();
-    private final PageFeed feed = new PageFeed(settings.parameters().field(), this::order, new PageFeed.Page() {
+    private final PageFeed feed = new PageFeed(new ShownWorld(), new PageFeed.Page() {
 
         @Override
         public void tell(String json) {
@@ -43,11 +51,46 @@ class PageFeedTest {
         }
     });
 
-    private void order(Order order) {
-        if (order instanceof Order.Clock) {
-            clock.add(order);
-        } else {
-            world.order(order);
+    /** The world with a clock that only notes what it is told. */
+    private final class ShownWorld implements PageFeed.World {
+
+        @Override
+        public WorldSnapshot now() {
+            return world.snapshot(false, 1);
+        }
+
+        @Override
+        public SoccerField field() {
+            return settings.parameters().field();
+        }
+
+        @Override
+        public void order(Order order) {
+            if (order instanceof Order.Clock) {
+                clock.add(order);
+            } else {
+                world.order(order);
+            }
+        }
+
+        @Override
+        public Optional<TrialLabel> trial() {
+            return feed.trial();
+        }
+
+        @Override
+        public void save(Consumer<Optional<WorldState>> receiver) {
+            receiver.accept(Optional.of(world.save()));
+        }
+
+        @Override
+        public void restore(WorldState state, Consumer<OptionalInt> receiver) {
+            receiver.accept(OptionalInt.of(world.goOnFrom(state)));
+        }
+
+        @Override
+        public Puppet start(AgentLink link, String team, int number, int type) {
+            throw new IllegalStateException("Nobody enters this world.");
         }
     }
 
@@ -72,7 +115,7 @@ class PageFeedTest {
     void pageLearnsWhoPlaysBeforeTheFirstFrame() {
         show();
 
-        assertThat(told).extracting(news -> news.get("kind").getAsString()).containsExactly("scene");
+        assertThat(told).extracting(news -> news.get("kind").getAsString()).containsExactly("scene", "deeds");
         assertThat(told.get(0).getAsJsonArray("robots")).hasSize(1);
         assertThat(frames).hasSize(1);
     }
@@ -88,7 +131,7 @@ class PageFeedTest {
         show();
 
         assertThat(frames).hasSize(2);
-        assertThat(told).hasSize(1);
+        assertThat(told).hasSize(2);
     }
 
     @Test
@@ -106,16 +149,62 @@ class PageFeedTest {
     }
 
     @Test
-    void whatIsNotInThePageIsSaid() {
-        feed.ask("{\"do\":\"addPuppet\",\"side\":\"left\"}");
+    void whatCannotBeDoneIsSaid() {
+        feed.ask("{\"do\":\"walk\",\"side\":\"left\",\"number\":1,\"forward\":1,\"left\":0,\"turn\":0}");
         feed.ask("{\"do\":\"fly\"}");
         show();
 
-        assertThat(told.subList(1, 3))
-                .extracting(news -> news.get("text").getAsString())
+        assertThat(sentences())
                 .containsExactly(
-                        "That needs RoboNewbie on your computer: robots steered by hand, and undo, are not in this page yet.",
+                        "This robot has a program of its own. Only puppets can be steered by hand.",
                         "The studio does not know the command \"fly\". Load the page again.");
+    }
+
+    @Test
+    void whatWasDoneIsTakenBackToTheBitAndDoneAgain() {
+        feed.ask("{\"do\":\"placeBall\",\"gesture\":7,\"x\":1,\"y\":2,\"z\":0.1}");
+        feed.ask("{\"do\":\"placeBall\",\"gesture\":7,\"x\":2,\"y\":2,\"z\":0.1}");
+        show();
+        assertThat(last("deeds").get("undo").getAsString()).isEqualTo("ball moved");
+
+        feed.ask("{\"do\":\"undo\"}");
+        assertThat(ball().x()).isZero();
+        feed.ask("{\"do\":\"redo\"}");
+        feed.ask("{\"do\":\"redo\"}");
+        feed.ask("{\"do\":\"seen\"}");
+        show();
+
+        assertThat(ball().x()).isEqualTo(2);
+        assertThat(sentences())
+                .containsExactly("Undone: ball moved.", "Done again: ball moved.", "There is nothing to redo.");
+    }
+
+    @Test
+    void nothingIsTakenBackInATrialThatCounts() {
+        feed.judge(new TrialLabel("walk", 1, 1));
+        feed.ask("{\"do\":\"placeBall\",\"x\":1,\"y\":2,\"z\":0.1}");
+        show();
+
+        assertThat(last("deeds").get("undo").getAsString()).isEmpty();
+        assertThat(last("scene").get("puppets").getAsBoolean()).isFalse();
+    }
+
+    private Vector3 ball() {
+        return world.snapshot(false, 1).ballPosition();
+    }
+
+    private JsonObject last(String kind) {
+        return told.stream()
+                .filter(news -> news.get("kind").getAsString().equals(kind))
+                .reduce((first, second) -> second)
+                .orElseThrow();
+    }
+
+    private List<String> sentences() {
+        return told.stream()
+                .filter(news -> news.get("kind").getAsString().equals("told"))
+                .map(news -> news.get("text").getAsString())
+                .toList();
     }
 
     @Test
@@ -127,7 +216,7 @@ class PageFeedTest {
         world.messages(id -> id == robot.id()).forEach(messages -> feed.exchanged(robot, messages));
         show();
 
-        JsonObject telemetry = told.get(1);
+        JsonObject telemetry = last("telemetry");
         assertThat(feed.watches(robot)).isTrue();
         assertThat(telemetry.getAsJsonArray("lines").toString()).contains("hello");
         assertThat(telemetry.getAsJsonArray("messages").toString()).contains("(he1 2)", "(HJ (n hj1)");
@@ -140,6 +229,8 @@ class PageFeedTest {
         }
         show();
 
-        assertThat(told).extracting(news -> news.get("kind").getAsString()).containsExactly("scene", "mistake");
+        assertThat(told)
+                .extracting(news -> news.get("kind").getAsString())
+                .containsExactly("scene", "mistake", "deeds");
     }
 }

@@ -5,11 +5,15 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.Options;
+import org.robonewbie.agent.puppet.SteeredRobot;
+import org.robonewbie.protocol.embedded.Puppet;
+import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.WorldSnapshot;
@@ -21,7 +25,7 @@ import org.robonewbie.studio.PageFeed;
 import org.robonewbie.web.bytecode.Program;
 
 /** The beginners' world, in which everybody may do everything, with shipped agents and one program of a student. */
-final class FreePitch implements WatchedWorld {
+final class FreePitch implements OpenWorld {
 
     private static final String GUESTS = "Guests";
     private static final int TEAMS = 2;
@@ -130,6 +134,49 @@ final class FreePitch implements WatchedWorld {
                 .map(robot -> robot.team() + " " + robot.number() + " " + robot.side() + " " + robot.type())
                 .sorted()
                 .toList();
+    }
+
+    @Override
+    public Optional<WorldState> save() {
+        return simulator.isReady() ? Optional.of(simulator.save()) : Optional.empty();
+    }
+
+    @Override
+    public OptionalInt goOnFrom(WorldState state) {
+        try {
+            return simulator.isReady() ? OptionalInt.of(simulator.goOnFrom(state)) : OptionalInt.empty();
+        } catch (IllegalArgumentException ofAnotherWorld) {
+            return OptionalInt.empty();
+        }
+    }
+
+    @Override
+    public void goOnFrom(WorldSnapshot before, WorldSnapshot moment) {
+        simulator.goOnFrom(before, moment);
+    }
+
+    @Override
+    public AgentLink connect() {
+        return simulator.connect(this::cycle);
+    }
+
+    @Override
+    public Puppet start(AgentLink link, String team, int number, int type) {
+        PagePuppet puppet = new PagePuppet(new PatientLink(link), SteeredRobot.options(team, number, type));
+        Player player = new Player(puppet::goOn);
+        puppet.whenLeft(() -> leave(player));
+        add(player);
+        return puppet;
+    }
+
+    /** A robot leaves when its next message is due, so the world goes on until then, also a paused one. */
+    private void leave(Player player) {
+        int before = seats().size();
+        players.remove(player);
+        cycleUntil(() -> {
+            simulator.isReady();
+            return seats().size() < before;
+        });
     }
 
     @Override

@@ -1,20 +1,28 @@
 package org.robonewbie.web;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.SoccerField;
+import org.robonewbie.protocol.embedded.Puppet;
+import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.PageFeed;
 
 /** A world that a page watches, and its clock; it goes on a little in each turn of the page's worker. */
-final class LiveWorld {
+final class LiveWorld implements PageFeed.World {
 
     private static final long LONGEST_TURN_NANOS = 15_000_000;
     private static final double MOST_BEHIND_SECONDS = 0.2;
     private static final double SMOOTHING_SECONDS = 1;
+    private static final OptionalInt NO_PORT = OptionalInt.of(0);
 
     private final PageFeed feed;
     private WatchedWorld world;
@@ -31,7 +39,7 @@ final class LiveWorld {
      * @param maker makes the world, which tells what happens to the feed of the page
      */
     LiveWorld(PageFeed.Page page, Function<PageFeed, ? extends WatchedWorld> maker) {
-        feed = new PageFeed(SoccerField.BEGINNER, this::order, page);
+        feed = new PageFeed(this, page);
         world = maker.apply(feed);
     }
 
@@ -65,7 +73,7 @@ final class LiveWorld {
         long before = world.cycles();
         owedSeconds = Math.min(owedSeconds, MOST_BEHIND_SECONDS) + seconds * speed;
         List<RobotSnapshot> watched =
-                snapshot().robots().stream().filter(feed::watches).toList();
+                now().robots().stream().filter(feed::watches).toList();
         while (mayGoOn() && System.nanoTime() - begin < LONGEST_TURN_NANOS) {
             cycle(watched);
         }
@@ -73,7 +81,7 @@ final class LiveWorld {
         double factor = (world.cycles() - before) * Cycle.SECONDS / Math.max(seconds, 1e-3);
         realTimeFactor += weight * (factor - realTimeFactor);
         if (feed.isReady()) {
-            feed.show(snapshot());
+            feed.show(now());
         }
     }
 
@@ -90,12 +98,29 @@ final class LiveWorld {
         }
     }
 
-    private WorldSnapshot snapshot() {
+    @Override
+    public WorldSnapshot now() {
         boolean stands = paused || world.isOver();
         return world.snapshot(stands, speed).withPace(stands, speed, realTimeFactor);
     }
 
-    private void order(Order order) {
+    @Override
+    public SoccerField field() {
+        return SoccerField.BEGINNER;
+    }
+
+    @Override
+    public Optional<TrialLabel> trial() {
+        return feed.trial();
+    }
+
+    @Override
+    public OptionalInt agentPort() {
+        return NO_PORT;
+    }
+
+    @Override
+    public void order(Order order) {
         if (order instanceof Order.Pause) {
             hold(0);
         } else if (order instanceof Order.Resume) {
@@ -115,5 +140,34 @@ final class LiveWorld {
         paused = true;
         stepsLeft = cycles;
         owedSeconds = 0;
+    }
+
+    @Override
+    public void save(Consumer<Optional<WorldState>> receiver) {
+        receiver.accept(open().flatMap(OpenWorld::save));
+    }
+
+    @Override
+    public void restore(WorldState state, Consumer<OptionalInt> receiver) {
+        receiver.accept(open().map(free -> free.goOnFrom(state)).orElse(OptionalInt.empty()));
+    }
+
+    @Override
+    public void restore(WorldSnapshot before, WorldSnapshot moment) {
+        open().ifPresent(free -> free.goOnFrom(before, moment));
+    }
+
+    @Override
+    public Optional<AgentLink> connect() {
+        return open().map(OpenWorld::connect);
+    }
+
+    @Override
+    public Puppet start(AgentLink link, String team, int number, int type) {
+        return open().orElseThrow().start(link, team, number, type);
+    }
+
+    private Optional<OpenWorld> open() {
+        return world instanceof OpenWorld free ? Optional.of(free) : Optional.empty();
     }
 }

@@ -2,6 +2,7 @@ package org.robonewbie.web;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
@@ -42,6 +43,11 @@ final class PatientLink implements AgentLink {
     @Override
     public boolean receive(MessageBuffer message) throws IOException {
         return (patient || link.isMessageWaiting()) && link.receive(message);
+    }
+
+    @Override
+    public void offerState(Restorable agent) {
+        link.offerState(agent);
     }
 
     @Override

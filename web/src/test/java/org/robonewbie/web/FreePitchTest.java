@@ -2,15 +2,14 @@ package org.robonewbie.web;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.examples.Agent_BetterSoccer;
 import org.robonewbie.examples.Agent_SimpleSoccer;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.studio.PageFeed;
 import org.robonewbie.web.bytecode.JavaSource;
 import org.robonewbie.web.bytecode.Program;
 
@@ -119,15 +118,12 @@ class FreePitchTest {
     }
 
     private static FreePitch pitch(MemoryRecording recording) {
-        PageFeed feed = new PageFeed(SoccerField.BEGINNER, order -> {}, new PageFeed.Page() {
-
-            @Override
-            public void tell(String json) {}
-
-            @Override
-            public void show(byte[] frame) {}
+        List<FreePitch> made = new ArrayList<>();
+        new LiveWorld(new SilentPage(), feed -> {
+            made.add(new FreePitch(1, feed, recording));
+            return made.get(0);
         });
-        return new FreePitch(1, feed, recording);
+        return made.get(0);
     }
 
     private static FreePitch played(FreePitch pitch) {

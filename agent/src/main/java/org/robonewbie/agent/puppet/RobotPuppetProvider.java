@@ -1,6 +1,5 @@
 package org.robonewbie.agent.puppet;
 
-import org.robonewbie.agent.Options;
 import org.robonewbie.protocol.embedded.Puppet;
 import org.robonewbie.protocol.embedded.PuppetProvider;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -13,10 +12,6 @@ public final class RobotPuppetProvider implements PuppetProvider {
 
     @Override
     public Puppet start(AgentLink link, String team, int number, int type) {
-        Options options = Options.none()
-                .with("team", team)
-                .with("number", Integer.toString(number))
-                .with("type", Integer.toString(type));
-        return RobotPuppet.start(link, options);
+        return RobotPuppet.start(link, SteeredRobot.options(team, number, type));
     }
 }

@@ -1,5 +1,5 @@
 /**
- * Robots that people move by hand from the studio; each turns its cycle in a thread of its own.
+ * Robots that people move by hand from the studio. In the studio each turns its cycle in a thread of its own.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

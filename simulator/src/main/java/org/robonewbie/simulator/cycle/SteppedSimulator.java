@@ -214,10 +214,21 @@ public final class SteppedSimulator implements AutoCloseable {
      * go on. Messages that were under way are left out.
      *
      * @param state the state of a simulation with the same settings
+     * @return how many agents have taken on their own states as well
      * @throws IllegalArgumentException if the settings differ or the state is damaged
      */
-    public void goOnFrom(WorldState state) {
-        cycle.goOnFrom(state);
+    public int goOnFrom(WorldState state) {
+        return cycle.goOnFrom(state);
+    }
+
+    /**
+     * Goes on nearly from a state that was seen before; robots that do not play now are left out.
+     *
+     * @param before an earlier state, from which the velocities are taken; the same state for a world at rest
+     * @param moment the state to go on from
+     */
+    public void goOnFrom(WorldSnapshot before, WorldSnapshot moment) {
+        cycle.restore(before, moment);
     }
 
     @Override
