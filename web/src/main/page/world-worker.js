@@ -93,6 +93,12 @@ const DEEDS = {
       exports.takeMotion?.(name, file);
     }
   },
+  scenes: (exports, scenes) => {
+    exports.forgetScenes();
+    for (const [name, bytes] of scenes) {
+      exports.takeScene(name, bytes);
+    }
+  },
   exercise: (exports, wanted) => {
     language = wanted.language;
     beginWith(exports, wanted.classes, () => exports.beginExercise(wanted.name, wanted.trials));

@@ -10,6 +10,7 @@ import { ProgramServer } from './program-server.js';
 import { ProgramShelf } from './program-shelf.js';
 import { addTakeaways } from './program-takeaway.js';
 import { ReplayServer } from './replay-server.js';
+import { SceneServer } from './scene-server.js';
 import { sharedProgram } from './share.js';
 import { WorldConnection } from './world-connection.js';
 import { world } from './world-process.js';
@@ -31,18 +32,20 @@ async function begin(worker) {
   const course = new CourseServer(worker, shelf, programs);
   const questions = new WorldQuestions(worker);
   const motions = new MotionServer(questions);
+  const scenes = new SceneServer(questions);
   worker.ownMotions = () => motions.own;
   motions.changed = () => worker.postMessage({ motions: motions.own });
   answerInsteadOfServer({
     programs,
     course,
     ...motions.parts,
+    ...scenes.parts,
     ...new ReplayServer(questions).parts,
   });
   options.set('token', TOKEN);
   const studio = new Studio(
     options,
-    (listener) => new WorldConnection(worker, listener, choice, { programs, course, questions }),
+    (listener) => new WorldConnection(worker, listener, choice, { programs, course, questions, scenes }),
   );
   Object.assign(window, { studio });
   addTakeaways(() => studio.rooms.program, shelf);

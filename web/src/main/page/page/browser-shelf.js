@@ -1,5 +1,19 @@
 /** Texts with names, kept by the browser: closed and opened again, the page has them all. */
 
+const CHUNK = 8192;
+
+/** Some things are bytes, and the browser's memory takes texts: a character for each byte. @param {Uint8Array} bytes */
+export function asText(bytes) {
+  let text = '';
+  for (let i = 0; i < bytes.length; i += CHUNK) {
+    text += String.fromCharCode(...bytes.subarray(i, i + CHUNK));
+  }
+  return text;
+}
+
+/** @param {string} text @returns {Uint8Array<ArrayBuffer>} */
+export const asBytes = (text) => Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+
 /** @param {string} text @returns {string} another one for another text */
 export function versionOf(text) {
   let hash = 5381;

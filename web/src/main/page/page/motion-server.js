@@ -1,20 +1,7 @@
 /** Answers what the motion editor asks its server: motions of the browser, those of the library, and trials on a physical robot. */
-import { BrowserShelf, versionOf } from './browser-shelf.js';
+import { asBytes, asText, BrowserShelf, versionOf } from './browser-shelf.js';
 
 const POSES = 'poses';
-const CHUNK = 8192;
-
-/** Motions are bytes, and the browser's memory takes texts: a character for each byte. @param {Uint8Array} bytes */
-function asText(bytes) {
-  let text = '';
-  for (let i = 0; i < bytes.length; i += CHUNK) {
-    text += String.fromCharCode(...bytes.subarray(i, i + CHUNK));
-  }
-  return text;
-}
-
-/** @param {string} text @returns {Uint8Array<ArrayBuffer>} */
-const asBytes = (text) => Uint8Array.from(text, (letter) => letter.charCodeAt(0));
 
 /** @param {RequestInit} options */
 const bodyOf = async (options) => new Uint8Array(await new Response(options.body).arrayBuffer());

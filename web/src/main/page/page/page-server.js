@@ -2,11 +2,6 @@
 
 const NOT_HERE = 'That is not in this page yet. RoboNewbie on your computer has it.';
 
-/** What is there, by the path behind `api/`. @type {Record<string, object>} */
-const EMPTY = {
-  scenes: { scenes: [] },
-};
-
 /**
  * @typedef {{answer: (place: string, options: RequestInit) => Promise<Response>}} Part of a server
  * @param {Record<string, Part>} parts by the first word of their places
@@ -34,6 +29,5 @@ async function answer(place, options, parts) {
       return new Response(/** @type {Error} */ (failure).message, { status: 400 });
     }
   }
-  const content = EMPTY[place];
-  return content ? Response.json(content) : new Response(NOT_HERE, { status: 404 });
+  return new Response(NOT_HERE, { status: 404 });
 }

@@ -11,11 +11,13 @@ export class WorldConnection {
    * @param {import('./program-server.js').ProgramServer} servers.programs
    * @param {import('./course-server.js').CourseServer} servers.course
    * @param {import('./world-questions.js').WorldQuestions} servers.questions
+   * @param {import('./scene-server.js').SceneServer} servers.scenes
    */
-  constructor(worker, listener, choice, { programs, course, questions }) {
+  constructor(worker, listener, choice, { programs, course, questions, scenes }) {
     this.programs = programs;
     this.course = course;
     this.questions = questions;
+    this.scenes = scenes;
     this.listener = listener;
     this.choice = choice;
     this.worker = worker;
@@ -64,6 +66,8 @@ export class WorldConnection {
       this.course.heard(data.attempt);
     } else if ('result' in data) {
       this.questions.answered(data);
+    } else if ('scene' in data) {
+      this.scenes.keep(data.scene);
     } else if ('refusal' in data) {
       this.#refuse(data.refusal);
     } else {

@@ -93,6 +93,11 @@ public final class PageFeed implements TelemetrySink {
         judged = Optional.of(trial);
     }
 
+    /** What the page can act upon. */
+    SteppedStage stage() {
+        return stage;
+    }
+
     /** {@return what is judged in this world; empty where everybody just plays} */
     public Optional<TrialLabel> trial() {
         return judged;

@@ -8,7 +8,9 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
 import org.robonewbie.studio.PageMotions;
+import org.robonewbie.studio.PageScenes;
 import org.robonewbie.studio.file.RefusedException;
+import org.robonewbie.studio.scene.SceneShelf;
 import org.teavm.jso.JSBody;
 import org.teavm.jso.typedarrays.Int8Array;
 
@@ -17,6 +19,8 @@ final class PageStage {
 
     /** The page behind this worker. */
     static final PageFeed.Page PAGE = new Page();
+
+    private static final PageScenes SCENES = new PageScenes(new Browser());
 
     private static @Nullable LiveWorld world;
     private static Optional<FreePitch> pitch = Optional.empty();
@@ -102,6 +106,41 @@ final class PageStage {
             return String.valueOf(refused.getMessage());
         }
     }
+
+    /** The scenes, which the browser hands over before each request. */
+    static SceneShelf scenes() {
+        return SCENES.shelf();
+    }
+
+    /** Saves, renames, removes or lists scenes, or goes back to one; returns a JSON object, or why that cannot be as a sentence. */
+    static String scenes(String method, String name, String old) {
+        try {
+            return world == null ? "The world has not begun yet." : SCENES.answer(world.feed(), method, name, old);
+        } catch (RefusedException refused) {
+            return String.valueOf(refused.getMessage());
+        }
+    }
+
+    private static final class Browser implements SceneShelf.Keeper {
+
+        @Override
+        public void keep(String name, byte[] scene) {
+            keepScene(name, Int8Array.copyFromJavaArray(scene));
+        }
+
+        @Override
+        public void forget(String name) {
+            forgetScene(name);
+        }
+    }
+
+    @JSBody(
+            params = {"name", "bytes"},
+            script = "self.postMessage({ scene: { name: name, bytes: bytes } });")
+    private static native void keepScene(String name, Int8Array bytes);
+
+    @JSBody(params = "name", script = "self.postMessage({ scene: { name: name } });")
+    private static native void forgetScene(String name);
 
     private static final class Page implements PageFeed.Page {
 

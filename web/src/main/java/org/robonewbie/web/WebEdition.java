@@ -98,6 +98,36 @@ public final class WebEdition {
         return PageStage.recordingFrom(known);
     }
 
+    /** Forgets the scenes that the page has handed over, before it does so once more. */
+    @JSExport
+    public static void forgetScenes() {
+        PageStage.scenes().clear();
+    }
+
+    /**
+     * Takes a scene that the browser keeps.
+     *
+     * @param name of the scene
+     * @param bytes the scene
+     */
+    @JSExport
+    public static void takeScene(String name, Int8Array bytes) {
+        PageStage.scenes().take(name, bytes.copyToJavaArray());
+    }
+
+    /**
+     * Saves, renames, removes or lists scenes, or goes back to one.
+     *
+     * @param method PUT, DELETE, POST, or GET for the list
+     * @param name the scene
+     * @param old the scene that is renamed; empty if none is
+     * @return one JSON object; or why that cannot be, as a sentence
+     */
+    @JSExport
+    public static String scenes(String method, String name, String old) {
+        return PageStage.scenes(method, name, old);
+    }
+
     /**
      * Does what the page asks for.
      *

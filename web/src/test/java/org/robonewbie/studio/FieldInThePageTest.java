@@ -9,7 +9,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The room Field of the static page: what people do to the world can be taken back, and robots are steered by hand. */
+/** The room Field of the static page: what people do to the world can be taken back, scenes are kept, and robots are steered by hand. */
 @InBrowser
 @Timeout(300)
 class FieldInThePageTest {
@@ -68,6 +68,47 @@ class FieldInThePageTest {
         browser.await("(" + STATE + ") === '" + before + "'");
         browser.click("#world-redo");
         browser.await(SAYS + "'Done again: ball moved.' && Math.abs(" + BALL + "[0] - 5) < 0.01");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void sceneIsThereInThePageThatIsOpenedAgainAndComesBackToTheBit() {
+        pause();
+        send("{do: 'placeBall', gesture: 7, x: 1, y: 1, z: 0.042}");
+        browser.await("Math.abs(" + BALL + "[0] - 1) < 0.01");
+        String kept = state();
+        browser.fill("#scene-name", "Corner");
+        browser.click("#scene-save");
+        browser.await("document.querySelector('#scene-list').value === 'Corner'");
+
+        browser.visit("about:blank");
+        browser.visit(server.address());
+        browser.await("document.querySelector('#scene-list')?.value === 'Corner' && studio.state.frame.cycle > 100");
+        browser.click("#scene-restore");
+
+        browser.await("studio.state.frame.paused && (" + STATE + ") === '" + kept + "'");
+        browser.await(
+                SAYS + "'The world is exactly as it was. Agents are not restored: they keep what they remember.'");
+        browser.await(NEXT + "'Undo: scene loaded (Ctrl+Z)'");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void sceneIsRenamedDeletedAndBroughtBack() {
+        browser.fill("#scene-name", "Before the kick");
+        browser.click("#scene-save");
+        browser.await("document.querySelector('#scene-list').value === 'Before the kick'");
+        browser.fill("#scene-name", "Free kick");
+        browser.click("#scene-rename");
+        browser.await("document.querySelector('#scene-list').value === 'Free kick'");
+        browser.click("#scene-remove");
+        browser.await("document.querySelector('#scene-list').options.length === 0");
+
+        browser.click("#world-undo");
+
+        browser.await("document.querySelector('#scene-list').value === 'Free kick'");
+        browser.click("#world-undo");
+        browser.await("document.querySelector('#scene-list').value === 'Before the kick'");
         assertThat(browser.complaints()).isEmpty();
     }
 

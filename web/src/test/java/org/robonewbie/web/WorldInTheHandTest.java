@@ -8,12 +8,16 @@ import com.google.gson.JsonParser;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.examples.Agent_BetterSoccer;
 import org.robonewbie.examples.Agent_SimpleSoccer;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.studio.PageFeed;
+import org.robonewbie.web.bytecode.JavaSource;
+import org.robonewbie.web.bytecode.Program;
 
 /** What people do to the world of the page: it is taken back, and robots are steered by hand. */
 class WorldInTheHandTest {
@@ -73,6 +77,49 @@ class WorldInTheHandTest {
         assertThat(world.now().robots()).hasSize(2);
         assertThat(sentences())
                 .containsExactly("Undone: ball moved. The world is nearly as it was: speeds are estimated.");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"""
+            import org.robonewbie.agent.Agent;
+            import org.robonewbie.nao.Joint;
+            public class Raising extends Agent {
+                protected void think() {
+                    nao.setJointAngle(Joint.LEFT_SHOULDER_PITCH, 60, 90);
+                }
+            }
+            """, """
+            import org.robonewbie.agent.Nao;
+            import org.robonewbie.nao.Joint;
+            public class Raising {
+                public static void main(String[] args) {
+                    Nao nao = Nao.connect(args);
+                    nao.perform("wave");
+                    while (nao.sense()) {
+                        nao.setJointAngle(Joint.LEFT_SHOULDER_PITCH, 60, 90);
+                        nao.act();
+                    }
+                }
+            }
+            """})
+    void programOfAStudentSeesTheWorldJumpAndGoesOn(String text) {
+        StudentRun run = new StudentRun();
+        pitches.get(0).with(new Program(JavaSource.compile("Raising", text).values()), run);
+        goOn(20);
+        world.ask("{\"do\":\"pause\"}");
+        List<Pose> before = torsos();
+        world.ask("{\"do\":\"placeRobot\",\"side\":\"left\",\"number\":2,\"x\":-3,\"y\":2,\"z\":0.4,"
+                + "\"headingDegrees\":90}");
+        step(3);
+
+        world.ask("{\"do\":\"undo\"}");
+
+        assertThat(torsos()).isEqualTo(before);
+        world.ask("{\"do\":\"resume\"}");
+        goOn(600);
+        assertThat(run.text()).isEqualTo("RUNNING\t0\t");
+        assertThat(robot(2).body().degrees(Joint.LEFT_SHOULDER_PITCH)).isBetween(59.0, 61.0);
+        assertThat(sentences()).containsExactly("Undone: robot moved.");
     }
 
     @Test
@@ -147,6 +194,10 @@ class WorldInTheHandTest {
                 .filter(robot -> robot.number() == number)
                 .findFirst()
                 .orElseThrow();
+    }
+
+    private List<Pose> torsos() {
+        return world.now().robots().stream().map(robot -> robot.body().torso()).toList();
     }
 
     private List<String> sentences() {

@@ -68,11 +68,32 @@ public final class RecordingReader implements AutoCloseable {
      */
     public static RecordingReader of(InputStream raw, String name) throws IOException {
         try {
-            RecordingReader reader = new RecordingReader(new BufferedInputStream(new GZIPInputStream(raw)));
+            return ofUnpacked(new BufferedInputStream(new GZIPInputStream(raw)), name);
+        } catch (ZipException | EOFException e) {
+            throw damaged(name, e);
+        }
+    }
+
+    private static DamagedRecordingException damaged(String name, IOException reason) {
+        return new DamagedRecordingException(name + " is not a recording of RoboNewbie, or it is damaged.", reason);
+    }
+
+    /**
+     * Begins to read a recording that is not compressed, as a {@link RecordingTarget} gets it.
+     *
+     * @param raw the bytes; closed with the reader
+     * @param name how to call it in messages
+     * @return the reader, before the first cycle
+     * @throws DamagedRecordingException if it is no recording; the message says so
+     * @throws IOException if it cannot be read
+     */
+    public static RecordingReader ofUnpacked(InputStream raw, String name) throws IOException {
+        try {
+            RecordingReader reader = new RecordingReader(raw);
             reader.readBeginning(name);
             return reader;
         } catch (ZipException | EOFException e) {
-            throw new DamagedRecordingException(name + " is not a recording of RoboNewbie, or it is damaged.", e);
+            throw damaged(name, e);
         }
     }
 
@@ -131,7 +152,9 @@ public final class RecordingReader implements AutoCloseable {
         }
         source.getByte();
         source.getUnsigned();
-        source.getText().lines().forEach(this::readHeaderLine);
+        for (String line : source.getText().split("\n", -1)) {
+            readHeaderLine(line);
+        }
     }
 
     private void readHeaderLine(String line) {

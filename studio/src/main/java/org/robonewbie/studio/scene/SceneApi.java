@@ -1,7 +1,5 @@
 package org.robonewbie.studio.scene;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.net.URLDecoder;
 import java.nio.charset.StandardCharsets;
@@ -13,7 +11,6 @@ import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
-import org.eclipse.jetty.util.Fields;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.simulator.recording.DamagedRecordingException;
 import org.robonewbie.studio.file.Answer;
@@ -38,8 +35,8 @@ public final class SceneApi extends Handler.Abstract {
     private static final String START = "/api/start/";
 
     private final SceneFolder folder;
+    private final SceneDesk desk;
     private final LivingWorld world;
-    private final Consumer<Deed> done;
     private final Function<String, Optional<Path>> recordings;
 
     /**
@@ -52,8 +49,8 @@ public final class SceneApi extends Handler.Abstract {
      */
     public SceneApi(Path folder, LivingWorld world, Consumer<Deed> done, Function<String, Optional<Path>> recordings) {
         this.folder = new SceneFolder(folder);
+        this.desk = new SceneDesk(this.folder, folder.toAbsolutePath().toString(), world, done);
         this.world = world;
-        this.done = done;
         this.recordings = recordings;
     }
 
@@ -77,39 +74,13 @@ public final class SceneApi extends Handler.Abstract {
 
     private String answer(Request request, String path) throws IOException {
         if (path.startsWith(START) && request.getMethod().equals("POST")) {
-            return written(start(decoded(path.substring(START.length())), moment(request)));
+            return SceneDesk.written(start(decoded(path.substring(START.length())), moment(request)));
         }
         String name = path.equals(SCENES) ? "" : decoded(path.substring(SCENES.length() + 1));
-        switch (request.getMethod()) {
-            case "PUT" -> put(request, name);
-            case "DELETE" -> done.accept(SceneDeed.removed(folder, name));
-            case "POST" -> {
-                return written(world.goOnFrom(folder.load(name)));
-            }
-            default -> {
-                return list();
-            }
-        }
-        return "{}";
-    }
-
-    private static String written(LivingWorld.Restored restored) {
-        JsonObject json = new JsonObject();
-        json.addProperty("exact", restored.exact());
-        json.addProperty("agents", restored.agents());
-        return json.toString();
-    }
-
-    private void put(Request request, String name) throws IOException {
-        Fields parameters = Request.extractQueryParameters(request);
-        String old = parameters.getValue("was");
-        if (old != null) {
-            folder.rename(old, name);
-            done.accept(SceneDeed.renamed(folder, old, name));
-        } else {
-            boolean replace = "yes".equals(request.getHeaders().get("Replace"));
-            folder.save(name, world.field(), world.now(), world.save(), replace);
-        }
+        Optional<String> old =
+                Optional.ofNullable(Request.extractQueryParameters(request).getValue("was"));
+        boolean replace = "yes".equals(request.getHeaders().get("Replace"));
+        return desk.answer(request.getMethod(), name, old, replace);
     }
 
     private LivingWorld.Restored start(String name, long moment) throws IOException {
@@ -131,15 +102,6 @@ public final class SceneApi extends Handler.Abstract {
         } catch (NumberFormatException noNumber) {
             throw new IllegalArgumentException("The moment to start from is missing. Load the page again.", noNumber);
         }
-    }
-
-    private String list() throws IOException {
-        JsonArray names = new JsonArray();
-        folder.names().forEach(names::add);
-        JsonObject json = new JsonObject();
-        json.add("scenes", names);
-        json.addProperty("folder", folder.folder().toAbsolutePath().toString());
-        return json.toString();
     }
 
     private static String decoded(String text) {

@@ -1,18 +1,17 @@
 package org.robonewbie.studio.scene;
 
 import java.io.IOException;
-import java.nio.file.Path;
 
-/** What was done to the file of a scene. */
+/** What was done to a scene that is kept. */
 final class SceneDeed {
 
     private SceneDeed() {}
 
     /** Removes a scene. */
-    static Deed removed(SceneFolder folder, String scene) throws IOException {
-        Path first = folder.remove(scene);
+    static Deed removed(SceneStore store, String scene) throws IOException {
+        SceneStore.Removed first = store.remove(scene);
         return new Deed() {
-            private Path kept = first;
+            private SceneStore.Removed kept = first;
 
             @Override
             public String name() {
@@ -21,20 +20,20 @@ final class SceneDeed {
 
             @Override
             public String undo() throws IOException {
-                folder.bringBack(scene, kept);
+                kept.bringBack();
                 return "";
             }
 
             @Override
             public String redo() throws IOException {
-                kept = folder.remove(scene);
+                kept = store.remove(scene);
                 return "";
             }
         };
     }
 
     /** Remembers that a scene was renamed. */
-    static Deed renamed(SceneFolder folder, String from, String to) {
+    static Deed renamed(SceneStore store, String from, String to) {
         return new Deed() {
             @Override
             public String name() {
@@ -43,13 +42,13 @@ final class SceneDeed {
 
             @Override
             public String undo() throws IOException {
-                folder.rename(to, from);
+                store.rename(to, from);
                 return "";
             }
 
             @Override
             public String redo() throws IOException {
-                folder.rename(from, to);
+                store.rename(from, to);
                 return "";
             }
         };

@@ -11,13 +11,10 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.robonewbie.nao.SoccerField;
-import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.file.StateFile;
-import org.robonewbie.simulator.recording.RecordedCycle;
 import org.robonewbie.simulator.recording.RecordingReader;
-import org.robonewbie.simulator.recording.RecordingWriter;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.file.PlainFile;
 
@@ -26,13 +23,13 @@ import org.robonewbie.studio.file.PlainFile;
  *
  * @param folder where the files are; it need not exist
  */
-record SceneFolder(Path folder) {
+record SceneFolder(Path folder) implements SceneStore {
 
     private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N} _.-]{0,59}");
     private static final String REMOVED = ".removed";
-    private static final int FRAMES_FOR_VELOCITY = 2;
 
-    List<String> names() throws IOException {
+    @Override
+    public List<String> names() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(PlainFile::isInItsFolder)
                     .map(file -> String.valueOf(file.getFileName()))
@@ -46,49 +43,39 @@ record SceneFolder(Path folder) {
         }
     }
 
-    /**
-     * Saves a scene.
-     *
-     * @throws IllegalArgumentException if the name cannot be a file's name or is taken; the message says so
-     */
-    void save(String name, SoccerField field, WorldSnapshot state, Optional<WorldState> exact, boolean replace)
-            throws IOException {
+    @Override
+    public void save(String name, SoccerField field, KeptMoment moment, boolean replace) throws IOException {
         Path file = file(name);
         if (!replace) {
             refuseTaken(name);
         }
         Files.createDirectories(folder);
-        List<String> header = List.of("FieldLength=" + field.length(), "FieldWidth=" + field.width());
-        try (RecordingWriter recording = RecordingWriter.open(RecordingFile.open(file, problem -> {}), header)) {
-            recording.write(state, List.of());
-        }
+        SceneRecording.write(RecordingFile.open(file, problem -> {}), field, moment.state());
         Files.deleteIfExists(exact(file));
-        if (exact.isPresent()) {
-            StateFile.write(exact.get(), exact(file));
+        if (moment.exact().isPresent()) {
+            StateFile.write(moment.exact().get(), exact(file));
         }
     }
 
-    /** Takes a scene away, and returns where it is kept for being brought back. */
-    Path remove(String name) throws IOException {
+    @Override
+    public Removed remove(String name) throws IOException {
         Path kept = removed(name);
         move(file(name), kept, name);
-        return kept;
+        return () -> {
+            refuseTaken(name);
+            move(kept, file(name), name);
+        };
     }
 
-    /** Restores a scene that was removed. */
-    void bringBack(String name, Path kept) throws IOException {
-        refuseTaken(name);
-        move(kept, file(name), name);
-    }
-
-    void rename(String from, String to) throws IOException {
+    @Override
+    public void rename(String from, String to) throws IOException {
         refuseTaken(to);
         move(file(from), file(to), from);
     }
 
     private void refuseTaken(String name) {
         if (Files.exists(file(name))) {
-            throw new IllegalArgumentException("There is a scene \"" + name + "\" already. Choose another name.");
+            throw SceneStore.taken(name);
         }
     }
 
@@ -100,15 +87,14 @@ record SceneFolder(Path folder) {
                 Files.move(exact(from), exact(to));
             }
         } catch (NoSuchFileException gone) {
-            throw new IllegalArgumentException(
-                    "There is no scene \"" + name + "\" any more. Load the page again.", gone);
+            throw SceneStore.gone(name);
         }
     }
 
-    KeptMoment load(String name) throws IOException {
+    @Override
+    public KeptMoment load(String name) throws IOException {
         Path file = file(name);
-        KeptMoment moment = moment(file, 0)
-                .orElseThrow(() -> new IllegalArgumentException("The scene \"" + name + "\" is damaged."));
+        KeptMoment moment = moment(file, 0).orElseThrow(() -> SceneStore.damaged(name));
         return new KeptMoment(moment.before(), moment.state(), exactState(file));
     }
 
@@ -124,20 +110,7 @@ record SceneFolder(Path folder) {
     /** Reads a moment of any recording; empty if it has no such moment. */
     static Optional<KeptMoment> moment(Path recording, long index) throws IOException {
         try (RecordingReader reader = RecordingFile.read(recording)) {
-            Optional<WorldSnapshot> before = Optional.empty();
-            for (long i = 0; i <= index; i++) {
-                Optional<WorldSnapshot> state = reader.next().map(RecordedCycle::snapshot);
-                if (state.isEmpty()) {
-                    return Optional.empty();
-                }
-                if (i == Math.max(0, index - FRAMES_FOR_VELOCITY)) {
-                    before = state;
-                }
-                if (i == index) {
-                    return Optional.of(new KeptMoment(before.orElse(state.get()), state.get(), Optional.empty()));
-                }
-            }
-            return Optional.empty();
+            return SceneRecording.moment(reader, index);
         }
     }
 

@@ -45,7 +45,10 @@ export function startFrom(token, recording, moment) {
 export function scenePanel(token, note, goLive) {
   const panel = new ScenePanel(token, note, goLive);
   return ({ scene, frame, deeds }) =>
-    panel.show(scene !== undefined && frame !== undefined && scene.clock !== false, `${deeds.undo}\n${deeds.redo}`);
+    panel.show(
+      scene !== undefined && frame !== undefined && scene.clock !== false && scene.trial === undefined,
+      `${deeds.undo}\n${deeds.redo}`,
+    );
 }
 
 class ScenePanel {

@@ -1,0 +1,90 @@
+package org.robonewbie.studio.scene;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/** Saves scenes, and lets the world go on from them. The answers are JSON objects for the page. */
+public final class SceneDesk {
+
+    private static final String DONE = "{}";
+
+    private final SceneStore store;
+    private final String place;
+    private final LivingWorld world;
+    private final Consumer<Deed> done;
+
+    /**
+     * Opens the desk.
+     *
+     * @param store where scenes are kept
+     * @param place how to call that place
+     * @param world the running simulation
+     * @param done takes what was done to the scenes, so that it can be undone
+     */
+    public SceneDesk(SceneStore store, String place, LivingWorld world, Consumer<Deed> done) {
+        this.store = store;
+        this.place = place;
+        this.world = world;
+        this.done = done;
+    }
+
+    /**
+     * Answers a request.
+     *
+     * @param method PUT saves or renames, DELETE removes, POST goes back to a scene, all others list them
+     * @param name the scene
+     * @param old the scene that is renamed; empty if none is
+     * @param replace whether saving overwrites an older scene
+     * @return the answer
+     * @throws IOException if a scene cannot be read or written
+     * @throws IllegalArgumentException if that cannot be; the message says why
+     * @throws IllegalStateException if the world cannot be put into the state of the scene; the message says why
+     */
+    public String answer(String method, String name, Optional<String> old, boolean replace) throws IOException {
+        switch (method) {
+            case "PUT" -> put(name, old, replace);
+            case "DELETE" -> done.accept(SceneDeed.removed(store, name));
+            case "POST" -> {
+                return written(world.goOnFrom(store.load(name)));
+            }
+            default -> {
+                return list();
+            }
+        }
+        return DONE;
+    }
+
+    private void put(String name, Optional<String> old, boolean replace) throws IOException {
+        if (old.isPresent()) {
+            store.rename(old.get(), name);
+            done.accept(SceneDeed.renamed(store, old.get(), name));
+        } else {
+            store.save(name, world.field(), new KeptMoment(world.now(), world.now(), world.save()), replace);
+        }
+    }
+
+    /**
+     * Writes how much of a kept moment is back.
+     *
+     * @param restored how much
+     * @return one JSON object
+     */
+    static String written(LivingWorld.Restored restored) {
+        JsonObject json = new JsonObject();
+        json.addProperty("exact", restored.exact());
+        json.addProperty("agents", restored.agents());
+        return json.toString();
+    }
+
+    private String list() throws IOException {
+        JsonArray names = new JsonArray();
+        store.names().forEach(names::add);
+        JsonObject json = new JsonObject();
+        json.add("scenes", names);
+        json.addProperty("folder", place);
+        return json.toString();
+    }
+}

@@ -1,0 +1,44 @@
+package org.robonewbie.studio.scene;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.recording.RecordedCycle;
+import org.robonewbie.simulator.recording.RecordingReader;
+import org.robonewbie.simulator.recording.RecordingTarget;
+import org.robonewbie.simulator.recording.RecordingWriter;
+
+/** A scene is a recording of one cycle, so whatever shows recordings shows it too; and each moment of a recording is one. */
+final class SceneRecording {
+
+    private static final int FRAMES_FOR_VELOCITY = 2;
+
+    private SceneRecording() {}
+
+    static void write(RecordingTarget target, SoccerField field, WorldSnapshot state) {
+        List<String> header = List.of("FieldLength=" + field.length(), "FieldWidth=" + field.width());
+        try (RecordingWriter recording = RecordingWriter.open(target, header)) {
+            recording.write(state, List.of());
+        }
+    }
+
+    /** Reads a moment; empty if there is no such moment. */
+    static Optional<KeptMoment> moment(RecordingReader reader, long index) throws IOException {
+        Optional<WorldSnapshot> before = Optional.empty();
+        for (long i = 0; i <= index; i++) {
+            Optional<WorldSnapshot> state = reader.next().map(RecordedCycle::snapshot);
+            if (state.isEmpty()) {
+                return Optional.empty();
+            }
+            if (i == Math.max(0, index - FRAMES_FOR_VELOCITY)) {
+                before = state;
+            }
+            if (i == index) {
+                return Optional.of(new KeptMoment(before.orElse(state.get()), state.get(), Optional.empty()));
+            }
+        }
+        return Optional.empty();
+    }
+}

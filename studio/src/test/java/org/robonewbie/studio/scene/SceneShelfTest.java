@@ -1,0 +1,138 @@
+package org.robonewbie.studio.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.cycle.SteppedSimulator;
+import org.robonewbie.simulator.cycle.WorldSettings;
+import org.robonewbie.simulator.state.WorldState;
+
+class SceneShelfTest {
+
+    private final SteppedSimulator world = SteppedSimulator.start(WorldSettings.beginner(), Console.silent());
+    private final Map<String, byte[]> kept = new HashMap<>();
+    private final SceneShelf shelf = new SceneShelf(new SceneShelf.Keeper() {
+
+        @Override
+        public void keep(String name, byte[] scene) {
+            kept.put(name, scene);
+        }
+
+        @Override
+        public void forget(String name) {
+            kept.remove(name);
+        }
+    });
+    private final List<Deed> done = new ArrayList<>();
+    private final SceneDesk desk = new SceneDesk(shelf, "a test", new StandingWorld(), done::add);
+
+    private final class StandingWorld implements LivingWorld {
+
+        @Override
+        public SoccerField field() {
+            return SoccerField.BEGINNER;
+        }
+
+        @Override
+        public WorldSnapshot now() {
+            return world.snapshot(true, 1);
+        }
+
+        @Override
+        public Optional<WorldState> save() {
+            return Optional.of(world.save());
+        }
+
+        @Override
+        public Restored goOnFrom(KeptMoment moment) {
+            moment.exact().ifPresent(world::goOnFrom);
+            return new Restored(moment.exact().isPresent(), 0);
+        }
+    }
+
+    @BeforeEach
+    void putTheBallSomewhere() {
+        world.order(new Order.MoveBall(new Vector3(1.23456789, 2, 0.042), Vector3.ZERO));
+        world.cycle();
+    }
+
+    @Test
+    void sceneComesBackToTheBitFromWhatTheKeeperHas() throws IOException {
+        Vector3 before = world.snapshot(true, 1).ballPosition();
+        ask("PUT", "Corner");
+        world.order(new Order.MoveBall(Vector3.ZERO, Vector3.ZERO));
+
+        shelf.clear();
+        kept.forEach(shelf::take);
+
+        assertThat(ask("POST", "Corner")).isEqualTo("{\"exact\":true,\"agents\":0}");
+        assertThat(world.snapshot(true, 1).ballPosition()).isEqualTo(before);
+    }
+
+    @Test
+    void stateOfAnotherVersionIsStillGoodForAStartNearby() throws IOException {
+        desk.answer("PUT", "Corner", Optional.empty(), false);
+        byte[] scene = Objects.requireNonNull(kept.get("Corner"));
+        int version = indexOf(scene, "RNSTATE") + "RNSTATE".length();
+        scene[version]++;
+        shelf.take("Corner", scene);
+
+        assertThat(ask("POST", "Corner")).isEqualTo("{\"exact\":false,\"agents\":0}");
+        assertThat(shelf.load("Corner").state().ballPosition().x()).isBetween(1.23, 1.24);
+    }
+
+    @Test
+    void deletedAndRenamedScenesComeBackByUndo() throws IOException {
+        ask("PUT", "Corner");
+        desk.answer("PUT", "Free kick", Optional.of("Corner"), false);
+        ask("DELETE", "Free kick");
+        assertThat(kept).isEmpty();
+
+        assertThat(done)
+                .extracting(Deed::name)
+                .containsExactly("scene \"Corner\" renamed to \"Free kick\"", "scene \"Free kick\" deleted");
+        done.get(1).undo();
+        done.get(0).undo();
+
+        assertThat(kept).containsOnlyKeys("Corner");
+        assertThat(ask("GET", "")).isEqualTo("{\"scenes\":[\"Corner\"],\"folder\":\"a test\"}");
+    }
+
+    @Test
+    void nameThatIsTakenAndSceneThatIsGoneOrDamagedAreRefused() throws IOException {
+        ask("PUT", "Corner");
+        shelf.take("Broken", new byte[] {1, 2, 3});
+
+        assertThatThrownBy(() -> ask("PUT", "Corner"))
+                .hasMessage("There is a scene \"Corner\" already. Choose another name.");
+        assertThatThrownBy(() -> ask("POST", "Kick"))
+                .hasMessage("There is no scene \"Kick\" any more. Load the page again.");
+        assertThatThrownBy(() -> ask("DELETE", "Kick"))
+                .hasMessage("There is no scene \"Kick\" any more. Load the page again.");
+        assertThatThrownBy(() -> ask("POST", "Broken")).hasMessage("The scene \"Broken\" is damaged.");
+    }
+
+    private String ask(String method, String name) throws IOException {
+        return desk.answer(method, name, Optional.empty(), false);
+    }
+
+    private static int indexOf(byte[] bytes, String word) {
+        String text = new String(bytes, StandardCharsets.ISO_8859_1);
+        return text.indexOf(word);
+    }
+}

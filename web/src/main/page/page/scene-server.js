@@ -1,0 +1,58 @@
+/** Answers what the panel of scenes asks its server. The program in the worker reads and writes scenes; this browser keeps them. */
+import { asBytes, asText, BrowserShelf } from './browser-shelf.js';
+
+const NO_ROOM = 'This browser has no room for one more scene. Delete another one first.';
+
+export class SceneServer {
+  #shelf = new BrowserShelf('robonewbie-page-scene:');
+  #isFull = false;
+
+  /** @param {import('./world-questions.js').WorldQuestions} questions */
+  constructor(questions) {
+    this.questions = questions;
+  }
+
+  /** The parts of a server that this one is, by the first words of their places. */
+  get parts() {
+    return {
+      scenes: {
+        answer: (/** @type {string} */ place, /** @type {RequestInit} */ options) => this.#answer(place, options),
+      },
+    };
+  }
+
+  /**
+   * Keeps what the program has made of a scene.
+   *
+   * @param {{name: string, bytes?: Int8Array}} scene without bytes it is forgotten
+   */
+  keep({ name, bytes }) {
+    if (!bytes) {
+      this.#shelf.remove(name);
+      return;
+    }
+    try {
+      this.#shelf.write(name, asText(new Uint8Array(bytes)));
+    } catch {
+      this.#isFull = true;
+    }
+  }
+
+  /** @param {string} place @param {RequestInit} options */
+  async #answer(place, { method = 'GET' }) {
+    const [path, search] = place.split('?');
+    const old = new URLSearchParams(search).get('was') ?? '';
+    this.questions.world.postMessage({ scenes: this.#own });
+    const result = await this.questions.ask('scenes', method, decodeURIComponent(path.slice(1)), old);
+    if (this.#isFull) {
+      this.#isFull = false;
+      throw new Error(NO_ROOM);
+    }
+    return new Response(result, { status: result.startsWith('{') ? 200 : 409 });
+  }
+
+  /** @returns {[string, Int8Array][]} name and bytes of each scene */
+  get #own() {
+    return this.#shelf.list.map(({ path }) => [path, new Int8Array(asBytes(this.#shelf.read(path) ?? '').buffer)]);
+  }
+}
