@@ -22,6 +22,9 @@ final class FinishPage {
 
     private static final String LIST = "files.json";
     private static final String SERVICE_WORKER = "service-worker.js";
+    /** The teacher's: what is there may change at any time. */
+    private static final String SOLUTIONS = "solutions/";
+
     private static final String STYLE = "    <link rel=\"stylesheet\" href=\"page/page.css\" />\n  </head>";
     private static final String TRY = "<a class=\"try\" href=\"";
     private static final int VERSION_DIGITS = 16;
@@ -79,6 +82,7 @@ final class FinishPage {
         try (Stream<Path> all = Files.walk(folder)) {
             return all.filter(Files::isRegularFile)
                     .filter(file -> !List.of(LIST, SERVICE_WORKER).contains(name(folder, file)))
+                    .filter(file -> !name(folder, file).startsWith(SOLUTIONS))
                     .sorted()
                     .toList();
         }

@@ -9,11 +9,12 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.Score;
+import org.robonewbie.exercises.progress.Badge;
 import org.robonewbie.exercises.progress.Worksheet;
 
 /**
  * Writes what the page tells about the exercises, a file for each language: title, goal and hints of each, and the program to begin
- * with.
+ * with; and in {@code badges.json} what earns the badges.
  *
  * <p>Usage: {@code java -cp CLASS_PATH PackCourse.java FOLDER}
  */
@@ -30,6 +31,25 @@ final class PackCourse {
                     .forEach(exercise -> lessons.add(lesson(exercise, language)));
             Files.writeString(folder.resolve(language.code() + ".json"), new Gson().toJson(lessons) + "\n");
         }
+        JsonArray badges = new JsonArray();
+        for (Badge badge : Badge.values()) {
+            badges.add(badge(badge));
+        }
+        Files.writeString(folder.resolve("badges.json"), new Gson().toJson(badges) + "\n");
+    }
+
+    private static JsonElement badge(Badge badge) {
+        Badge.Rule rule = badge.rule();
+        JsonArray counting = new JsonArray();
+        rule.counting().forEach(exercise -> counting.add(exercise.name()));
+        JsonObject json = new JsonObject();
+        json.addProperty("title", badge.title());
+        json.add("counting", counting);
+        json.addProperty("needed", rule.needed());
+        json.addProperty("leastPoints", rule.leastPoints());
+        json.addProperty("leastTries", rule.leastTries());
+        json.addProperty("alone", rule.alone());
+        return json;
     }
 
     private static JsonElement lesson(Exercise exercise, Language language) {
@@ -37,6 +57,7 @@ final class PackCourse {
         JsonObject lesson = new JsonObject();
         lesson.addProperty("number", exercise.number());
         lesson.addProperty("name", exercise.name());
+        lesson.addProperty("fullName", exercise.fullName());
         lesson.addProperty("title", sheet.title());
         lesson.addProperty("goal", language.translated(exercise.goal()));
         lesson.addProperty("level", language.translated(exercise.level()));

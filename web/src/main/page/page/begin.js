@@ -6,9 +6,12 @@ import { sayHowToInstall } from './old-browser.js';
 import { PageCompiler } from './page-compiler.js';
 import { MotionServer } from './motion-server.js';
 import { answerInsteadOfServer } from './page-server.js';
+import { PageRecordings } from './page-recordings.js';
 import { ProgramServer } from './program-server.js';
 import { ProgramShelf } from './program-shelf.js';
 import { addTakeaways } from './program-takeaway.js';
+import { RecordingStore } from './recording-store.js';
+import { addRecordingTools } from './recording-tools.js';
 import { ReplayServer } from './replay-server.js';
 import { SceneServer } from './scene-server.js';
 import { sharedProgram } from './share.js';
@@ -35,20 +38,25 @@ async function begin(worker) {
   const scenes = new SceneServer(questions);
   worker.ownMotions = () => motions.own;
   motions.changed = () => worker.postMessage({ motions: motions.own });
+  /** @type {Promise<Record<string, {hinges: unknown[]}>> | undefined} */
+  let models;
+  const bodies = () => (models ??= questions.ask('models').then(JSON.parse));
+  const recordings = new PageRecordings(new RecordingStore(), bodies);
   answerInsteadOfServer({
     programs,
     course,
     ...motions.parts,
     ...scenes.parts,
-    ...new ReplayServer(questions).parts,
+    ...new ReplayServer(recordings, bodies).parts,
   });
   options.set('token', TOKEN);
   const studio = new Studio(
     options,
-    (listener) => new WorldConnection(worker, listener, choice, { programs, course, questions, scenes }),
+    (listener) => new WorldConnection(worker, listener, choice, { programs, course, questions, recordings, scenes }),
   );
   Object.assign(window, { studio });
   addTakeaways(() => studio.rooms.program, shelf);
+  addRecordingTools(() => studio, recordings);
   studio.start();
   navigator.serviceWorker?.register('service-worker.js').catch(() => {});
 }

@@ -2,11 +2,15 @@
 
 const KEY = 'robonewbie-page-progress';
 const MOST_POINTS = 10;
+const TRIES_BEFORE_SOLUTION = 3;
+const MINUTES_PER_HOUR = 60;
+const COLUMNS = ['name', 'exercise', 'passed', 'best points', 'tries', 'minutes', 'hints', 'solution seen', 'last'];
 const PAUSE_MILLISECONDS = 20 * 60 * 1000;
 
 /**
- * @typedef {{tries: number, best: number, passed: boolean, milliseconds: number, hints: number, seenAt: number}} State
- * @typedef {import('../state/course.js').Lesson} Lesson
+ * @typedef {{tries: number, best: number, passed: boolean, milliseconds: number, hints: number, solution?: boolean, seenAt: number}} State
+ * @typedef {import('../state/course.js').Lesson & {fullName: string}} Lesson
+ * @typedef {{title: string, counting: string[], needed: number, leastPoints: number, leastTries: number, alone: boolean}} Badge
  */
 
 /** @type {State} */
@@ -29,6 +33,17 @@ export class CourseProgress {
     this.#change(exercise, (state) => ({ ...state, hints: Math.min(all, state.hints + 1) }));
   }
 
+  /** @param {string} exercise how many tries are missing until a solution is shown */
+  triesBeforeSolution(exercise) {
+    const { passed, tries } = this.#of(exercise);
+    return passed ? 0 : Math.max(0, TRIES_BEFORE_SOLUTION - tries);
+  }
+
+  /** @param {string} exercise whose solution is shown now */
+  seeSolution(exercise) {
+    this.#change(exercise, (state) => ({ ...state, solution: true }));
+  }
+
   /** Somebody works at an exercise; pauses of more than 20 minutes do not count. @param {string} exercise */
   seen(exercise) {
     this.#change(exercise, worked);
@@ -47,18 +62,29 @@ export class CourseProgress {
     });
   }
 
-  /** @param {readonly Lesson[]} lessons @returns {import('../state/course.js').Standings} */
-  standings(lessons) {
-    const passed = lessons.filter(({ standing }) => standing.passed).length;
-    const points = lessons.reduce((sum, { standing }) => sum + standing.best, 0);
-    const rows = lessons.map(({ name, standing }) =>
-      [name, standing.tries, standing.best.toFixed(1), standing.passed, standing.minutes].join(','),
-    );
+  /** @param {readonly Lesson[]} lessons @param {readonly Badge[]} badges @returns {import('../state/course.js').Standings} */
+  standings(lessons, badges) {
+    const states = lessons.map(({ name }) => this.#of(name));
+    const passed = states.filter((state) => state.passed).length;
+    const points = states.reduce((sum, { best }) => sum + best, 0);
+    const work = time(states.reduce((sum, { milliseconds }) => sum + milliseconds, 0));
     return {
-      sum: `${passed} of ${lessons.length} exercises, ${points.toFixed(1)} of ${lessons.length * MOST_POINTS} points`,
-      badges: [],
-      csv: ['exercise,tries,points,passed,minutes', ...rows, ''].join('\n'),
+      sum: `${passed} of ${lessons.length} exercises passed, ${points.toFixed(1)} of ${lessons.length * MOST_POINTS} points, ${work}`,
+      badges: badges.filter((badge) => this.#hasEarned(badge)).map(({ title }) => title),
+      csv: [COLUMNS, ...lessons.map(({ name, fullName }) => row(fullName, this.#of(name)))]
+        .map((cells) => `${cells.join(',')}\r\n`)
+        .join(''),
     };
+  }
+
+  /** @param {Badge} badge */
+  #hasEarned({ counting, needed, leastPoints, leastTries, alone }) {
+    const earned = counting.filter((exercise) => {
+      const { passed, best, tries, hints, solution = false } = this.#of(exercise);
+      const hadHelp = hints > 0 || solution;
+      return passed && best >= leastPoints && tries >= leastTries && !(alone && hadHelp);
+    });
+    return earned.length >= needed;
   }
 
   /** @returns {Record<string, State>} */
@@ -83,4 +109,32 @@ function worked(state) {
   const gap = now - state.seenAt;
   const isWork = !state.passed && gap >= 0 && gap <= PAUSE_MILLISECONDS;
   return { ...state, milliseconds: state.milliseconds + (isWork ? gap : 0), seenAt: now };
+}
+
+/** @param {string} exercise @param {State} state @returns {string[]} cells of the table for a teacher */
+function row(exercise, { passed, best, tries, milliseconds, hints, solution = false, seenAt }) {
+  return [
+    '',
+    exercise,
+    yes(passed),
+    best.toFixed(1),
+    String(tries),
+    String(minutes(milliseconds)),
+    String(hints),
+    yes(solution),
+    seenAt > 0 ? new Date(seenAt).toISOString() : '',
+  ];
+}
+
+/** @param {boolean} is */
+const yes = (is) => (is ? 'yes' : 'no');
+
+/** @param {number} milliseconds */
+const minutes = (milliseconds) => Math.round(milliseconds / 60_000);
+
+/** @param {number} milliseconds */
+function time(milliseconds) {
+  const all = minutes(milliseconds);
+  const hours = Math.floor(all / MINUTES_PER_HOUR);
+  return hours === 0 ? `${all} min` : `${hours} h ${all % MINUTES_PER_HOUR} min`;
 }

@@ -1,10 +1,11 @@
 /** Answers what the exercises ask their server: worksheets, the judge in the world's worker, and how far one is. */
 import { CourseProgress } from './course-progress.js';
+import { solutionOf } from './course-solutions.js';
 
 /**
  * @typedef {import('../state/course.js').Lesson} Lesson
  * @typedef {import('../state/course.js').Attempt} Attempt
- * @typedef {Lesson & {startCode: string, hints: string[]}} Sheet
+ * @typedef {Lesson & {fullName: string, startCode: string, hints: string[]}} Sheet
  */
 
 const LANGUAGE = 'robonewbie-page-language';
@@ -29,6 +30,8 @@ export class CourseServer {
   #progress = new CourseProgress();
   /** @type {Map<string, Promise<Sheet[]>>} */
   #sheets = new Map();
+  /** @type {Promise<import('./course-progress.js').Badge[]> | undefined} */
+  #badges;
   #language = localStorage.getItem(LANGUAGE) ?? 'en';
   /** @type {Attempt} */
   #attempt = NONE;
@@ -102,7 +105,7 @@ export class CourseServer {
     }
     const sheet = await this.#sheet(name);
     if (help !== '') {
-      return Response.json(this.#help(sheet, method === 'POST' ? help : ''));
+      return Response.json(await this.#help(sheet, method === 'POST' ? help : ''));
     }
     if (method === 'PUT') {
       return Response.json(this.#handOut(sheet));
@@ -122,6 +125,7 @@ export class CourseServer {
 
   async #overview() {
     const sheets = await this.#all();
+    this.#badges ??= fetch('course/badges.json').then((answer) => answer.json());
     const lessons = sheets.map(({ startCode: _, hints: __, ...lesson }) => ({
       ...lesson,
       standing: this.#progress.standing(lesson.name),
@@ -130,7 +134,7 @@ export class CourseServer {
       language: this.#language,
       lessons,
       programs: this.#shelf.own.map(({ path }) => path),
-      standings: this.#progress.standings(lessons),
+      standings: this.#progress.standings(lessons, await this.#badges),
     };
   }
 
@@ -151,16 +155,23 @@ export class CourseServer {
     return sheet;
   }
 
-  /** @param {Sheet} sheet @param {string} wish */
-  #help({ name, hints }, wish) {
+  /** @param {Sheet} sheet @param {string} wish `hint` or `solution`; empty to look only */
+  async #help(sheet, wish) {
+    const { name, hints } = sheet;
+    const solution = await solutionOf(sheet);
+    const triesLeft = this.#progress.triesBeforeSolution(name);
+    if (wish === 'solution' && solution !== '' && triesLeft === 0) {
+      this.#progress.seeSolution(name);
+      return solution;
+    }
     if (wish === 'hint') {
       this.#progress.openHint(name, hints.length);
     }
     return {
       hints: hints.slice(0, this.#progress.hints(name)),
       allHints: hints.length,
-      solution: false,
-      triesLeft: 0,
+      solution: solution !== '',
+      triesLeft,
     };
   }
 

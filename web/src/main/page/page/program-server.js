@@ -49,6 +49,9 @@ export class ProgramServer {
   #shelf;
   #run = { id: 0, state: 'NONE', program: '', output: '', exitCode: 0, entersFirst: true };
 
+  /** The class of the program that was to run last, by itself or in an exercise. */
+  lastTried = '';
+
   /**
    * @param {import('./page-compiler.js').PageCompiler} compiler
    * @param {import('./world-process.js').World} world
@@ -141,6 +144,7 @@ export class ProgramServer {
     if (wrong) {
       throw new Error(`${path} does not compile. Line ${wrong.line}: ${wrong.text}`);
     }
+    this.lastTried = className(path);
     return classes;
   }
 
@@ -152,6 +156,7 @@ export class ProgramServer {
       return { ...run, state: 'REFUSED' };
     }
     this.#run = run;
+    this.lastTried = className(path);
     this.world.postMessage({ program: { classes, seed: SEED, others: this.company.others, keep } });
     return run;
   }

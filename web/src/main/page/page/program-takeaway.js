@@ -1,10 +1,8 @@
 /** Two buttons below the editor of the room for programs: all programs as a project in a zip, and a link that holds the one in the editor. */
-import { button, byId } from '../panels/elements.js';
+import { button, byId, offer } from '../panels/elements.js';
 import { project } from './project.js';
 import { linkOf } from './share.js';
 import { zip } from './zip.js';
-
-const MILLISECONDS_TO_SAVE = 60_000;
 
 /** @param {() => any} room @param {import('./program-shelf.js').ProgramShelf} shelf */
 export function addTakeaways(room, shelf) {
@@ -37,11 +35,7 @@ async function save(room, shelf) {
     programs.set(file.path, room.editor.text);
   }
   const { name, files } = await project(programs, file?.path ?? '');
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(zip(files));
-  link.download = `${name}.zip`;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), MILLISECONDS_TO_SAVE);
+  offer(`${name}.zip`, zip(files));
 }
 
 /** @param {any} room */

@@ -1,130 +1,103 @@
-/** Answers what the room Replay asks its server: the recording of the world that this page shows, which grows with it. */
-import { RecordingReader } from '../state/replay/recording-reader.js';
+/** Answers what the room Replay asks its server, from the recordings of this browser. */
+import { simSparkLog } from './recording-log.js';
 
-/** @typedef {import('../live/state-frame.js').Player} Player */
-
-const NOT_HERE = 'The page keeps one recording, that of the world it shows; nothing else can be done with it here.';
+/**
+ * @typedef {import('./open-recording.js').OpenRecording} OpenRecording
+ * @typedef {(name: string, wish: URLSearchParams, isPut: boolean) => Promise<unknown>} Reply
+ */
 
 export class ReplayServer {
-  #number = 0;
-  #bytes = new Uint8Array();
-  /** @type {Record<string, {hinges: unknown[]}>} */
-  #models = {};
-  #reader = this.#freshReader();
-
-  /** @param {import('./world-questions.js').WorldQuestions} questions */
-  constructor(questions) {
-    this.questions = questions;
+  /** @param {import('./page-recordings.js').PageRecordings} recordings @param {() => Promise<object>} models */
+  constructor(recordings, models) {
+    this.recordings = recordings;
+    this.models = models;
   }
 
   /** The parts of a server that this one is, by the first words of their places. */
   get parts() {
-    /** @param {(search: URLSearchParams) => object} reply */
-    const json = (reply) => ({
-      answer: async (/** @type {string} */ place, /** @type {RequestInit} */ { method = 'GET' }) => {
-        if (method !== 'GET') {
-          throw new Error(NOT_HERE);
-        }
-        await this.#readOn();
-        return Response.json(reply(new URLSearchParams(place.split('?')[1])));
-      },
-    });
+    const { recordings } = this;
     return {
-      recordings: json(() => ({ recordings: this.#number > 0 ? [this.#entry] : [] })),
-      cards: json(() => this.#card),
-      index: json((search) => this.#index(search)),
-      pieces: { answer: async (/** @type {string} */ place) => this.#piece(new URLSearchParams(place.split('?')[1])) },
-      models: { answer: async () => Response.json(await this.#allModels()) },
-      notes: { answer: async () => new Response('') },
+      recordings: part((name, wish, isPut) => this.#keep(name, wish, isPut), {
+        read: async () => Response.json({ recordings: await recordings.list() }),
+      }),
+      cards: part((name) => this.#card(name)),
+      index: part((name, wish) => this.#index(name, wish)),
+      pieces: part(async (name, wish) => new Response((await recordings.open(name)).slice(number(wish, 'skip')))),
+      log: part(async (name) => new Response(await simSparkLog(await recordings.file(name)))),
+      notes: part((name, wish) => this.#notes(name, number(wish, 'skip'))),
+      models: part(() => this.models()),
+      stars: part((name, _, isPut) => recordings.star(name, isPut)),
+      bookmarks: part((name, wish, isPut) => this.#mark(name, wish, isPut)),
     };
   }
 
-  async #allModels() {
-    if (Object.keys(this.#models).length === 0) {
-      this.#models = JSON.parse(await this.questions.ask('models'));
-    }
-    return this.#models;
-  }
-
-  #freshReader() {
-    return new RecordingReader((type) => this.#models[type].hinges.length);
-  }
-
-  /** Fetches what is new. */
-  async #readOn() {
-    await this.#allModels();
-    const number = await this.questions.ask('recordingNumber');
-    if (number !== this.#number) {
-      this.#number = number;
-      this.#bytes = new Uint8Array();
-      this.#reader = this.#freshReader();
-    }
-    const known = this.#bytes.length;
-    const news = new Uint8Array((await this.questions.ask('recording', known)).buffer);
-    if (this.#bytes.length === known && number === this.#number) {
-      const all = new Uint8Array(known + news.length);
-      all.set(this.#bytes);
-      all.set(news, known);
-      this.#bytes = all;
-      this.#reader.push(news);
+  /** @param {string} name @param {URLSearchParams} wish @param {boolean} isPut */
+  async #keep(name, wish, isPut) {
+    const was = wish.get('was');
+    if (!isPut) {
+      await this.recordings.remove(name);
+    } else if (was === null) {
+      await this.recordings.bringBack(name);
+    } else {
+      await this.recordings.rename(was, name);
     }
   }
 
-  get #entry() {
+  /** @param {string} name */
+  async #card(name) {
+    return (await this.recordings.open(name)).card;
+  }
+
+  /** @param {string} name @param {URLSearchParams} wish */
+  async #index(name, wish) {
+    const recording = await this.recordings.open(name);
+    const { moments, header } = recording.reader;
+    const card = recording.card;
     return {
-      name: `world-${this.#number}`,
-      bytes: this.#bytes.length,
-      running: true,
-      agent: '',
-      ofProject: true,
-      starred: false,
-      bookmarks: [],
-    };
-  }
-
-  get #card() {
-    const { moments, events, game } = this.#reader;
-    return {
-      count: moments.length,
-      left: game.left,
-      right: game.right,
-      score: [game.scoreLeft, game.scoreRight],
-      robots: Math.max(0, ...this.#rosters().map(({ robots }) => robots.length)),
-      events,
-      pitch: [12, 8],
-      ball: [],
-      ways: [],
-    };
-  }
-
-  /** @returns {Array<{robots: Player[], cycles: number}>} who was there together, and how long */
-  #rosters() {
-    /** @type {Map<Player[], number>} */
-    const cycles = new Map();
-    for (const { robots } of this.#reader.moments) {
-      cycles.set(robots, (cycles.get(robots) ?? 0) + 1);
-    }
-    return [...cycles].map(([robots, count]) => ({ robots, cycles: count }));
-  }
-
-  /** @param {URLSearchParams} search */
-  #index(search) {
-    const { moments, events, header } = this.#reader;
-    return {
-      count: moments.length,
+      ...card,
       whole: true,
-      events: events.slice(Number(search.get('events') ?? 0)),
-      pieces: Number(search.get('pieces') ?? 0) === 0 && moments.length > 0 ? [0] : [],
+      events: card.events.slice(number(wish, 'events')),
+      pieces: number(wish, 'pieces') === 0 && moments.length > 0 ? [0] : [],
       firstCycle: moments[0]?.cycle ?? 0,
       header,
-      ball: [],
-      ways: [],
-      rosters: this.#rosters(),
+      rosters: recording.rosters,
     };
   }
 
-  /** @param {URLSearchParams} search */
-  #piece(search) {
-    return new Response(this.#bytes.slice(Number(search.get('skip') ?? 0)));
+  /** @param {string} name @param {number} skip bytes that are known */
+  async #notes(name, skip) {
+    const { notes } = await this.recordings.open(name);
+    return new Response(new TextEncoder().encode(notes).slice(skip));
+  }
+
+  /** @param {string} name @param {URLSearchParams} wish @param {boolean} isPut */
+  async #mark(name, wish, isPut) {
+    const seconds = Number(wish.get('seconds'));
+    if (isPut) {
+      await this.recordings.addBookmark(name, { seconds, note: wish.get('note') ?? '' });
+    } else {
+      await this.recordings.removeBookmark(name, seconds);
+    }
   }
 }
+
+/**
+ * @param {Reply} reply
+ * @param {{read?: () => Promise<Response>}} [list] what is answered to one who names nothing
+ */
+function part(reply, { read } = {}) {
+  return {
+    answer: async (/** @type {string} */ place, /** @type {RequestInit} */ { method = 'GET' }) => {
+      const [path, search] = place.split('?');
+      const name = path.split('/').slice(1).map(decodeURIComponent).join('/');
+      if (read && name === '') {
+        return read();
+      }
+      const answer = await reply(name, new URLSearchParams(search), method === 'PUT');
+      return answer instanceof Response ? answer : Response.json(answer ?? {});
+    },
+  };
+}
+
+/** @param {URLSearchParams} wish @param {string} name */
+const number = (wish, name) => Number(wish.get(name) ?? 0);

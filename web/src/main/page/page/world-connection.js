@@ -12,11 +12,13 @@ export class WorldConnection {
    * @param {import('./course-server.js').CourseServer} servers.course
    * @param {import('./world-questions.js').WorldQuestions} servers.questions
    * @param {import('./scene-server.js').SceneServer} servers.scenes
+   * @param {import('./page-recordings.js').PageRecordings} servers.recordings
    */
-  constructor(worker, listener, choice, { programs, course, questions, scenes }) {
+  constructor(worker, listener, choice, { programs, course, questions, recordings, scenes }) {
     this.programs = programs;
     this.course = course;
     this.questions = questions;
+    this.recordings = recordings;
     this.scenes = scenes;
     this.listener = listener;
     this.choice = choice;
@@ -56,7 +58,12 @@ export class WorldConnection {
       this.listener.told(JSON.parse(data));
     } else if (data instanceof ArrayBuffer) {
       this.listener.frameArrived(data);
+    } else if ('recorded' in data) {
+      this.recordings.hear(data.recorded, data.first);
+    } else if ('noted' in data) {
+      this.recordings.note(data.noted);
     } else if ('begun' in data) {
+      this.recordings.agent = data.begun || this.programs.lastTried;
       this.choice.offer(data.agents);
       this.listener.opened();
       this.course.answered('');

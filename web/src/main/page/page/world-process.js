@@ -17,6 +17,8 @@ export class World {
   #fail = () => {};
   /** The motions of this browser, which programs may start: name and bytes of each. @type {() => [string, Int8Array][]} */
   ownMotions = () => [];
+  /** Called when another worker has taken the place of the first. */
+  moved = () => {};
 
   /** @param {(event: MessageEvent) => void} hear @param {(event: ErrorEvent) => void} fail */
   listen(hear, fail) {
@@ -47,6 +49,7 @@ export class World {
     this.#worker.terminate();
     this.#worker = this.#prepared ?? this.#worker;
     this.#attach();
+    this.moved();
   }
 
   #attach() {

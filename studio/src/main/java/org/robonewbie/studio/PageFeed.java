@@ -29,6 +29,7 @@ public final class PageFeed implements TelemetrySink {
     private final Thoughts thoughts = new Thoughts();
     private final TelemetryHistory memory = new TelemetryHistory();
     private final MistakeNews mistakes = new MistakeNews();
+    private final NoteLines notes = new NoteLines();
     private final List<String> news = new ArrayList<>();
     private Optional<TrialLabel> judged = Optional.empty();
     private Optional<Deeds.Names> toldDeeds = Optional.empty();
@@ -70,6 +71,13 @@ public final class PageFeed implements TelemetrySink {
          * @param frame a state frame
          */
         void show(byte[] frame);
+
+        /**
+         * Keeps a note beside the recording of the world.
+         *
+         * @param note a line of {@link NoteLines}
+         */
+        void keep(String note);
     }
 
     /**
@@ -167,6 +175,7 @@ public final class PageFeed implements TelemetrySink {
         memory.keep(message);
         mistakes.of(message).ifPresent(news::add);
         thoughts.hear(message);
+        notes.of(message).ifPresent(page::keep);
     }
 
     @Override

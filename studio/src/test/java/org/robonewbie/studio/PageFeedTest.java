@@ -1,6 +1,8 @@
 package org.robonewbie.studio;
 
+import static org.assertj.core.api.Assertions.as;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.InstanceOfAssertFactories.STRING;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
@@ -38,6 +40,7 @@ class PageFeedTest {
     private final List<Order> clock = new ArrayList<>();
     private final List<JsonObject> told = new ArrayList<>();
     private final List<byte[]> frames = new ArrayList<>();
+    private final List<String> kept = new ArrayList<>();
     private final PageFeed feed = new PageFeed(new ShownWorld(), new PageFeed.Page() {
 
         @Override
@@ -48,6 +51,11 @@ class PageFeedTest {
         @Override
         public void show(byte[] frame) {
             frames.add(frame);
+        }
+
+        @Override
+        public void keep(String note) {
+            kept.add(note);
         }
     });
 
@@ -220,6 +228,7 @@ class PageFeedTest {
         assertThat(feed.watches(robot)).isTrue();
         assertThat(telemetry.getAsJsonArray("lines").toString()).contains("hello");
         assertThat(telemetry.getAsJsonArray("messages").toString()).contains("(he1 2)", "(HJ (n hj1)");
+        assertThat(kept).singleElement(as(STRING)).contains("\"robot\":\"Blue 1\"", "\"text\":\"hello\"");
     }
 
     @Test

@@ -2,7 +2,6 @@ package org.robonewbie.web;
 
 import org.robonewbie.studio.PageMotions;
 import org.teavm.jso.JSExport;
-import org.teavm.jso.typedarrays.Int8Array;
 
 /**
  * What the scripts of the page call as long as nobody programs: shipped agents play, and motions are tried. Each exported method
@@ -64,23 +63,6 @@ public final class FieldEdition {
     @JSExport
     public static String models() {
         return PageMotions.models();
-    }
-
-    /** {@return the number of the world that is recorded; each one is recorded from its beginning} */
-    @JSExport
-    public static int recordingNumber() {
-        return PageStage.recordingNumber();
-    }
-
-    /**
-     * Reads the recording of the world that is shown.
-     *
-     * @param known how many bytes of it are known already
-     * @return the bytes behind them
-     */
-    @JSExport
-    public static Int8Array recording(int known) {
-        return PageStage.recordingFrom(known);
     }
 
     /** Forgets the scenes that the page has handed over, before it does so once more. */

@@ -1,6 +1,8 @@
 package org.robonewbie.web;
 
+import java.util.ArrayDeque;
 import java.util.Arrays;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -22,10 +24,11 @@ final class PageStage {
 
     private static final PageScenes SCENES = new PageScenes(new Browser());
 
+    /** The last one is that of the world that is shown; of others the page has not got all yet. */
+    private static final Deque<PageRecording> RECORDINGS = new ArrayDeque<>();
+
     private static @Nullable LiveWorld world;
     private static Optional<FreePitch> pitch = Optional.empty();
-    private static MemoryRecording recording = new MemoryRecording();
-    private static int recordings;
 
     private PageStage() {}
 
@@ -63,19 +66,15 @@ final class PageStage {
 
     /** Begins another recording, which takes the place of the last one. */
     static RecordingTarget record() {
-        recordings++;
-        recording = new MemoryRecording();
-        return recording;
+        RECORDINGS.add(new PageRecording());
+        return RECORDINGS.getLast();
     }
 
-    /** Counts the recordings that were begun. */
-    static int recordingNumber() {
-        return recordings;
-    }
-
-    /** Reads the last recording behind the bytes that are known. */
-    static Int8Array recordingFrom(int known) {
-        return Int8Array.copyFromJavaArray(recording.read(known));
+    private static void giveRecorded() {
+        RECORDINGS.forEach(each -> each.give(PageStage::postRecorded));
+        while (RECORDINGS.size() > 1) {
+            RECORDINGS.removeFirst();
+        }
     }
 
     /** Shows the trials of an exercise from now on. */
@@ -95,6 +94,7 @@ final class PageStage {
     static void turn(double seconds) {
         if (world != null) {
             world.turn(seconds);
+            giveRecorded();
         }
     }
 
@@ -153,7 +153,25 @@ final class PageStage {
         public void show(byte[] frame) {
             post(Int8Array.copyFromJavaArray(frame));
         }
+
+        @Override
+        public void keep(String note) {
+            giveRecorded();
+            postNote(note);
+        }
     }
+
+    private static void postRecorded(byte[] bytes, boolean first) {
+        postRecorded(Int8Array.copyFromJavaArray(bytes), first);
+    }
+
+    @JSBody(
+            params = {"bytes", "first"},
+            script = "self.postMessage({recorded: new Uint8Array(bytes.buffer), first}, [bytes.buffer]);")
+    private static native void postRecorded(Int8Array bytes, boolean first);
+
+    @JSBody(params = "note", script = "self.postMessage({noted: note});")
+    private static native void postNote(String note);
 
     @JSBody(params = "json", script = "self.postMessage(json);")
     private static native void post(String json);

@@ -1,5 +1,8 @@
 package org.robonewbie.web;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -8,6 +11,8 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Language;
+import org.robonewbie.simulator.monitor.RecordedLog;
+import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.PageMotions;
 import org.robonewbie.web.bytecode.Program;
 import org.teavm.jso.JSExport;
@@ -81,21 +86,21 @@ public final class WebEdition {
         return PageMotions.models();
     }
 
-    /** {@return the number of the world that is recorded; each one is recorded from its beginning} */
-    @JSExport
-    public static int recordingNumber() {
-        return PageStage.recordingNumber();
-    }
-
     /**
-     * Reads the recording of the world that is shown.
+     * Turns a recording into the log of a SimSpark server.
      *
-     * @param known how many bytes of it are known already
-     * @return the bytes behind them
+     * @param recording the bytes of a recording's file
+     * @return those of the log
+     * @throws IOException if it is no recording; the message says so
      */
     @JSExport
-    public static Int8Array recording(int known) {
-        return PageStage.recordingFrom(known);
+    public static Int8Array simSparkLog(Int8Array recording) throws IOException {
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        try (RecordingReader reader =
+                RecordingReader.of(new ByteArrayInputStream(recording.copyToJavaArray()), "This")) {
+            RecordedLog.write(reader, log);
+        }
+        return Int8Array.copyFromJavaArray(log.toByteArray());
     }
 
     /** Forgets the scenes that the page has handed over, before it does so once more. */

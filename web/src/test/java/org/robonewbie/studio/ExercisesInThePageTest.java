@@ -1,23 +1,29 @@
 package org.robonewbie.studio;
 
+import static java.util.stream.Collectors.joining;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.Score;
+import org.robonewbie.exercises.progress.Badge;
 import org.robonewbie.web.Solutions;
 import org.robonewbie.web.bytecode.JavaSource;
 
@@ -28,6 +34,9 @@ class ExercisesInThePageTest {
 
     private static final String SHOWN = "document.querySelector('#program-room').innerText";
 
+    @TempDir
+    private Path folder;
+
     private final Chromium browser;
     private StaticServer server;
 
@@ -37,7 +46,7 @@ class ExercisesInThePageTest {
 
     @BeforeEach
     void serve() throws IOException {
-        server = new StaticServer(Path.of("target", "web").toAbsolutePath());
+        server = new StaticServer(folder, Path.of("target", "web").toAbsolutePath());
     }
 
     @AfterEach
@@ -121,11 +130,72 @@ class ExercisesInThePageTest {
         browser.click("#program-leave");
         browser.await("studio.state.scene.robots.length === 1 && studio.state.frame.cycle > 10");
 
-        assertThat(browser.evaluate("fetch('api/course').then((answer) => answer.json())"
-                                + ".then(({ lessons }) => lessons[0].standing.passed)")
+        JsonObject course = browser.evaluate("fetch('api/course').then((answer) => answer.json())")
+                .getAsJsonObject();
+        assertThat(course.getAsJsonArray("lessons")
+                        .get(0)
+                        .getAsJsonObject()
+                        .getAsJsonObject("standing")
+                        .get("passed")
                         .getAsBoolean())
                 .isTrue();
+        JsonObject standings = course.getAsJsonObject("standings");
+        assertThat(standings.getAsJsonArray("badges"))
+                .extracting(JsonElement::getAsString)
+                .containsExactly(Badge.FIRST_SUCCESS.title());
+        assertThat(standings.get("csv").getAsString().lines())
+                .hasSize(1 + exercises().size())
+                .startsWith("name,exercise,passed,best points,tries,minutes,hints,solution seen,last")
+                .anyMatch(line -> line.startsWith("," + first.fullName() + ",yes,10.0,1,"));
         assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void badgesAreThoseOfTheCommandLine() {
+        open("");
+        browser.evaluate(
+                "localStorage.setItem('robonewbie-page-progress', JSON.stringify(Object.fromEntries("
+                        + "["
+                        + exercises().stream()
+                                .map(each -> Chromium.quoted(each.name()))
+                                .collect(joining(","))
+                        + "].map((name) => [name, { tries: 10, best: 10, passed: true, milliseconds: 0, hints: 0, seenAt: 0 }]))))");
+
+        assertThat(browser.evaluate(
+                                "fetch('api/course').then((answer) => answer.json()).then(({ standings }) => standings.badges)")
+                        .getAsJsonArray())
+                .extracting(JsonElement::getAsString)
+                .containsExactlyElementsOf(
+                        Stream.of(Badge.values()).map(Badge::title).toList());
+    }
+
+    @Test
+    void solutionOfATeacherIsShownAfterThreeTries() throws IOException {
+        Exercise first = Exercises.all().get(0);
+        open("#field/exercises");
+        assertThat(help(first)).contains("\"solution\":false");
+        Path solutions = Files.createDirectory(folder.resolve("solutions"));
+        Files.writeString(solutions.resolve("locked.txt"), "# none\nkick\n");
+        Files.writeString(
+                solutions.resolve(first.className() + ".java"),
+                "package org.robonewbie.exercises.solution;\n\n" + Solutions.text(first));
+
+        assertThat(help(first)).contains("\"solution\":true", "\"triesLeft\":3");
+        browser.evaluate(
+                "localStorage.setItem('robonewbie-page-progress', JSON.stringify({ " + Chromium.quoted(first.name())
+                        + ": { tries: 3, best: 4, passed: false, milliseconds: 0, hints: 0, seenAt: 0 } }))");
+        browser.clickElement("document.querySelector('#course [data-exercise=\"" + first.name() + "\"]')");
+        browser.click("#course-show-solution");
+
+        browser.await("document.querySelector('#course-solution').innerText.startsWith("
+                + Chromium.quoted(Solutions.text(first).strip().substring(0, 20)) + ")");
+        Files.writeString(solutions.resolve("locked.txt"), first.number() + "\n");
+        assertThat(help(first)).contains("\"solution\":false");
+    }
+
+    private String help(Exercise exercise) {
+        return browser.evaluate("fetch('api/course/" + exercise.name() + "/help').then((answer) => answer.text())")
+                .getAsString();
     }
 
     @Test

@@ -7,11 +7,13 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
-/** Serves the files of a folder at a place below its root, as any web space does, and knows nothing else. */
+/** Serves the files of folders at a place below its root, as any web space does, and knows nothing else. */
 final class StaticServer implements AutoCloseable {
 
     private static final String PLACE = "/some/where/";
@@ -24,12 +26,13 @@ final class StaticServer implements AutoCloseable {
             "wasm", "application/wasm");
     private static final int THREADS = 4;
 
-    private final Path folder;
+    private final List<Path> folders;
     private final ExecutorService threads = Executors.newFixedThreadPool(THREADS);
     private final HttpServer server;
 
-    StaticServer(Path folder) throws IOException {
-        this.folder = folder;
+    /** What lies in an earlier folder hides what lies in a later one. */
+    StaticServer(Path... folders) throws IOException {
+        this.folders = List.of(folders);
         server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
         server.createContext(PLACE, this::answer);
         server.setExecutor(threads);
@@ -43,17 +46,25 @@ final class StaticServer implements AutoCloseable {
     private void answer(HttpExchange exchange) throws IOException {
         try (exchange) {
             String name = exchange.getRequestURI().getPath().substring(PLACE.length());
-            Path file = folder.resolve(name.isEmpty() ? "index.html" : name).normalize();
-            if (!file.startsWith(folder) || !Files.isRegularFile(file)) {
+            Optional<Path> file = folders.stream()
+                    .map(folder -> find(folder, name.isEmpty() ? "index.html" : name))
+                    .flatMap(Optional::stream)
+                    .findFirst();
+            if (file.isEmpty()) {
                 exchange.sendResponseHeaders(404, -1);
                 return;
             }
-            byte[] content = Files.readAllBytes(file);
-            String ending = file.toString().substring(file.toString().lastIndexOf('.') + 1);
+            byte[] content = Files.readAllBytes(file.get());
+            String ending = file.get().toString().replaceFirst(".*\\.", "");
             exchange.getResponseHeaders().set("Content-Type", TYPES.getOrDefault(ending, "application/octet-stream"));
             exchange.sendResponseHeaders(200, content.length == 0 ? -1 : content.length);
             exchange.getResponseBody().write(content);
         }
+    }
+
+    private static Optional<Path> find(Path folder, String name) {
+        return Optional.of(folder.resolve(name).normalize())
+                .filter(file -> file.startsWith(folder) && Files.isRegularFile(file));
     }
 
     @Override

@@ -32,6 +32,9 @@ class ExerciseAttemptTest {
         public void show(byte[] frame) {
             frames++;
         }
+
+        @Override
+        public void keep(String note) {}
     };
 
     @Test

@@ -2,6 +2,7 @@ package org.robonewbie.web;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -17,7 +18,7 @@ class FreePitchTest {
 
     private static final int CYCLES = 500;
 
-    private final MemoryRecording recording = new MemoryRecording();
+    private final PageRecording recording = new PageRecording();
     private final StudentRun run = new StudentRun();
 
     @Test
@@ -30,12 +31,12 @@ class FreePitchTest {
 
     @Test
     void fourAgentsMakeTheSameRecordingTwice() {
-        MemoryRecording other = new MemoryRecording();
+        PageRecording other = new PageRecording();
 
         played(four(recording));
         played(four(other));
 
-        assertThat(other.read(0)).isEqualTo(recording.read(0));
+        assertThat(bytes(other)).isEqualTo(bytes(recording));
     }
 
     @Test
@@ -109,7 +110,27 @@ class FreePitchTest {
         assertThat(places(snapshot(pitch))).isEqualTo(before);
     }
 
-    private static FreePitch four(MemoryRecording recording) {
+    private static byte[] bytes(PageRecording recording) {
+        ByteArrayOutputStream all = new ByteArrayOutputStream();
+        recording.give((bytes, first) -> all.writeBytes(bytes));
+        return all.toByteArray();
+    }
+
+    @Test
+    void recordingIsGivenAwayPieceByPiece() {
+        FreePitch pitch = pitch(recording).with(new Agent_SimpleSoccer());
+        List<Boolean> firsts = new ArrayList<>();
+
+        pitch.cycle();
+        recording.give((bytes, first) -> firsts.add(first));
+        recording.give((bytes, first) -> firsts.add(first));
+        pitch.cycle();
+        recording.give((bytes, first) -> firsts.add(first));
+
+        assertThat(firsts).containsExactly(true, false);
+    }
+
+    private static FreePitch four(PageRecording recording) {
         return pitch(recording)
                 .with(new Agent_BetterSoccer())
                 .with(new Agent_SimpleSoccer())
@@ -117,7 +138,7 @@ class FreePitchTest {
                 .with(new Agent_SimpleSoccer());
     }
 
-    private static FreePitch pitch(MemoryRecording recording) {
+    private static FreePitch pitch(PageRecording recording) {
         List<FreePitch> made = new ArrayList<>();
         new LiveWorld(new SilentPage(), feed -> {
             made.add(new FreePitch(1, feed, recording));

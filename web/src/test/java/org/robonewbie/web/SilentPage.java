@@ -14,4 +14,9 @@ final class SilentPage implements PageFeed.Page {
     public void show(byte[] frame) {
         // nobody sees it
     }
+
+    @Override
+    public void keep(String note) {
+        // nobody reads it
+    }
 }

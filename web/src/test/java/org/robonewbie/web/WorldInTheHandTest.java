@@ -38,9 +38,14 @@ class WorldInTheHandTest {
                 public void show(byte[] frame) {
                     // looked at by now()
                 }
+
+                @Override
+                public void keep(String note) {
+                    // nobody reads it
+                }
             },
             feed -> {
-                pitches.add(new FreePitch(1, feed, new MemoryRecording()).with(new Agent_BetterSoccer()));
+                pitches.add(new FreePitch(1, feed, new PageRecording()).with(new Agent_BetterSoccer()));
                 return pitches.get(0);
             });
 

@@ -21,7 +21,7 @@ public final class MonitorLog implements AutoCloseable {
     private static final int CYCLES_PER_LINE = 10;
     private static final int CYCLES_PER_FULL_LINE = 150;
 
-    private final Path file;
+    private final String name;
     private final OutputStream out;
     private final Consumer<String> console;
     private final SoccerScene scene;
@@ -29,8 +29,8 @@ public final class MonitorLog implements AutoCloseable {
     private long nextFullLine;
     private boolean open = true;
 
-    private MonitorLog(Path file, OutputStream out, MonitorSettings settings, Consumer<String> console) {
-        this.file = file;
+    private MonitorLog(String name, OutputStream out, MonitorSettings settings, Consumer<String> console) {
+        this.name = name;
         this.out = out;
         this.console = console;
         scene = new SoccerScene(settings.field(), settings.ballRadius());
@@ -48,13 +48,19 @@ public final class MonitorLog implements AutoCloseable {
      */
     public static MonitorLog open(Path file, MonitorSettings settings, Consumer<String> console) throws IOException {
         try {
-            return new MonitorLog(file, new BufferedOutputStream(Files.newOutputStream(file)), settings, console);
+            OutputStream out = new BufferedOutputStream(Files.newOutputStream(file));
+            return new MonitorLog(file.toString(), out, settings, console);
         } catch (IOException e) {
             throw new IOException(
                     "Log \"" + file + "\" cannot be written (" + e.getMessage()
                             + "). Choose a file in a folder that exists and in which you may write.",
                     e);
         }
+    }
+
+    /** Begins a log that goes to a stream. */
+    static MonitorLog to(OutputStream out, MonitorSettings settings) {
+        return new MonitorLog("", out, settings, problem -> {});
     }
 
     /**
@@ -99,7 +105,7 @@ public final class MonitorLog implements AutoCloseable {
     }
 
     private void warn(IOException cause) {
-        console.accept("The log " + file + " ends here because it cannot be written (" + cause.getMessage()
+        console.accept("The log " + name + " ends here because it cannot be written (" + cause.getMessage()
                 + "). Is the disk full? The simulation goes on.");
     }
 }

@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.monitor;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -43,9 +44,29 @@ public final class RecordedLog {
      * @throws IOException if one of the files cannot be used; the message says which
      */
     public static void write(Path recording, Path log) throws IOException {
-        RecordedLog converter = new RecordedLog();
         try (RecordingReader reader = RecordingFile.read(recording);
                 MonitorLog lines = MonitorLog.open(log, settings(reader.header()), problem -> {})) {
+            write(reader, lines);
+        }
+    }
+
+    /**
+     * Writes the log of a recording.
+     *
+     * @param recording the recording, before its first cycle
+     * @param log the log; closed at its end
+     * @throws DamagedRecordingException if the recording is damaged; the message says so
+     * @throws IOException if it cannot be read
+     */
+    public static void write(RecordingReader recording, OutputStream log) throws IOException {
+        try (MonitorLog lines = MonitorLog.to(log, settings(recording.header()))) {
+            write(recording, lines);
+        }
+    }
+
+    private static void write(RecordingReader reader, MonitorLog lines) throws IOException {
+        RecordedLog converter = new RecordedLog();
+        try {
             for (Optional<RecordedCycle> cycle = reader.next(); cycle.isPresent(); cycle = reader.next()) {
                 WorldSnapshot state = cycle.get().snapshot();
                 cycle.get().events().forEach(converter::noteFoul);

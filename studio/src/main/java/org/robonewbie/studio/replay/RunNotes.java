@@ -1,6 +1,5 @@
 package org.robonewbie.studio.replay;
 
-import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.nio.channels.Channels;
 import java.nio.channels.SeekableByteChannel;
@@ -9,16 +8,12 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import org.robonewbie.protocol.telemetry.TelemetryItem.LogEntry;
-import org.robonewbie.protocol.telemetry.TelemetryItem.Picture;
-import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.file.RecordingGroup;
 import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.studio.NoteLines;
 import org.robonewbie.studio.file.PlainFile;
 
 /**
@@ -27,16 +22,10 @@ import org.robonewbie.studio.file.PlainFile;
  */
 public final class RunNotes {
 
-    private static final int MOST_NOTES = 2000;
-    private static final int MOST_LETTERS = 400;
-    private static final int MOST_DRAWN_LETTERS = 4_000_000;
-    private static final double PICTURE_SECONDS = 0.099;
-
     private final Optional<RecordingShelf> shelf;
+    private final NoteLines lines = new NoteLines();
     private Optional<Path> file = Optional.empty();
-    private int count;
-    private final Map<String, Double> lastPictures = new HashMap<>();
-    private int drawnLetters;
+    private boolean diskFull;
 
     /**
      * Opens the notes of the run that is being recorded.
@@ -48,68 +37,27 @@ public final class RunNotes {
     }
 
     /**
-     * Keeps a line of a log, of which a run has at most two thousand, and at most ten pictures of each robot per second, up to
-     * four million letters in a run; anything else is left out.
+     * Keeps a line of a log or a picture, if there is a recording to which it belongs.
      *
      * @param message what a robot tells
      */
     public void keep(TelemetryMessage message) {
+        if (!diskFull) {
+            lines.of(message).ifPresent(this::write);
+        }
+    }
+
+    private void write(String line) {
         try {
-            if (message.item() instanceof LogEntry entry) {
-                keep(message, entry);
-            } else if (message.item() instanceof Picture && isDue(message)) {
-                keepPicture(message);
+            if (file.isEmpty()) {
+                file = begin();
             }
-        } catch (IOException diskFull) {
-            count = MOST_NOTES;
-            drawnLetters = MOST_DRAWN_LETTERS;
+            if (file.isPresent()) {
+                Files.write(file.get(), List.of(line), StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+            }
+        } catch (IOException full) {
+            diskFull = true;
         }
-    }
-
-    private void keep(TelemetryMessage message, LogEntry entry) throws IOException {
-        if (entry.level().equals("DEBUG") || count >= MOST_NOTES) {
-            return;
-        }
-        JsonObject line = new JsonObject();
-        line.addProperty("seconds", message.seconds());
-        line.addProperty("robot", robot(message));
-        line.addProperty("level", entry.level());
-        line.addProperty(
-                "text",
-                entry.text().substring(0, Math.min(MOST_LETTERS, entry.text().length())));
-        if (write(line.toString())) {
-            count++;
-        }
-    }
-
-    private boolean isDue(TelemetryMessage message) {
-        double last = lastPictures.getOrDefault(robot(message), Double.NEGATIVE_INFINITY);
-        return message.seconds() < last || message.seconds() >= last + PICTURE_SECONDS;
-    }
-
-    private void keepPicture(TelemetryMessage message) throws IOException {
-        JsonObject json = new JsonObject();
-        json.addProperty("drawn", TelemetryLine.write(message));
-        String line = json.toString();
-        if (drawnLetters + line.length() <= MOST_DRAWN_LETTERS && write(line)) {
-            drawnLetters += line.length();
-        }
-        lastPictures.put(robot(message), message.seconds());
-    }
-
-    private static String robot(TelemetryMessage message) {
-        return (message.team() + " " + message.number()).strip();
-    }
-
-    /** Adds a line, and returns whether there is a recording to which it belongs. */
-    private boolean write(String line) throws IOException {
-        if (file.isEmpty()) {
-            file = begin();
-        }
-        if (file.isPresent()) {
-            Files.write(file.get(), List.of(line), StandardOpenOption.CREATE, StandardOpenOption.APPEND);
-        }
-        return file.isPresent();
     }
 
     /** Opens the notes of the recording that is being written, and deletes notes whose recording is gone. */

@@ -1,0 +1,306 @@
+/** The recordings of this browser: that of the world which the page shows grows, the others are kept until room is needed. */
+import { unpack } from '../replay/unpack.js';
+import { OpenRecording } from './open-recording.js';
+
+/**
+ * @typedef {import('./recording-store.js').Entry} Entry
+ * @typedef {import('../replay/recording-api.js').Bookmark} Bookmark
+ */
+
+const MOST_BYTES = 100_000_000;
+/** About an hour of one robot. */
+const MOST_BYTES_OF_ONE = 40_000_000;
+const SAVE_MILLISECONDS = 10_000;
+const HOUR_MILLISECONDS = 3_600_000;
+const MOST_NAME_LETTERS = 80;
+const MOST_NOTE_LETTERS = 300;
+const MOST_BOOKMARKS = 500;
+const MOST_OPEN = 3;
+
+export class PageRecordings {
+  /** @type {Map<number, Entry>} */
+  #entries = new Map();
+  /** Those that were looked at last, and the one that grows. @type {Map<number, Promise<OpenRecording>>} */
+  #open = new Map();
+  /** @type {{entry: Entry, content: OpenRecording, savedBytes: number, savedNotes: number} | undefined} */
+  #running;
+  #work;
+  /** What plays in the world that begins next. */
+  agent = '';
+
+  /**
+   * @param {import('./recording-store.js').RecordingStore} store
+   * @param {() => Promise<Record<string, {hinges: unknown[]}>>} models the bodies of all robot types
+   */
+  constructor(store, models) {
+    this.store = store;
+    this.models = models;
+    this.#work = store.entries().then((entries) => this.#begin(entries));
+    setInterval(() => this.#save(), SAVE_MILLISECONDS);
+    document.addEventListener('visibilitychange', () => document.hidden && this.#save(true));
+  }
+
+  /** @param {Entry[]} entries of earlier visits */
+  async #begin(entries) {
+    const earlier = Date.now() - HOUR_MILLISECONDS;
+    for (const entry of entries) {
+      if (entry.removedAt > 0 && entry.removedAt < earlier) {
+        await this.store.remove(entry.id);
+      } else {
+        this.#entries.set(entry.id, entry);
+      }
+    }
+  }
+
+  /** @param {Uint8Array} bytes of the world that is shown @param {boolean} isFirst whether another recording begins with them */
+  hear(bytes, isFirst) {
+    this.#then(async () => {
+      if (isFirst || !this.#running) {
+        await this.#write();
+        this.#running = await this.#beginning();
+      }
+      if (this.#running.content.length + bytes.length <= MOST_BYTES_OF_ONE) {
+        this.#running.content.push(bytes);
+      }
+    });
+  }
+
+  /** @param {string} line what a robot has logged or drawn */
+  note(line) {
+    this.#then(async () => {
+      if (this.#running) {
+        this.#running.content.notes += `${line}\n`;
+      }
+    });
+  }
+
+  async #beginning() {
+    const entry = this.#fresh(dateName(new Date()), this.agent);
+    const content = await this.#empty();
+    this.#keepOpen(entry.id, Promise.resolve(content));
+    await this.#makeRoom();
+    return { entry, content, savedBytes: 0, savedNotes: 0 };
+  }
+
+  async #empty() {
+    const models = await this.models();
+    return new OpenRecording((type) => models[type].hinges.length);
+  }
+
+  /** @param {string} name @param {string} agent */
+  #fresh(name, agent) {
+    const id = Math.max(Date.now(), ...[...this.#entries.keys()].map((each) => each + 1));
+    const free = this.#freeName(name);
+    const entry = { id, name: free, agent, starred: false, bookmarks: [], bytes: 0, pieces: 0, removedAt: 0 };
+    this.#entries.set(id, entry);
+    return entry;
+  }
+
+  /** @param {string} name */
+  #freeName(name) {
+    for (let i = 1; ; i++) {
+      const free = i === 1 ? name : `${name} (${i})`;
+      if (![...this.#entries.values()].some((entry) => entry.name === free)) {
+        return free;
+      }
+    }
+  }
+
+  /** @param {boolean} [hurry] since the page may be gone in a moment */
+  #save(hurry = false) {
+    this.#then(() => this.#write(hurry));
+  }
+
+  /** Keeps what has come since the last time. @param {boolean} [hurry] */
+  async #write(hurry = false) {
+    const running = this.#running;
+    if (!running || running.savedBytes === running.content.length) {
+      return;
+    }
+    const { entry, content } = running;
+    const notes = content.notes.slice(running.savedNotes);
+    const bytes = content.slice(running.savedBytes);
+    running.savedBytes += bytes.length;
+    running.savedNotes += notes.length;
+    await this.#add(entry, { bytes: hurry ? bytes : await pack(bytes), isPacked: !hurry, notes });
+  }
+
+  /** @param {Entry} entry @param {import('./recording-store.js').Piece} piece */
+  async #add(entry, piece) {
+    entry.bytes += piece.bytes.length;
+    entry.pieces += 1;
+    await this.store.put(entry, piece);
+  }
+
+  /** The oldest go; those with a star stay and do not count. */
+  async #makeRoom() {
+    let sum = 0;
+    for (const { id, starred, bytes } of [...this.#entries.values()].reverse()) {
+      sum += starred ? 0 : bytes;
+      if (!starred && sum > MOST_BYTES) {
+        await this.#forget(id);
+      }
+    }
+  }
+
+  /** @param {number} id */
+  async #forget(id) {
+    this.#entries.delete(id);
+    this.#open.delete(id);
+    await this.store.remove(id);
+  }
+
+  /** One piece of work after the other; one that fails does not keep the others from being done. @param {() => Promise<void>} work */
+  #then(work) {
+    this.#work = this.#work.then(work).catch(() => {});
+  }
+
+  /** @returns {Promise<import('../replay/recording-api.js').RecordingEntry[]>} the newest first */
+  async list() {
+    await this.#work;
+    return [...this.#entries.values()]
+      .filter(({ removedAt }) => removedAt === 0)
+      .reverse()
+      .map((entry) => ({ ...entry, running: this.#isRunning(entry), ofProject: true }));
+  }
+
+  /** @param {Entry} entry */
+  #isRunning(entry) {
+    return entry === this.#running?.entry;
+  }
+
+  /** @param {string} name */
+  #find(name) {
+    const entry = [...this.#entries.values()].find((each) => each.name === name);
+    if (!entry) {
+      throw new Error('There is no such recording any more. Choose another one.');
+    }
+    return entry;
+  }
+
+  /** @param {string} name @returns {Promise<OpenRecording>} with all that is there of it by now */
+  async open(name) {
+    await this.#work;
+    const { id } = this.#find(name);
+    const opened = this.#open.get(id) ?? this.#load(id);
+    this.#keepOpen(id, opened);
+    const content = await opened;
+    content.readOn();
+    return content;
+  }
+
+  /** @param {number} id */
+  async #load(id) {
+    const content = await this.#empty();
+    for (const { bytes, isPacked, notes } of await this.store.pieces(id)) {
+      await (isPacked ? unpack([bytes], (part) => content.push(part)) : content.push(bytes));
+      content.notes += notes;
+    }
+    return content;
+  }
+
+  /** @param {number} id @param {Promise<OpenRecording>} content */
+  #keepOpen(id, content) {
+    this.#open.delete(id);
+    this.#open.set(id, content);
+    for (const each of [...this.#open.keys()].filter((other) => other !== this.#running?.entry.id)) {
+      if (this.#open.size > MOST_OPEN && each !== id) {
+        this.#open.delete(each);
+      }
+    }
+  }
+
+  /** @param {string} name @returns {Promise<Blob>} the recording as the file that RoboNewbie writes */
+  async file(name) {
+    return new Blob([await pack((await this.open(name)).slice())], { type: 'application/gzip' });
+  }
+
+  /**
+   * Keeps a recording that was made elsewhere.
+   *
+   * @param {string} name
+   * @param {Uint8Array} packed
+   * @returns {Promise<string>} its name here
+   * @throws {Error} if it is none; the message is meant for people
+   */
+  async take(name, packed) {
+    const content = await this.#empty();
+    await unpack([packed], (bytes) => content.push(bytes));
+    content.readOn();
+    if (content.reader.moments.length === 0) {
+      throw new Error(`“${name}” is not a recording of RoboNewbie, or it is damaged.`);
+    }
+    await this.#work;
+    const entry = this.#fresh(name.replace(/\.rec$/, ''), '');
+    await this.#add(entry, { bytes: packed, isPacked: true, notes: '' });
+    return entry.name;
+  }
+
+  /** @param {string} name @param {Partial<Entry>} change */
+  async #change(name, change) {
+    await this.#work;
+    const entry = Object.assign(this.#find(name), change);
+    await this.store.put(entry);
+  }
+
+  /** @param {string} from @param {string} wanted */
+  async rename(from, wanted) {
+    this.#refuseRunning(from);
+    const to = wanted.trim().slice(0, MOST_NAME_LETTERS);
+    if (to !== from && [...this.#entries.values()].some(({ name }) => name === to)) {
+      throw new Error(`There is a recording “${to}” already. Choose another name.`);
+    }
+    await this.#change(from, { name: to });
+  }
+
+  /** @param {string} name */
+  async remove(name) {
+    this.#refuseRunning(name);
+    await this.#change(name, { removedAt: Date.now() });
+  }
+
+  /** @param {string} name */
+  #refuseRunning(name) {
+    if (this.#running?.entry.name === name) {
+      throw new Error(`“${name}” is being recorded now. Reset the run in the room Field first.`);
+    }
+  }
+
+  /** @param {string} name */
+  bringBack(name) {
+    return this.#change(name, { removedAt: 0 });
+  }
+
+  /** @param {string} name @param {boolean} starred */
+  star(name, starred) {
+    return this.#change(name, { starred });
+  }
+
+  /** @param {string} name @param {Bookmark} bookmark takes the place of one at the same moment */
+  async addBookmark(name, { seconds, note }) {
+    const others = this.#find(name).bookmarks.filter((each) => each.seconds !== seconds);
+    if (others.length >= MOST_BOOKMARKS) {
+      throw new Error(`A recording has ${MOST_BOOKMARKS} bookmarks at most. Delete one that is not needed any more.`);
+    }
+    const bookmarks = [...others, { seconds, note: note.slice(0, MOST_NOTE_LETTERS) }];
+    await this.#change(name, { bookmarks: bookmarks.sort((one, other) => one.seconds - other.seconds) });
+  }
+
+  /** @param {string} name @param {number} seconds */
+  async removeBookmark(name, seconds) {
+    await this.#change(name, { bookmarks: this.#find(name).bookmarks.filter((each) => each.seconds !== seconds) });
+  }
+}
+
+/** @param {Uint8Array<ArrayBuffer>} bytes */
+async function pack(bytes) {
+  const packed = new Blob([bytes]).stream().pipeThrough(new CompressionStream('gzip'));
+  return new Uint8Array(await new Response(packed).arrayBuffer());
+}
+
+/** @param {Date} time @returns {string} such as `2026-11-24 09-30-05` */
+function dateName(time) {
+  const two = (/** @type {number} */ number) => String(number).padStart(2, '0');
+  const day = [time.getFullYear(), two(time.getMonth() + 1), two(time.getDate())].join('-');
+  return `${day} ${[time.getHours(), time.getMinutes(), time.getSeconds()].map(two).join('-')}`;
+}

@@ -1,0 +1,18 @@
+/** Turns recordings into logs of SimSpark servers, in a worker of its own. */
+
+/** @param {Blob} recording as a file @returns {Promise<ArrayBuffer>} the log, packed with gzip */
+export async function simSparkLog(recording) {
+  const packed = new Int8Array(await recording.arrayBuffer());
+  const worker = new Worker('world-worker.js', { type: 'module', name: 'programs' });
+  try {
+    const log = await new Promise((done, fail) => {
+      worker.onmessage = ({ data }) => ('result' in data ? done(data.result) : fail(new Error(data.failure)));
+      worker.onerror = (event) => fail(new Error(event.message));
+      worker.postMessage({ call: { id: 0, name: 'simSparkLog', given: [packed] } });
+    });
+    const stream = new Blob([log]).stream().pipeThrough(new CompressionStream('gzip'));
+    return await new Response(stream).arrayBuffer();
+  } finally {
+    worker.terminate();
+  }
+}
