@@ -2,6 +2,7 @@ package org.robonewbie.web;
 
 import org.robonewbie.studio.PageMotions;
 import org.teavm.jso.JSExport;
+import org.teavm.jso.typedarrays.Int8Array;
 
 /**
  * What the scripts of the page call as long as nobody programs: shipped agents play, and motions are tried. Each exported method
