@@ -32,21 +32,13 @@ final class DirectReadings implements SensorReadings {
     private @Nullable TextReadings whole;
 
     DirectReadings(Robot robot, DirectWorld world, boolean seeing) {
-        angles = angles(robot);
+        angles = JointAngles.measured(robot::jointDegrees, List.of());
         gyro = robot.gyroDegreesPerSecond();
         acceleration = robot.acceleration();
         feet = robot.footForces();
         OptionalInt untold = OptionalInt.empty();
         game = new GameState(untold, Optional.empty(), untold, untold, world.seconds(), world.playModeName());
         picture = seeing ? world.picture(robot) : Optional.empty();
-    }
-
-    private static JointAngles angles(Robot robot) {
-        double[] degrees = new double[Joint.COUNT];
-        for (Joint joint : Joint.values()) {
-            degrees[joint.ordinal()] = robot.jointDegrees(joint);
-        }
-        return JointAngles.of(degrees, List.of());
     }
 
     @Override

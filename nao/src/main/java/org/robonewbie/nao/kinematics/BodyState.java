@@ -1,6 +1,7 @@
 package org.robonewbie.nao.kinematics;
 
 import java.util.List;
+import java.util.function.IntToDoubleFunction;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
@@ -76,6 +77,23 @@ public final class BodyState {
         return new BodyState(model, torso, hingeDegrees.clone());
     }
 
+    /**
+     * Creates the state of a body by measuring all its hinges, toes included.
+     *
+     * @param type the robot type
+     * @param torso pose of the torso in the world frame
+     * @param hingeDegrees measures the angle of a hinge, of which it gets the index in {@link NaoModel#hinges()}
+     * @return the state
+     */
+    public static BodyState measured(RobotType type, Pose torso, IntToDoubleFunction hingeDegrees) {
+        NaoModel model = NaoModel.of(type);
+        double[] degrees = new double[model.hinges().size()];
+        for (int hinge = 0; hinge < degrees.length; hinge++) {
+            degrees[hinge] = hingeDegrees.applyAsDouble(hinge);
+        }
+        return new BodyState(model, torso, degrees);
+    }
+
     /** {@return the robot type} */
     public RobotType type() {
         return model.type();
@@ -99,6 +117,16 @@ public final class BodyState {
      */
     public double degrees(Joint joint) {
         return hingeDegrees[model.hingeIndex(joint)];
+    }
+
+    /**
+     * Returns the angle of a hinge.
+     *
+     * @param hinge its index in {@link NaoModel#hinges()}
+     * @return its angle in degrees
+     */
+    public double hingeDegrees(int hinge) {
+        return hingeDegrees[hinge];
     }
 
     /** {@return the angles of all hinges in degrees, in the order of {@link NaoModel#hinges()}; a copy} */

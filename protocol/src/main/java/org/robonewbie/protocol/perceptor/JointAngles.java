@@ -3,6 +3,7 @@ package org.robonewbie.protocol.perceptor;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
 import org.robonewbie.nao.Joint;
 
 /** The angles of all hinges in degrees: perceptor {@code HJ}. Immutable. */
@@ -11,6 +12,7 @@ public final class JointAngles {
     /** No angles. */
     public static final JointAngles NONE = new JointAngles(new double[Joint.COUNT], 0, List.of());
 
+    private static final Joint[] JOINTS = Joint.values();
     private static final int ALL = (1 << Joint.COUNT) - 1;
 
     private final double[] degrees;
@@ -56,6 +58,21 @@ public final class JointAngles {
             throw new IllegalArgumentException("A robot has " + Joint.COUNT + " joint angles, not " + degrees.length);
         }
         return new JointAngles(degrees.clone(), ALL, extraHinges);
+    }
+
+    /**
+     * Measures the angles of all joints.
+     *
+     * @param degrees measures the angle of a joint in degrees
+     * @param extraHinges angles of hinges that are not joints, such as toes
+     * @return the angles
+     */
+    public static JointAngles measured(ToDoubleFunction<Joint> degrees, List<ExtraHinge> extraHinges) {
+        double[] all = new double[Joint.COUNT];
+        for (Joint joint : JOINTS) {
+            all[joint.ordinal()] = degrees.applyAsDouble(joint);
+        }
+        return new JointAngles(all, ALL, extraHinges);
     }
 
     /**

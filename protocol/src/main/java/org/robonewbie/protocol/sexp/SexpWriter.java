@@ -26,7 +26,6 @@ public final class SexpWriter {
 
     private static final double LARGEST_WITH_SAFE_MARGIN = 1L << 42;
     private final MessageBuffer message;
-    private final byte[] digits = new byte[24];
 
     /**
      * Creates a writer.
@@ -256,16 +255,22 @@ public final class SexpWriter {
     }
 
     private void appendDigits(long value, int atLeast) {
-        int count = 0;
-        for (long rest = value; rest != 0 || count < atLeast; rest /= 10) {
-            digits[count++] = (byte) ('0' + rest % 10);
-        }
         int start = message.length();
-        message.resize(start + count);
+        message.resize(start + Math.max(digits(value), atLeast));
         byte[] bytes = message.bytes();
-        for (int i = 0; i < count; i++) {
-            bytes[start + i] = digits[count - 1 - i];
+        long rest = value;
+        for (int i = message.length() - 1; i >= start; i--) {
+            bytes[i] = (byte) ('0' + rest % 10);
+            rest /= 10;
         }
+    }
+
+    private static int digits(long value) {
+        int count = 0;
+        for (long rest = value; rest != 0; rest /= 10) {
+            count++;
+        }
+        return count;
     }
 
     private void stripZeros(int start) {

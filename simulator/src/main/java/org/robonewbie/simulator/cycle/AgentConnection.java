@@ -1,7 +1,6 @@
 package org.robonewbie.simulator.cycle;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.state.Restorable;
@@ -31,8 +30,8 @@ public final class AgentConnection implements Restorable {
     private final EffectorMessageReader reader = new EffectorMessageReader();
     private final MessageBuffer incoming = new MessageBuffer();
     private final MessageBuffer outgoing = new MessageBuffer();
-    private final List<EffectorCommand> commands = new ArrayList<>();
-    private List<EffectorCommand> executed = List.of();
+    private List<EffectorCommand> commands = new ArrayList<>();
+    private List<EffectorCommand> executed = new ArrayList<>();
     private MessageBuffer received = new MessageBuffer();
     private MessageBuffer executedMessage = new MessageBuffer();
     private boolean synchronised;
@@ -76,9 +75,11 @@ public final class AgentConnection implements Restorable {
         }
     }
 
-    /** Takes out the commands that have arrived, in their order. */
+    /** Takes out the commands that have arrived, in their order; the list is valid until they are taken again. */
     List<EffectorCommand> takeCommands() {
-        executed = commands.isEmpty() ? Collections.emptyList() : List.copyOf(commands);
+        List<EffectorCommand> done = executed;
+        executed = commands;
+        commands = done;
         commands.clear();
         MessageBuffer last = executedMessage;
         executedMessage = received;
@@ -92,7 +93,7 @@ public final class AgentConnection implements Restorable {
         return executedMessage;
     }
 
-    /** The commands that were executed in this cycle. */
+    /** The commands that were executed in this cycle, until it is over. */
     List<EffectorCommand> executedCommands() {
         return executed;
     }
@@ -232,7 +233,7 @@ public final class AgentConnection implements Restorable {
         commands.addAll(in.getAll(() -> SavedCommand.restore(in)));
         outgoing.set(in.getBytes());
         received.set(in.getBytes());
-        executed = List.of();
+        executed.clear();
         executedMessage.clear();
         synchronised = in.getBoolean();
         everSynchronised = in.getBoolean();

@@ -1,9 +1,9 @@
 package org.robonewbie.simulator.cycle;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
@@ -48,12 +48,16 @@ final class Hearing implements Restorable {
 
     /** Takes out what was heard; called once in each cycle. */
     List<Heard> collect(double playSeconds, boolean labelled) {
-        List<Heard> heard = new ArrayList<>(0);
-        own.ifPresent(message -> heard.add(heard(message, playSeconds, labelled)));
+        Optional<Message> said = own;
         own = Optional.empty();
-        teamMates.collect().ifPresent(message -> heard.add(heard(message, playSeconds, labelled)));
-        opponents.collect().ifPresent(message -> heard.add(heard(message, playSeconds, labelled)));
-        return heard;
+        Optional<Message> ofMate = teamMates.collect();
+        Optional<Message> ofOpponent = opponents.collect();
+        return said.isEmpty() && ofMate.isEmpty() && ofOpponent.isEmpty()
+                ? List.of()
+                : Stream.of(said, ofMate, ofOpponent)
+                        .flatMap(Optional::stream)
+                        .map(message -> heard(message, playSeconds, labelled))
+                        .toList();
     }
 
     private static Heard heard(Message message, double playSeconds, boolean labelled) {

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
-import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.protocol.perceptor.GameState;
@@ -22,8 +21,6 @@ import org.robonewbie.simulator.world.SoccerWorld;
 
 /** Asks all perceptors of a robot at the end of a cycle. */
 final class Percepts {
-
-    private static final List<Joint> JOINTS = List.of(Joint.values());
 
     private final SoccerWorld world;
     private final Match match;
@@ -68,7 +65,7 @@ final class Percepts {
                 agent.hearing().collect(playSeconds, labelled),
                 Optional.of(robot.gyroDegreesPerSecond()),
                 Optional.of(robot.acceleration()),
-                jointAngles(robot),
+                JointAngles.measured(robot::jointDegrees, toes(robot)),
                 robot.footForces(),
                 agent.picture());
     }
@@ -86,14 +83,6 @@ final class Percepts {
                 tellScore ? OptionalInt.of(match.state().score(TeamSide.RIGHT)) : OptionalInt.empty(),
                 playSeconds,
                 match.state().playMode().simSparkName());
-    }
-
-    private static JointAngles jointAngles(Robot robot) {
-        double[] degrees = new double[Joint.COUNT];
-        for (Joint joint : JOINTS) {
-            degrees[joint.ordinal()] = robot.jointDegrees(joint);
-        }
-        return JointAngles.of(degrees, toes(robot));
     }
 
     private static List<ExtraHinge> toes(Robot robot) {

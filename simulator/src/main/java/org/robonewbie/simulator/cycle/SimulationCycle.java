@@ -308,7 +308,9 @@ public final class SimulationCycle implements Restorable {
     }
 
     private List<Participant> participants() {
-        return agents.stream().flatMap(agent -> agent.participant().stream()).toList();
+        List<Participant> all = new ArrayList<>(agents.size());
+        agents.forEach(agent -> agent.participant().ifPresent(all::add));
+        return all;
     }
 
     private void generateMessages() {

@@ -184,9 +184,10 @@ public final class RecordingWriter implements AutoCloseable {
         for (RobotSnapshot robot : snapshot.robots()) {
             DeltaTrack track = track(robot).poses;
             track.putPose(0, SimSparkFrame.linkFromBody(robot.body().torso()), payload);
-            double[] degrees = robot.body().hingeDegrees();
-            for (int i = 0; i < degrees.length; i++) {
-                track.put(RecordingFormat.NUMBERS_PER_POSE + i, degrees[i], RecordingFormat.STEPS_PER_DEGREE, payload);
+            int hinges = NaoModel.of(robot.type()).hinges().size();
+            for (int i = 0; i < hinges; i++) {
+                double degrees = robot.body().hingeDegrees(i);
+                track.put(RecordingFormat.NUMBERS_PER_POSE + i, degrees, RecordingFormat.STEPS_PER_DEGREE, payload);
             }
         }
         sink.put(RecordingFormat.CYCLE);

@@ -5,8 +5,6 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.NaoModel;
-import org.robonewbie.simulator.physics.BodyPose;
-import org.robonewbie.simulator.physics.RotationMatrix;
 import org.robonewbie.simulator.world.Robot;
 
 /**
@@ -29,8 +27,10 @@ final class RobotStatistics {
     private static final double BEAMED_WAY = 0.1;
 
     private final NaoModel model;
-    private BodyPose start = new BodyPose(Vector3.ZERO, RotationMatrix.IDENTITY);
-    private BodyPose torso = start;
+    private Vector3 start = Vector3.ZERO;
+    private Vector3 position = Vector3.ZERO;
+    private double headingDegrees;
+    private double leanDegrees;
     private final double[] jointDegrees;
     private double smoothX;
     private double smoothY;
@@ -48,21 +48,24 @@ final class RobotStatistics {
     }
 
     void beforeStep(Robot robot) {
-        start = robot.torso();
+        start = robot.linkPosition(0);
     }
 
     void afterStep(Robot robot) {
-        torso = robot.torso();
+        position = robot.linkPosition(0);
+        leanDegrees = robot.tiltDegrees();
         countFalls();
-        Vector3 way = torso.position().minus(start.position());
-        if (leanDegrees() < BodyState.FALLEN_DEGREES && PortableMath.hypot(way.x(), way.y()) < BEAMED_WAY) {
+        Vector3 way = position.minus(start);
+        if (leanDegrees < BodyState.FALLEN_DEGREES && PortableMath.hypot(way.x(), way.y()) < BEAMED_WAY) {
             walk(way);
         }
     }
 
     /** Looks at the robot after the referee has had his turn. */
     void cycleEnded(Robot robot) {
-        torso = robot.torso();
+        position = robot.linkPosition(0);
+        leanDegrees = robot.tiltDegrees();
+        headingDegrees = robot.headingDegrees();
         for (int i = 0; i < jointDegrees.length; i++) {
             jointDegrees[i] = robot.jointDegrees(i);
         }
@@ -85,27 +88,22 @@ final class RobotStatistics {
     }
 
     Vector3 position() {
-        return torso.position();
+        return position;
     }
 
     /** Where the robot looks, 0 along the world's x axis, counter-clockwise. */
     double headingDegrees() {
-        return BodyState.headingDegrees(torso.rotation().axisY());
+        return headingDegrees;
     }
 
     boolean isUpright() {
-        return BodyState.isStanding(leanDegrees(), torso.position().z());
-    }
-
-    private double leanDegrees() {
-        return BodyState.tiltDegrees(torso.rotation().axisZ());
+        return BodyState.isStanding(leanDegrees, position.z());
     }
 
     private void countFalls() {
         if (isUpright()) {
             hasStood = true;
-        } else if (hasStood
-                && BodyState.isFallen(leanDegrees(), torso.position().z())) {
+        } else if (hasStood && BodyState.isFallen(leanDegrees, position.z())) {
             hasStood = false;
             falls++;
         }

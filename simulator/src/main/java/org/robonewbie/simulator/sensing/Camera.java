@@ -41,6 +41,9 @@ public final class Camera implements Restorable {
     private static final List<BodyPart> PARTS = List.of(BodyPart.values());
     private static final List<Landmark> LANDMARKS = List.of(Landmark.values());
 
+    /** What can be added to any number without changing it, even to -0. */
+    private static final Vector3 NOWHERE_ELSE = new Vector3(-0.0, -0.0, -0.0);
+
     private final SoccerField field;
     private final CameraSettings settings;
     private final ViewCone cone;
@@ -115,29 +118,40 @@ public final class Camera implements Restorable {
     private List<SeenLine> lines(BodyPose head) {
         List<SeenLine> seen = new ArrayList<>();
         for (Segment line : lines) {
-            cone.clip(new Segment(fromCamera(head, line.start()), fromCamera(head, line.end())))
-                    .ifPresent(visible -> seen.add(new SeenLine(measure(visible.start()), measure(visible.end()))));
+            if (isAhead(head, line.start()) || isAhead(head, line.end())) {
+                cone.clip(new Segment(fromCamera(head, line.start()), fromCamera(head, line.end())))
+                        .ifPresent(visible -> seen.add(new SeenLine(measure(visible.start()), measure(visible.end()))));
+            }
         }
         return seen;
     }
 
+    private boolean isAhead(BodyPose head, Vector3 point) {
+        return fromCamera(head, point).y() > 0;
+    }
+
+    /** Hands numbers on instead of vectors: most points are not seen, and then no object is made for them. */
     private Optional<PolarPosition> see(BodyPose head, Vector3 point) {
         Vector3 local = fromCamera(head, point);
-        return cone.contains(local) ? Optional.of(measure(local)) : Optional.empty();
+        return cone.contains(local.x(), local.y(), local.z())
+                ? Optional.of(measure(local.x(), local.y(), local.z()))
+                : Optional.empty();
     }
 
     /** The calibration error comes first, so it takes part in the decision what is visible. */
     private Vector3 fromCamera(BodyPose head, Vector3 point) {
-        Vector3 local = head.toLocal(point);
-        return noise.isPresent() ? local.plus(noise.get().displacement()) : local;
+        return head.toLocal(point).plus(noise.isPresent() ? noise.get().displacement() : NOWHERE_ELSE);
     }
 
     private PolarPosition measure(Vector3 local) {
-        PolarPosition exact = new PolarPosition(
-                local.length(),
-                PortableMath.toDegrees(PortableMath.atan2(-local.x(), local.y())),
-                PortableMath.toDegrees(PortableMath.atan2(local.z(), PortableMath.hypot(local.x(), local.y()))));
-        return noise.isPresent() ? noise.get().disturb(exact) : exact;
+        return measure(local.x(), local.y(), local.z());
+    }
+
+    private PolarPosition measure(double x, double y, double z) {
+        double metres = Math.sqrt(x * x + y * y + z * z);
+        double left = PortableMath.toDegrees(PortableMath.atan2(-x, y));
+        double up = PortableMath.toDegrees(PortableMath.atan2(z, PortableMath.hypot(x, y)));
+        return noise.isPresent() ? noise.get().disturb(metres, left, up) : new PolarPosition(metres, left, up);
     }
 
     private static Vector3 inTeamView(Vector3 world, Optional<TeamSide> side) {

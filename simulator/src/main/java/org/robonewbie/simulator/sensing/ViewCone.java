@@ -33,10 +33,16 @@ final class ViewCone {
                 new Vector3(0, upward, 1));
     }
 
-    boolean contains(Vector3 point) {
-        return point.length() > LEAST_DISTANCE
-                && Math.abs(PortableMath.atan2(point.x(), point.y())) <= halfHorizontal
-                && Math.abs(PortableMath.atan2(point.z(), PortableMath.hypot(point.x(), point.y()))) <= halfVertical;
+    /** Whether a point is seen; no cone reaches beyond what is ahead, and most points need no angles. */
+    boolean contains(double x, double y, double z) {
+        return y > 0
+                && Math.sqrt(x * x + y * y + z * z) > LEAST_DISTANCE
+                && Math.abs(PortableMath.atan2(x, y)) <= halfHorizontal
+                && Math.abs(PortableMath.atan2(z, PortableMath.hypot(x, y))) <= halfVertical;
+    }
+
+    private boolean contains(Vector3 point) {
+        return contains(point.x(), point.y(), point.z());
     }
 
     /** Cuts a line to what is seen of it: visible ends stay, hidden ones move to the edge of the picture. */

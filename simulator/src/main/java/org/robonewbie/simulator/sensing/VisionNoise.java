@@ -37,12 +37,12 @@ final class VisionNoise implements Restorable {
         return displacement;
     }
 
-    PolarPosition disturb(PolarPosition exact) {
-        double distance = exact.distanceMetres();
+    /** Measures with errors what is at an exact place. */
+    PolarPosition disturb(double metres, double horizontalDegrees, double verticalDegrees) {
         return new PolarPosition(
-                distance + distance * normal() * DISTANCE_SIGMA_PERCENT / 100,
-                exact.horizontalDegrees() + normal() * HORIZONTAL_SIGMA_DEGREES,
-                exact.verticalDegrees() + normal() * VERTICAL_SIGMA_DEGREES);
+                metres + metres * normal() * DISTANCE_SIGMA_PERCENT / 100,
+                horizontalDegrees + normal() * HORIZONTAL_SIGMA_DEGREES,
+                verticalDegrees + normal() * VERTICAL_SIGMA_DEGREES);
     }
 
     private double uniform() {

@@ -58,7 +58,7 @@ public final class Player {
 
     /** {@return the position of the torso's centre in the world frame, metres} */
     public Vector3 position() {
-        return robot().torso().position();
+        return robot().linkPosition(0);
     }
 
     FoulHistory fouls() {

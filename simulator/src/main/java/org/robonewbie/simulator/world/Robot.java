@@ -132,31 +132,27 @@ public final class Robot {
 
     /** {@return the direction in which the torso faces in degrees, 0 along the world's x axis, positive to the left} */
     public double headingDegrees() {
-        return BodyState.headingDegrees(torso().rotation().axisY());
+        return BodyState.headingDegrees(bodies.get(0).rotation().axisY());
     }
 
     /** {@return how far the torso leans to any side in degrees: 0 upright, 180 upside down} */
     public double tiltDegrees() {
-        return BodyState.tiltDegrees(torso().rotation().axisZ());
+        return BodyState.tiltDegrees(bodies.get(0).rotation().axisZ());
     }
 
     /** {@return whether the torso is tilted by more than 60 degrees or its centre is lower than 0.2 m} */
     public boolean isFallen() {
-        return BodyState.isFallen(tiltDegrees(), torso().position().z());
+        return BodyState.isFallen(tiltDegrees(), linkPosition(0).z());
     }
 
     /** {@return whether the robot is on its feet, as {@link BodyState#isStanding()} has it} */
     public boolean isStanding() {
-        return BodyState.isStanding(tiltDegrees(), torso().position().z());
+        return BodyState.isStanding(tiltDegrees(), linkPosition(0).z());
     }
 
     /** {@return the torso's pose and all joint angles, as they are now} */
     public BodyState body() {
-        double[] degrees = new double[hinges.size()];
-        for (int i = 0; i < degrees.length; i++) {
-            degrees[i] = jointDegrees(i);
-        }
-        return BodyState.ofHinges(model.type(), torso().toBodyAxes(), degrees);
+        return BodyState.measured(model.type(), torso().toBodyAxes(), this::jointDegrees);
     }
 
     /** {@return the velocity of the torso in the world frame, metres per second} */
@@ -337,10 +333,19 @@ public final class Robot {
     }
 
     void finishStep() {
-        if (!bodies.stream().allMatch(body -> WorldLimits.isWithin(body.position()))) {
+        if (isTornApart()) {
             rebuild();
         }
         plates.values().forEach(plate -> plate.update(linkPose(plate.link())));
+    }
+
+    private boolean isTornApart() {
+        for (RigidBody body : bodies) {
+            if (!WorldLimits.isWithin(body.position())) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Puts a robot that was torn apart into the pose of a new one. */

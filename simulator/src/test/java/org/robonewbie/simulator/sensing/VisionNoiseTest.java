@@ -26,13 +26,12 @@ class VisionNoiseTest {
     @Test
     void singleMeasurementsScatterWithTheOriginalsSigmas() {
         VisionNoise noise = new VisionNoise(new SplittableRandom(3));
-        PolarPosition exact = new PolarPosition(10, 20, -5);
         Scatter distance = new Scatter();
         Scatter horizontal = new Scatter();
         Scatter vertical = new Scatter();
 
         for (int i = 0; i < 20_000; i++) {
-            PolarPosition disturbed = noise.disturb(exact);
+            PolarPosition disturbed = noise.disturb(10, 20, -5);
             distance.add(disturbed.distanceMetres() / 10 - 1);
             horizontal.add(disturbed.horizontalDegrees() - 20);
             vertical.add(disturbed.verticalDegrees() + 5);

@@ -17,7 +17,9 @@ final class PlanCache {
     private static final int LARGE = 1 << 15;
     private static final int PATIENCE = 2_000;
 
+    /** The plan that was used last comes first. */
     private final List<EliminationPlan> plans = new ArrayList<>();
+
     private EliminationPlan large = EliminationPlan.EMPTY;
     private int useless;
     private int[] key = {};
@@ -32,7 +34,8 @@ final class PlanCache {
         }
         for (int i = 0; i < plans.size(); i++) {
             if (plans.get(i).suits(key, length)) {
-                return plans.get(i);
+                plans.add(0, plans.remove(i));
+                return plans.get(0);
             }
         }
         if (large.suits(key, length)) {
@@ -70,10 +73,10 @@ final class PlanCache {
             useless = 0;
             return;
         }
-        plans.add(plan);
+        plans.add(0, plan);
         numbers += plan.numbers();
         while (plans.size() > MOST_PLANS || numbers > MOST_NUMBERS) {
-            numbers -= plans.remove(0).numbers();
+            numbers -= plans.remove(plans.size() - 1).numbers();
         }
     }
 }

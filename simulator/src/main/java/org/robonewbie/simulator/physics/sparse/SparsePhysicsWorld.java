@@ -20,6 +20,12 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
  */
 public final class SparsePhysicsWorld implements PhysicsWorld {
 
+    /**
+     * Plans and arrays of a step, which all worlds that a thread steps share: hundreds of worlds of learning robots would drive
+     * each other's out of the processor's cache.
+     */
+    private static final ThreadLocal<IslandStepper> STEPPER = ThreadLocal.withInitial(IslandStepper::new);
+
     private final Surfaces surfaces = new Surfaces();
     private final ContactFinder finder = new ContactFinder();
     private final List<SparseAssembly> assemblies = new ArrayList<>();
@@ -27,7 +33,6 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
     private final List<Body> bodies = new ArrayList<>();
     private final ContactList contacts = new ContactList(surfaces);
     private final Island island = new Island();
-    private final IslandStepper stepper = new IslandStepper();
 
     /** Creates an empty world. */
     public SparsePhysicsWorld() {}
@@ -96,6 +101,7 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
             bodies.get(i).watchRest();
             bodies.get(i).unvisit();
         }
+        IslandStepper stepper = STEPPER.get();
         for (int i = bodies.size() - 1; i >= 0; i--) {
             Body body = bodies.get(i);
             if (!body.visited && !body.isAsleep()) {
