@@ -20,7 +20,7 @@ public final class Footwork {
 
     /** How the players walk: fast ahead, but with turns and changes of speed that do not make them fall. */
     public static final WalkStyle STYLE =
-            WalkStyle.FAST.within(new WalkVelocity(0.69, 0.2, 120), new WalkVelocity(0.1, 0.05, 15));
+            WalkStyle.FAST.within(new WalkVelocity(0.69, 0.2, 120), new WalkVelocity(0.13, 0.085, 19));
 
     private static final double FAST = STYLE.most().forward();
     private static final double AROUND_DEGREES_PER_SECOND = 25;
@@ -33,8 +33,11 @@ public final class Footwork {
     private static final double ARRIVED_DEGREES = 12;
     private static final double LEFT_METRES = 0.4;
     private static final double ROBOT_METRES = 0.5;
-    private static final double AHEAD_DEGREES = 40;
+    private static final double AHEAD_DEGREES = 45;
     private static final double SIGHT_METRES = 3;
+    private static final double FAR_TURN = 1.6;
+    private static final double NEAR_TURN = 1.2;
+    private static final double NEAR_SPEED = 1.8;
 
     private final Walk walk;
     private boolean standing;
@@ -91,9 +94,10 @@ public final class Footwork {
         double bearing = place.degrees();
         if (!last || place.length() > FAR_METRES) {
             boolean ahead = Math.abs(bearing) < AHEAD_DEGREES;
-            walk.towards(ahead ? speed(world) : 0, 0, 2 * bearing);
+            walk.towards(ahead ? speed(world) : 0, 0, FAR_TURN * bearing);
         } else {
-            walk.towards(Math.min(speed(world), 2 * place.x()), 2 * place.y(), 1.5 * turnDegrees);
+            walk.towards(
+                    Math.min(speed(world), NEAR_SPEED * place.x()), NEAR_SPEED * place.y(), NEAR_TURN * turnDegrees);
         }
     }
 

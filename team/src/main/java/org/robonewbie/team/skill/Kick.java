@@ -19,16 +19,17 @@ public final class Kick {
     private static final double HURRY = 1.4;
 
     private static final Spot BEFORE_LEFT_FOOT = new Spot(0.205, 0.05);
-    private static final double AHEAD_TOLERANCE = 0.035;
-    private static final double CLOSER_METRES = 0.035;
+    private static final double AHEAD_TOLERANCE = 0.0375;
+    private static final double CLOSER_METRES = 0.03;
     private static final double DRIFT = 1.4;
-    private static final double LEFT_TOLERANCE = 0.022;
+    private static final double LEFT_TOLERANCE = 0.027;
     private static final double TURN_TOLERANCE = 8;
-    private static final double FAR_METRES = 0.9;
-    private static final double BEHIND_METRES = 0.12;
-    private static final double AROUND_METRES = 0.4;
-    private static final double REACTION_SECONDS = 0.8;
-    private static final double MOST_SPEED = 0.5;
+    private static final double FAR_METRES = 1;
+    private static final double BEHIND_METRES = 0.1;
+    private static final double AROUND_METRES = 0.33;
+    private static final double REACTION_SECONDS = 0.7;
+    private static final double MISS_METRES = 0.08;
+    private static final double MOST_SPEED = 0.35;
 
     private final Limbs body;
     private final Footwork feet;
@@ -56,7 +57,7 @@ public final class Kick {
         return USUAL_SECONDS + Footwork.aroundSeconds(world, directionDegrees);
     }
 
-    /** Where the ball has to lie for a kick with the foot that is nearer to it. */
+    /** Where the ball has to lie for a kick with the foot on whose side it is. */
     private static Spot before(Spot ball) {
         return new Spot(BEFORE_LEFT_FOOT.x(), (ball.y() > 0 ? 1 : -1) * BEFORE_LEFT_FOOT.y());
     }
@@ -101,9 +102,9 @@ public final class Kick {
 
     /** Walks to the place from which the ball lies before the foot; from the wrong side of the ball around it. */
     private void approach(WorldModel world, Spot ball, double turn) {
-        Spot foot = before(ball);
         Spot direction = Spot.polar(turn, 1);
         Spot aside = Spot.polar(turn + 90, 1);
+        Spot foot = before(new Spot(ball.dot(direction), ball.dot(aside)));
         Spot place = ball.minus(direction.times(foot.x())).minus(aside.times(foot.y()));
         double ahead = ball.dot(direction);
         double miss = place.dot(aside);
@@ -112,7 +113,7 @@ public final class Kick {
         } else if (ahead < 0.1) {
             double side = ball.dot(aside) <= 0 ? 1 : -1;
             feet.step(world, ball.minus(direction.times(foot.x())).plus(aside.times(side * AROUND_METRES)), turn);
-        } else if (Math.abs(miss) > 0.06 || Math.abs(turn) > 2 * TURN_TOLERANCE) {
+        } else if (Math.abs(miss) > MISS_METRES || Math.abs(turn) > 2 * TURN_TOLERANCE) {
             feet.step(world, place.minus(direction.times(BEHIND_METRES)), turn);
         } else {
             body.walk().towards(gentle(place.x() + CLOSER_METRES), gentle(place.y()), turn);
