@@ -35,13 +35,13 @@ async function begin(worker) {
   const course = new CourseServer(worker, shelf, programs);
   const questions = new WorldQuestions(worker);
   const motions = new MotionServer(questions);
-  const scenes = new SceneServer(questions);
   worker.ownMotions = () => motions.own;
   motions.changed = () => worker.postMessage({ motions: motions.own });
   /** @type {Promise<Record<string, {hinges: unknown[]}>> | undefined} */
   let models;
   const bodies = () => (models ??= questions.ask('models').then(JSON.parse));
   const recordings = new PageRecordings(new RecordingStore(), bodies);
+  const scenes = new SceneServer(questions, recordings);
   answerInsteadOfServer({
     programs,
     course,

@@ -1,4 +1,7 @@
-/** Answers what the panel of scenes asks its server. The program in the worker reads and writes scenes; this browser keeps them. */
+/**
+ * Answers what the panel of scenes and the button *Start here* ask their server. The program in the worker reads and writes scenes; this
+ * browser keeps them.
+ */
 import { asBytes, asText, BrowserShelf } from './browser-shelf.js';
 
 const NO_ROOM = 'This browser has no room for one more scene. Delete another one first.';
@@ -7,9 +10,13 @@ export class SceneServer {
   #shelf = new BrowserShelf('robonewbie-page-scene:');
   #isFull = false;
 
-  /** @param {import('./world-questions.js').WorldQuestions} questions */
-  constructor(questions) {
+  /**
+   * @param {import('./world-questions.js').WorldQuestions} questions
+   * @param {import('./page-recordings.js').PageRecordings} recordings
+   */
+  constructor(questions, recordings) {
     this.questions = questions;
+    this.recordings = recordings;
   }
 
   /** The parts of a server that this one is, by the first words of their places. */
@@ -18,6 +25,7 @@ export class SceneServer {
       scenes: {
         answer: (/** @type {string} */ place, /** @type {RequestInit} */ options) => this.#answer(place, options),
       },
+      start: { answer: (/** @type {string} */ place) => this.#start(place) },
     };
   }
 
@@ -48,7 +56,15 @@ export class SceneServer {
       this.#isFull = false;
       throw new Error(NO_ROOM);
     }
-    return new Response(result, { status: result.startsWith('{') ? 200 : 409 });
+    return answer(result);
+  }
+
+  /** @param {string} place */
+  async #start(place) {
+    const [path, search] = place.split('?');
+    const recording = await this.recordings.open(path.split('/').slice(1).map(decodeURIComponent).join('/'));
+    const moment = Number(new URLSearchParams(search).get('moment'));
+    return answer(await this.questions.ask('startFrom', new Int8Array(recording.slice().buffer), moment));
   }
 
   /** @returns {[string, Int8Array][]} name and bytes of each scene */
@@ -56,3 +72,6 @@ export class SceneServer {
     return this.#shelf.list.map(({ path }) => [path, new Int8Array(asBytes(this.#shelf.read(path) ?? '').buffer)]);
   }
 }
+
+/** @param {string} result one JSON object, or why that cannot be */
+const answer = (result) => new Response(result, { status: result.startsWith('{') ? 200 : 409 });

@@ -1,7 +1,9 @@
 package org.robonewbie.studio;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.Optional;
+import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.file.RefusedException;
 import org.robonewbie.studio.scene.SceneDesk;
 import org.robonewbie.studio.scene.SceneShelf;
@@ -38,10 +40,36 @@ public final class PageScenes {
      * @throws RefusedException if that cannot be; the message says why
      */
     public String answer(PageFeed feed, String method, String name, String old) {
+        return attempt(
+                feed, desk -> desk.answer(method, name, old.isEmpty() ? Optional.empty() : Optional.of(old), false));
+    }
+
+    /**
+     * Goes on from a moment of a recording.
+     *
+     * @param feed shows the world
+     * @param recording the bytes of the recording, not compressed
+     * @param moment number of the moment, from 0
+     * @return how much of it is back, as one JSON object
+     * @throws RefusedException if that cannot be; the message says why
+     */
+    public String start(PageFeed feed, byte[] recording, long moment) {
+        return attempt(
+                feed,
+                desk -> desk.start(
+                        RecordingReader.ofUnpacked(new ByteArrayInputStream(recording), "This"),
+                        moment,
+                        SceneDesk.ENDS_BEFORE));
+    }
+
+    private interface Request {
+        String answer(SceneDesk desk) throws IOException;
+    }
+
+    private String attempt(PageFeed feed, Request request) {
         Deeds deeds = feed.stage().deeds();
         try {
-            return new SceneDesk(shelf, PLACE, deeds, deeds::done)
-                    .answer(method, name, old.isEmpty() ? Optional.empty() : Optional.of(old), false);
+            return request.answer(new SceneDesk(shelf, PLACE, deeds, deeds::done));
         } catch (IllegalArgumentException | IllegalStateException | IOException refused) {
             throw new RefusedException(409, String.valueOf(refused.getMessage()));
         }

@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
@@ -114,8 +115,17 @@ final class PageStage {
 
     /** Saves, renames, removes or lists scenes, or goes back to one; returns a JSON object, or why that cannot be as a sentence. */
     static String scenes(String method, String name, String old) {
+        return answer(feed -> SCENES.answer(feed, method, name, old));
+    }
+
+    /** Goes on from a moment of a recording; returns a JSON object, or why that cannot be as a sentence. */
+    static String startFrom(byte[] recorded, int moment) {
+        return answer(feed -> SCENES.start(feed, recorded, moment));
+    }
+
+    private static String answer(Function<PageFeed, String> request) {
         try {
-            return world == null ? "The world has not begun yet." : SCENES.answer(world.feed(), method, name, old);
+            return world == null ? "The world has not begun yet." : request.apply(world.feed());
         } catch (RefusedException refused) {
             return String.valueOf(refused.getMessage());
         }

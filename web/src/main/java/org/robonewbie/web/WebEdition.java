@@ -134,6 +134,18 @@ public final class WebEdition {
     }
 
     /**
+     * Goes on from a moment of a recording.
+     *
+     * @param recording its bytes, not compressed
+     * @param moment number of the moment, from 0
+     * @return one JSON object; or why that cannot be, as a sentence
+     */
+    @JSExport
+    public static String startFrom(Int8Array recording, int moment) {
+        return PageStage.startFrom(recording.copyToJavaArray(), moment);
+    }
+
+    /**
      * Does what the page asks for.
      *
      * @param command one JSON object

@@ -113,6 +113,25 @@ class FieldInThePageTest {
     }
 
     @Test
+    void worldGoesOnFromTheShownMomentOfItsRecording() {
+        send("{do: 'placeBall', gesture: 7, x: 3, y: 2, z: 0.042}");
+        browser.await("Math.abs(" + BALL + "[0] - 3) < 0.01");
+        browser.evaluate("fetch('api/recordings').then((answer) => answer.json()).then(({ recordings }) => {"
+                + " location.hash = '#replay/' + encodeURIComponent(recordings[0].name); })");
+        browser.await("studio.replay?.state?.count > 100");
+        browser.evaluate("studio.replay.deeds.find((deed) => deed.shown === 'Home').act()");
+        browser.await("studio.replay.state.index === 0");
+        browser.click("#start-here");
+
+        browser.await("location.hash === '#field' && studio.state.frame.paused && Math.hypot(" + BALL + "[0], " + BALL
+                + "[1]) < 0.01");
+        browser.await("document.querySelector('#toast').textContent.includes('The world is nearly as it was')");
+        browser.click("#world-undo");
+        browser.await("Math.abs(" + BALL + "[0] - 3) < 0.3");
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
     void puppetIsSteeredBySlidersAndKeysAndTakenAway() {
         browser.click("#add-puppet");
         browser.await("studio.state.scene.robots[1]?.puppet && studio.desk.chosen === 1");

@@ -28,6 +28,8 @@ public enum Badge {
 
     private final String title;
     private final String reason;
+
+    @SuppressWarnings("ImmutableEnumChecker") // a record of a word and numbers
     private final Rule rule;
 
     /**

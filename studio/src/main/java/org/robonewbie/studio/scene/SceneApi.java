@@ -12,7 +12,9 @@ import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.recording.DamagedRecordingException;
+import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.file.Answer;
 
 /**
@@ -36,7 +38,6 @@ public final class SceneApi extends Handler.Abstract {
 
     private final SceneFolder folder;
     private final SceneDesk desk;
-    private final LivingWorld world;
     private final Function<String, Optional<Path>> recordings;
 
     /**
@@ -50,7 +51,6 @@ public final class SceneApi extends Handler.Abstract {
     public SceneApi(Path folder, LivingWorld world, Consumer<Deed> done, Function<String, Optional<Path>> recordings) {
         this.folder = new SceneFolder(folder);
         this.desk = new SceneDesk(this.folder, folder.toAbsolutePath().toString(), world, done);
-        this.world = world;
         this.recordings = recordings;
     }
 
@@ -74,7 +74,7 @@ public final class SceneApi extends Handler.Abstract {
 
     private String answer(Request request, String path) throws IOException {
         if (path.startsWith(START) && request.getMethod().equals("POST")) {
-            return SceneDesk.written(start(decoded(path.substring(START.length())), moment(request)));
+            return start(decoded(path.substring(START.length())), moment(request));
         }
         String name = path.equals(SCENES) ? "" : decoded(path.substring(SCENES.length() + 1));
         Optional<String> old =
@@ -83,16 +83,17 @@ public final class SceneApi extends Handler.Abstract {
         return desk.answer(request.getMethod(), name, old, replace);
     }
 
-    private LivingWorld.Restored start(String name, long moment) throws IOException {
+    private String start(String name, long moment) throws IOException {
         Path file = recordings
                 .apply(name)
                 .orElseThrow(
                         () -> new IllegalArgumentException("There is no such recording any more. Choose another one."));
-        return world.goOnFrom(SceneFolder.moment(file, moment)
-                .orElseThrow(() -> new IllegalArgumentException("The recording has no moment " + moment
-                        + (file.toString().endsWith(AtomicFile.UNFINISHED)
-                                ? " on the disk yet. Try again in a second."
-                                : ": it ends before, or is damaged there. Choose an earlier one."))));
+        String why = file.toString().endsWith(AtomicFile.UNFINISHED)
+                ? " on the disk yet. Try again in a second."
+                : SceneDesk.ENDS_BEFORE;
+        try (RecordingReader recording = RecordingFile.read(file)) {
+            return desk.start(recording, moment, why);
+        }
     }
 
     private static long moment(Request request) {

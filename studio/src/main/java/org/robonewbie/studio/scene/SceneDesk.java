@@ -5,9 +5,13 @@ import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.robonewbie.simulator.recording.RecordingReader;
 
 /** Saves scenes, and lets the world go on from them. The answers are JSON objects for the page. */
 public final class SceneDesk {
+
+    /** Why a whole recording may lack a moment. */
+    public static final String ENDS_BEFORE = ": it ends before, or is damaged there. Choose an earlier one.";
 
     private static final String DONE = "{}";
 
@@ -67,12 +71,28 @@ public final class SceneDesk {
     }
 
     /**
+     * Goes on from a moment of a recording.
+     *
+     * @param recording the recording, before its first cycle
+     * @param moment number of the moment, from 0
+     * @param why what to say of a recording that has no such moment
+     * @return how much of it is back, as one JSON object
+     * @throws IOException if the recording cannot be read
+     * @throws IllegalArgumentException if it has no such moment
+     * @throws IllegalStateException if the world cannot be put into that state; the message says why
+     */
+    public String start(RecordingReader recording, long moment, String why) throws IOException {
+        return written(world.goOnFrom(SceneRecording.moment(recording, moment)
+                .orElseThrow(() -> new IllegalArgumentException("The recording has no moment " + moment + why))));
+    }
+
+    /**
      * Writes how much of a kept moment is back.
      *
      * @param restored how much
      * @return one JSON object
      */
-    static String written(LivingWorld.Restored restored) {
+    private static String written(LivingWorld.Restored restored) {
         JsonObject json = new JsonObject();
         json.addProperty("exact", restored.exact());
         json.addProperty("agents", restored.agents());

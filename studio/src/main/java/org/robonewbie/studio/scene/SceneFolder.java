@@ -94,8 +94,10 @@ record SceneFolder(Path folder) implements SceneStore {
     @Override
     public KeptMoment load(String name) throws IOException {
         Path file = file(name);
-        KeptMoment moment = moment(file, 0).orElseThrow(() -> SceneStore.damaged(name));
-        return new KeptMoment(moment.before(), moment.state(), exactState(file));
+        try (RecordingReader reader = RecordingFile.read(file)) {
+            KeptMoment moment = SceneRecording.moment(reader, 0).orElseThrow(() -> SceneStore.damaged(name));
+            return new KeptMoment(moment.before(), moment.state(), exactState(file));
+        }
     }
 
     /** Reads the state to the bit; a scene without, or with one of another version, is still good for a start nearby. */
@@ -104,13 +106,6 @@ record SceneFolder(Path folder) implements SceneStore {
             return Files.exists(exact(scene)) ? Optional.of(StateFile.read(exact(scene))) : Optional.empty();
         } catch (IllegalArgumentException unreadable) {
             return Optional.empty();
-        }
-    }
-
-    /** Reads a moment of any recording; empty if it has no such moment. */
-    static Optional<KeptMoment> moment(Path recording, long index) throws IOException {
-        try (RecordingReader reader = RecordingFile.read(recording)) {
-            return SceneRecording.moment(reader, index);
         }
     }
 

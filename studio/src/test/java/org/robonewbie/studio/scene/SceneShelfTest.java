@@ -3,6 +3,8 @@ package org.robonewbie.studio.scene;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -20,6 +22,8 @@ import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 import org.robonewbie.simulator.cycle.WorldSettings;
+import org.robonewbie.simulator.recording.RecordingReader;
+import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.state.WorldState;
 
 class SceneShelfTest {
@@ -125,6 +129,38 @@ class SceneShelfTest {
         assertThatThrownBy(() -> ask("DELETE", "Kick"))
                 .hasMessage("There is no scene \"Kick\" any more. Load the page again.");
         assertThatThrownBy(() -> ask("POST", "Broken")).hasMessage("The scene \"Broken\" is damaged.");
+    }
+
+    @Test
+    void recordingWithoutTheMomentIsRefused() throws IOException {
+        ByteArrayOutputStream recorded = new ByteArrayOutputStream();
+        SceneRecording.write(new Target(recorded), SoccerField.BEGINNER, world.snapshot(true, 1));
+        byte[] bytes = recorded.toByteArray();
+
+        assertThat(desk.start(recording(bytes), 0, SceneDesk.ENDS_BEFORE)).isEqualTo("{\"exact\":false,\"agents\":0}");
+        assertThatThrownBy(() -> desk.start(recording(bytes), 1, SceneDesk.ENDS_BEFORE))
+                .hasMessage(
+                        "The recording has no moment 1: it ends before, or is damaged there. Choose an earlier one.");
+        assertThatThrownBy(() -> recording(new byte[9]))
+                .hasMessageStartingWith("This is not a recording of RoboNewbie");
+    }
+
+    private static RecordingReader recording(byte[] bytes) throws IOException {
+        return RecordingReader.ofUnpacked(new ByteArrayInputStream(bytes), "This");
+    }
+
+    private record Target(ByteArrayOutputStream content) implements RecordingTarget {
+
+        @Override
+        public void write(byte[] bytes, int length) {
+            content.write(bytes, 0, length);
+        }
+
+        @Override
+        public void flush() {}
+
+        @Override
+        public void close() {}
     }
 
     private String ask(String method, String name) throws IOException {
