@@ -1,7 +1,7 @@
 package org.robonewbie.learning.gym;
 
+import java.util.Arrays;
 import java.util.List;
-import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.trial.Moment;
@@ -79,12 +79,17 @@ final class GymLearner {
 
     /** What the robot perceives now. */
     double[] observation(List<ObservedQuantity> quantities) {
-        double[] all = Stream.of(felt, episode.progress(), task().extras())
-                .flatMapToDouble(DoubleStream::of)
-                .toArray();
+        double[] all = joined(felt, episode.progress(), task().extras());
         for (int i = 0; i < all.length; i++) {
             all[i] = quantities.get(i).clamped(all[i]);
         }
+        return all;
+    }
+
+    private static double[] joined(double[] first, double[] second, double[] third) {
+        double[] all = Arrays.copyOf(first, first.length + second.length + third.length);
+        System.arraycopy(second, 0, all, first.length, second.length);
+        System.arraycopy(third, 0, all, first.length + second.length, third.length);
         return all;
     }
 

@@ -35,12 +35,27 @@ final class Percepts {
      * anything.
      */
     void takePictures(List<ConnectedAgent> agents) {
-        List<VisiblePlayer> players = match.teams().players().stream()
-                .map(player -> new VisiblePlayer(player.robot(), player.team().name(), player.number()))
-                .toList();
+        List<VisiblePlayer> players = isAnybodyLooking(agents) ? visiblePlayers() : List.of();
         for (ConnectedAgent agent : agents) {
             agent.setPicture(picture(agent, players));
         }
+    }
+
+    private static boolean isAnybodyLooking(List<ConnectedAgent> agents) {
+        for (ConnectedAgent agent : agents) {
+            if (agent.seesInThisCycle()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private List<VisiblePlayer> visiblePlayers() {
+        List<VisiblePlayer> players = new ArrayList<>();
+        for (Player player : match.teams().players()) {
+            players.add(new VisiblePlayer(player.robot(), player.team().name(), player.number()));
+        }
+        return players;
     }
 
     private Optional<Vision> picture(ConnectedAgent agent, List<VisiblePlayer> players) {

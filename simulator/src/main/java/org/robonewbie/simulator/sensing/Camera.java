@@ -98,7 +98,7 @@ public final class Camera implements Restorable {
     private List<SeenPlayer> players(BodyPose head, List<VisiblePlayer> players) {
         List<SeenPlayer> seen = new ArrayList<>();
         for (VisiblePlayer player : players) {
-            List<SeenBodyPart> parts = parts(head, player.robot());
+            List<SeenBodyPart> parts = parts(head, player);
             if (!parts.isEmpty()) {
                 seen.add(new SeenPlayer(player.team(), player.number(), parts, Optional.empty()));
             }
@@ -106,10 +106,10 @@ public final class Camera implements Restorable {
         return seen;
     }
 
-    private List<SeenBodyPart> parts(BodyPose head, Robot robot) {
+    private List<SeenBodyPart> parts(BodyPose head, VisiblePlayer player) {
         List<SeenBodyPart> seen = new ArrayList<>();
         for (BodyPart part : PARTS) {
-            see(head, robot.linkPosition(robot.model().linkIndex(part.simSparkName())))
+            see(head, player.parts().get(part.ordinal()))
                     .ifPresent(position -> seen.add(new SeenBodyPart(part, position)));
         }
         return seen;

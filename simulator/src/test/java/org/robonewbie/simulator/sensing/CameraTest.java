@@ -24,7 +24,6 @@ class CameraTest {
 
     private final SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
     private final Robot robot = world.addRobot(RobotType.TYPE_0);
-    private final List<VisiblePlayer> players = List.of(new VisiblePlayer(robot, "Stars", 7));
 
     @BeforeEach
     void lookAlongTheFieldFromTheCentreSpot() {
@@ -114,8 +113,8 @@ class CameraTest {
         world.ball().place(new Vector3(4, 1, 0.042));
         Camera camera = camera(EXACT.withTruth(true, true, true), 1);
 
-        Vision right = camera.look(robot, world, players, Optional.of(TeamSide.RIGHT));
-        Vision left = camera.look(robot, world, players, Optional.of(TeamSide.LEFT));
+        Vision right = camera.look(robot, world, players(), Optional.of(TeamSide.RIGHT));
+        Vision left = camera.look(robot, world, players(), Optional.of(TeamSide.LEFT));
 
         assertThat(right.ownPosition().orElseThrow().distanceTo(new Vector3(-3, -2, 0.54)))
                 .isLessThan(1e-9);
@@ -129,16 +128,20 @@ class CameraTest {
 
     @Test
     void sameSeedGivesTheSamePicturesAndAnotherSeedOthers() {
-        Vision first = camera(CameraSettings.STANDARD, 5).look(robot, world, players, Optional.empty());
-        Vision same = camera(CameraSettings.STANDARD, 5).look(robot, world, players, Optional.empty());
-        Vision other = camera(CameraSettings.STANDARD, 6).look(robot, world, players, Optional.empty());
+        Vision first = camera(CameraSettings.STANDARD, 5).look(robot, world, players(), Optional.empty());
+        Vision same = camera(CameraSettings.STANDARD, 5).look(robot, world, players(), Optional.empty());
+        Vision other = camera(CameraSettings.STANDARD, 6).look(robot, world, players(), Optional.empty());
 
         assertThat(same).isEqualTo(first);
         assertThat(other).isNotEqualTo(first);
     }
 
+    private List<VisiblePlayer> players() {
+        return List.of(new VisiblePlayer(robot, "Stars", 7));
+    }
+
     private Vision look(CameraSettings settings) {
-        return camera(settings, 1).look(robot, world, players, Optional.empty());
+        return camera(settings, 1).look(robot, world, players(), Optional.empty());
     }
 
     private static Camera camera(CameraSettings settings, long seed) {

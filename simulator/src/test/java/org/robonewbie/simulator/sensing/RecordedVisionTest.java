@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
@@ -23,7 +24,7 @@ class RecordedVisionTest {
     private static final Vector3 CENTRE_SPOT = new Vector3(0, 0, 0.042);
 
     private final SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
-    private final List<VisiblePlayer> players = new ArrayList<>();
+    private final List<Supplier<VisiblePlayer>> players = new ArrayList<>();
     private int numbers;
     private int equalNumbers;
 
@@ -37,7 +38,7 @@ class RecordedVisionTest {
         for (int i = 0; i < messages.size(); i++) {
             if (i == 2) {
                 robot.moveUpright(new Vector3(-14.2, 9.2, 0.4), -90);
-                players.add(new VisiblePlayer(robot, "X", 1));
+                players.add(() -> new VisiblePlayer(robot, "X", 1));
             } else if (i == 3) {
                 robot.beam(new Vector3(-3, 0.5, 0.4), -90);
             }
@@ -82,7 +83,7 @@ class RecordedVisionTest {
             stepBeforeKickOff();
         }
         robot.beam(new Vector3(x, y, 0.4), yawDegrees);
-        players.add(new VisiblePlayer(robot, team, number));
+        players.add(() -> new VisiblePlayer(robot, team, number));
         return robot;
     }
 
@@ -127,7 +128,8 @@ class RecordedVisionTest {
             return;
         }
         Vision printed = message.vision().get();
-        Vision seen = camera.look(observer, world, players, Optional.empty());
+        List<VisiblePlayer> now = players.stream().map(Supplier::get).toList();
+        Vision seen = camera.look(observer, world, now, Optional.empty());
         assertThat(seen.landmarks())
                 .extracting(Vision.SeenLandmark::landmark)
                 .containsExactlyInAnyOrderElementsOf(printed.landmarks().stream()
