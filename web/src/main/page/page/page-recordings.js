@@ -1,5 +1,6 @@
 /** The recordings of this browser: that of the world which the page shows grows, the others are kept until room is needed. */
 import { unpack } from '../replay/unpack.js';
+import { dateName } from './date-name.js';
 import { OpenRecording } from './open-recording.js';
 
 /**
@@ -296,11 +297,4 @@ export class PageRecordings {
 async function pack(bytes) {
   const packed = new Blob([bytes]).stream().pipeThrough(new CompressionStream('gzip'));
   return new Uint8Array(await new Response(packed).arrayBuffer());
-}
-
-/** @param {Date} time @returns {string} such as `2026-11-24 09-30-05` */
-function dateName(time) {
-  const two = (/** @type {number} */ number) => String(number).padStart(2, '0');
-  const day = [time.getFullYear(), two(time.getMonth() + 1), two(time.getDate())].join('-');
-  return `${day} ${[time.getHours(), time.getMinutes(), time.getSeconds()].map(two).join('-')}`;
 }
