@@ -177,7 +177,7 @@ final class PageStage {
 
     @JSBody(
             params = {"bytes", "first"},
-            script = "self.postMessage({recorded: new Uint8Array(bytes.buffer), first}, [bytes.buffer]);")
+            script = "self.postMessage({recorded: new Uint8Array(bytes.buffer), first: first}, [bytes.buffer]);")
     private static native void postRecorded(Int8Array bytes, boolean first);
 
     @JSBody(params = "note", script = "self.postMessage({noted: note});")
