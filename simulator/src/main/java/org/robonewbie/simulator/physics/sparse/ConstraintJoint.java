@@ -14,6 +14,8 @@ abstract class ConstraintJoint {
     int firstRow;
     /** Whether this step has put the joint in an island already. */
     boolean visited;
+    /** Whether a row at its limit pushes, while the island is solved. */
+    boolean pushes;
 
     ConstraintJoint(Body first, @Nullable Body second) {
         this.first = first;
@@ -41,6 +43,19 @@ abstract class ConstraintJoint {
 
     /** Takes from the rows what has to be remembered after the step. */
     void readForces(ConstraintRows rows) {}
+
+    /** Lets the solver compute the accelerations of its bodies. */
+    final void watch() {
+        first.watched = true;
+        if (second != null) {
+            second.watched = true;
+        }
+    }
+
+    /** Whether the solver needs the acceleration of one of its bodies. */
+    final boolean isWatched() {
+        return first.watched || (second != null && second.watched);
+    }
 
     /** The body at the other end of the joint. */
     final @Nullable Body opposite(Body body) {

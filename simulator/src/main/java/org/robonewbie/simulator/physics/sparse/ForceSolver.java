@@ -1,5 +1,6 @@
 package org.robonewbie.simulator.physics.sparse;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -22,6 +23,9 @@ final class ForceSolver {
 
     private final ConstraintRows rows;
     private final BlockCholesky cholesky = new BlockCholesky();
+    private int[] limited = {};
+    private int[] limitedJoint = {};
+    private int limits;
 
     ForceSolver(ConstraintRows rows) {
         this.rows = rows;
@@ -31,13 +35,14 @@ final class ForceSolver {
     void solve(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
         cholesky.assemble(plan, rows);
         guess();
+        findLimits(plan);
         int fewest = Integer.MAX_VALUE;
         int patience = ROUNDS_WITHOUT_PROGRESS;
         for (int round = mostRounds(); round > 0; round--) {
             computeForces(plan, joints, bodies);
-            int wrong = countWrong(plan, joints);
+            int wrong = countWrong(plan, joints, bodies);
             if (wrong == 0) {
-                return;
+                break;
             }
             if (wrong < fewest) {
                 fewest = wrong;
@@ -45,8 +50,10 @@ final class ForceSolver {
             } else {
                 patience--;
             }
-            change(plan, patience < 0);
+            change(patience < 0);
         }
+        watch(bodies, true);
+        accelerate(joints, bodies);
     }
 
     /** Limits the time that a pile of interpenetrating robots, which no forces separate well, can take. */
@@ -62,16 +69,36 @@ final class ForceSolver {
         }
     }
 
+    /** Finds the rows whose state may change; those of the others are right from the beginning. */
+    private void findLimits(EliminationPlan plan) {
+        if (limited.length < rows.count) {
+            limited = new int[rows.state.length];
+            limitedJoint = new int[limited.length];
+        }
+        limits = 0;
+        for (int k = 0; k < plan.joints(); k++) {
+            for (int row = plan.firstRow[k]; row < plan.firstRow[k + 1]; row++) {
+                boolean endless =
+                        rows.lower[row] == Double.NEGATIVE_INFINITY && rows.upper[row] == Double.POSITIVE_INFINITY;
+                if (!endless) {
+                    limited[limits] = row;
+                    limitedJoint[limits++] = k;
+                }
+            }
+        }
+    }
+
     private void computeForces(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
         cholesky.factorise(rows.state);
-        boolean pushed = setLimits();
-        if (pushed) {
-            accelerate(joints, bodies);
-            for (int k = 0; k < plan.joints(); k++) {
-                ConstraintJoint joint = joints.get(plan.order[k]);
-                for (int row = plan.firstRow[k]; row < plan.firstRow[k + 1]; row++) {
-                    rows.solution[row] = -rows.excess(joint, row);
+        if (setLimits(plan, joints, bodies)) {
+            clearAccelerations(bodies);
+            for (int i = 0; i < joints.size(); i++) {
+                if (joints.get(i).pushes) {
+                    rows.accelerate(joints.get(i));
                 }
+            }
+            for (int k = 0; k < plan.joints(); k++) {
+                demand(joints.get(plan.order[k]), plan.firstRow[k], plan.firstRow[k + 1]);
             }
         } else {
             System.arraycopy(rows.wanted, 0, rows.solution, 0, rows.count);
@@ -82,40 +109,80 @@ final class ForceSolver {
                 rows.force[row] = rows.solution[row];
             }
         }
-        accelerate(joints, bodies);
     }
 
-    /** Sets the forces of all rows at a limit and clears the others; returns whether any of them pushes. */
-    private boolean setLimits() {
+    /** What is left to the free rows of a joint when rows at their limits push. Bodies that are not pushed spare the sums. */
+    private void demand(ConstraintJoint joint, int from, int to) {
+        boolean moved = joint.isWatched();
+        for (int row = from; row < to; row++) {
+            rows.solution[row] = moved ? -rows.excess(joint, row) : -(0 - rows.wanted[row]);
+        }
+    }
+
+    /** Sets the forces of all rows at a limit, clears the others, watches bodies that are pushed; returns whether any is. */
+    private boolean setLimits(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
+        Arrays.fill(rows.force, 0, rows.count, 0);
+        for (int i = 0; i < joints.size(); i++) {
+            joints.get(i).pushes = false;
+        }
+        watch(bodies, false);
         boolean pushed = false;
-        for (int row = 0; row < rows.count; row++) {
-            rows.force[row] = switch (rows.state[row]) {
-                case ConstraintRows.LOW -> rows.lower[row];
-                case ConstraintRows.HIGH -> rows.upper[row];
-                default -> 0;
-            };
-            pushed |= rows.force[row] != 0;
+        for (int i = 0; i < limits; i++) {
+            int row = limited[i];
+            if (rows.state[row] != ConstraintRows.FREE) {
+                rows.force[row] = rows.state[row] == ConstraintRows.LOW ? rows.lower[row] : rows.upper[row];
+                if (rows.force[row] != 0) {
+                    ConstraintJoint joint = joints.get(plan.order[limitedJoint[i]]);
+                    joint.pushes = true;
+                    joint.watch();
+                    pushed = true;
+                }
+            }
         }
         return pushed;
     }
 
-    private void accelerate(List<ConstraintJoint> joints, List<Body> bodies) {
+    private static void watch(List<Body> bodies, boolean watched) {
         for (int i = 0; i < bodies.size(); i++) {
-            bodies.get(i).clearAcceleration();
-        }
-        for (int i = 0; i < joints.size(); i++) {
-            rows.accelerate(joints.get(i));
+            bodies.get(i).watched = watched;
         }
     }
 
-    private int countWrong(EliminationPlan plan, List<ConstraintJoint> joints) {
-        int wrong = 0;
-        for (int k = 0; k < plan.joints(); k++) {
-            ConstraintJoint joint = joints.get(plan.order[k]);
-            for (int row = plan.firstRow[k]; row < plan.firstRow[k + 1]; row++) {
-                rows.next[row] = nextState(joint, row);
-                wrong += rows.next[row] == rows.state[row] ? 0 : 1;
+    private static void clearAccelerations(List<Body> bodies) {
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).clearAcceleration();
+        }
+    }
+
+    /** Accelerates the watched bodies. */
+    private void accelerate(List<ConstraintJoint> joints, List<Body> bodies) {
+        clearAccelerations(bodies);
+        for (int i = 0; i < joints.size(); i++) {
+            ConstraintJoint joint = joints.get(i);
+            if (joint.isWatched()) {
+                rows.accelerate(joint);
             }
+        }
+    }
+
+    /** Only bodies that are held by a row at its limit need their accelerations for this. */
+    private int countWrong(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
+        watch(bodies, false);
+        boolean any = false;
+        for (int i = 0; i < limits; i++) {
+            if (rows.state[limited[i]] != ConstraintRows.FREE) {
+                joints.get(plan.order[limitedJoint[i]]).watch();
+                any = true;
+            }
+        }
+        if (any) {
+            accelerate(joints, bodies);
+        }
+        int wrong = 0;
+        for (int i = 0; i < limits; i++) {
+            int row = limited[i];
+            rows.next[row] = nextState(joints.get(plan.order[limitedJoint[i]]), row);
+            wrong += rows.next[row] == rows.state[row] ? 0 : 1;
         }
         return wrong;
     }
@@ -136,15 +203,14 @@ final class ForceSolver {
         return letsGo ? ConstraintRows.FREE : rows.state[row];
     }
 
-    private void change(EliminationPlan plan, boolean onlyLast) {
-        for (int k = plan.joints() - 1; k >= 0; k--) {
-            for (int row = plan.firstRow[k + 1] - 1; row >= plan.firstRow[k]; row--) {
-                if (rows.next[row] != rows.state[row]) {
-                    rows.state[row] = rows.next[row];
-                    cholesky.rowChanged(k);
-                    if (onlyLast) {
-                        return;
-                    }
+    private void change(boolean onlyLast) {
+        for (int i = limits - 1; i >= 0; i--) {
+            int row = limited[i];
+            if (rows.next[row] != rows.state[row]) {
+                rows.state[row] = rows.next[row];
+                cholesky.rowChanged(limitedJoint[i]);
+                if (onlyLast) {
+                    return;
                 }
             }
         }
