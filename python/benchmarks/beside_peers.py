@@ -65,7 +65,7 @@ def humanoid(steps=2000):
     return used * 1e6 / steps * CYCLE_SECONDS / seconds
 
 
-def robots(task, sway, steps=250, warm_up=800):
+def robots(task, sway, steps=250, warm_up=2000):
     """What a step of one of 64 robots needs through Python; ``sway`` is the largest action."""
     env = gymnasium.make_vec(f"RoboNewbie/{task}-v1", num_envs=ROBOTS)
     env.reset(seed=1)
