@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
-import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.IntConsumer;
@@ -17,7 +16,6 @@ import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.learning.series.Experiment;
 import org.robonewbie.learning.series.ExperimentEngine;
 import org.robonewbie.learning.series.ExperimentPlan;
-import org.robonewbie.learning.series.LocalEngine;
 import org.robonewbie.learning.series.PlannedTrial;
 import org.robonewbie.learning.series.ResultTable;
 import org.robonewbie.learning.series.TrialJournal;
@@ -60,22 +58,8 @@ final class ExperimentCommand implements Callable<Integer> {
     @Parameters(paramLabel = "PLAN", description = "A file that says what to do.")
     private Path planFile = Path.of("");
 
-    @Option(
-            names = "--engine",
-            paramLabel = "NAME",
-            defaultValue = "local",
-            description = "local or spark (default: local).")
-    private String engine = "local";
-
-    @Option(
-            names = "--master",
-            paramLabel = "URL",
-            defaultValue = "",
-            description = "spark: where the cluster is, such as spark://host:7077 or local-cluster[2,1,1024].")
-    private String master = "";
-
-    @Option(names = "--threads", paramLabel = "N", description = "local: how many threads (default: one per core).")
-    private int threads = Runtime.getRuntime().availableProcessors();
+    @Mixin
+    private final EngineOption where = new EngineOption();
 
     @Option(
             names = "--output",
@@ -89,17 +73,14 @@ final class ExperimentCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        if (threads < 1) {
-            throw new CalledWronglyException("--threads " + threads + ": give a number of at least 1.");
-        }
         if (!Files.isRegularFile(planFile)) {
             throw new CalledWronglyException(
                     "There is no plan \"" + planFile + "\". See robonewbie experiment --help.");
         }
         List<Path> folders = classPath.folders();
         Thread.currentThread().setContextClassLoader(AgentFinder.loaderOf(folders));
-        try {
-            return run(ExperimentPlan.read(planFile), engine());
+        try (ExperimentEngine engine = where.engine()) {
+            return run(ExperimentPlan.read(planFile), engine);
         } catch (IllegalArgumentException wrong) {
             throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         } catch (IllegalStateException failed) {
@@ -120,7 +101,7 @@ final class ExperimentCommand implements Callable<Integer> {
                 System.err.println(
                         journal.done() + " trials are done already and kept, " + missing.size() + " are left.");
             }
-            chosen.run(plan.experiment(), missing, master, progress(missing.size()), journal);
+            chosen.run(plan.experiment(), missing, where.master(), progress(missing.size()), journal);
             ResultTable table = journal.table(experiment.columns());
             table.write(output);
             System.out.println("Wrote " + table.trials().size() + " trials to " + output + ".");
@@ -133,18 +114,6 @@ final class ExperimentCommand implements Callable<Integer> {
                     + " trials failed, see above. The others are kept; the same command tries again what is missing.");
             return ExitCode.SOFTWARE;
         }
-    }
-
-    private ExperimentEngine engine() {
-        if (engine.equals("local")) {
-            return new LocalEngine(threads);
-        }
-        return ServiceLoader.load(ExperimentEngine.class).stream()
-                .map(ServiceLoader.Provider::get)
-                .filter(other -> other.label().equals(engine))
-                .findFirst()
-                .orElseThrow(() -> new CalledWronglyException("There is no engine \"" + engine
-                        + "\" in this program. There is local; spark needs the program of docs/cluster.md."));
     }
 
     private static IntConsumer progress(int all) {

@@ -40,8 +40,8 @@ import picocli.CommandLine.Parameters;
             "",
             "Objectives: distance-walked, walk-speed, energy, stability, standing-time, get-up-time, kick-distance,",
             "time-to-score, or a class of yours that implements Measure.",
-            "The same seed and the same options give the same result, on any number of threads. An interrupted run goes on",
-            "with --resume. A page of the studio shows the progress; after the end the program waits until the page is closed,",
+            "The same seed and the same options give the same result, on any number of threads and on a cluster. An interrupted",
+            "run goes on with --resume. A page of the studio shows the progress; after the end the program waits until the page is closed,",
             "with --headless it opens none. Exit code 1: nothing better was found."
         },
         footer = {
@@ -52,7 +52,9 @@ import picocli.CommandLine.Parameters;
             "  robonewbie optimise my-walk.txt --objective walk-speed --generations 60 --seed 3 --resume",
             "  robonewbie optimise walk-engine --objective stability --threads 1 --headless",
             "  robonewbie optimise --agent Walker.java --objective distance-walked --seconds 10",
-            "  robonewbie optimise turn-left --again      make the library's motion again"
+            "  robonewbie optimise turn-left --again      make the library's motion again",
+            "",
+            "On a cluster: see docs/cluster.md."
         })
 final class OptimiseCommand implements Callable<Integer> {
 
@@ -111,11 +113,8 @@ final class OptimiseCommand implements Callable<Integer> {
                             + " quarter of each range of an agent's numbers (default: 0.5).")
     private Optional<Double> step = Optional.empty();
 
-    @Option(
-            names = "--threads",
-            paramLabel = "N",
-            description = "Trials at the same time (default: one for each core).")
-    private int threads = Runtime.getRuntime().availableProcessors();
+    @Mixin
+    private final EngineOption where = new EngineOption();
 
     @Option(
             names = "--output",
@@ -163,6 +162,11 @@ final class OptimiseCommand implements Callable<Integer> {
     }
 
     private int optimise() throws IOException, InterruptedException {
+        if (!where.isLocal() && agent.isSourceFile()) {
+            throw new CalledWronglyException(
+                    "A cluster does not know a program of this folder. Compile it, name its class"
+                            + " after --agent, and send its jar to the workers (docs/cluster.md).");
+        }
         if (agent.isWanted() != name.isEmpty()) {
             throw new CalledWronglyException(
                     "Name what to improve: a motion, walk-engine, or --agent CLASS; one of them.");
@@ -178,23 +182,26 @@ final class OptimiseCommand implements Callable<Integer> {
             OtherSide.of(file);
         }
         int candidates = population.orElseGet(() -> CovarianceMatrixAdaptation.usualPopulation(subject.dimension()));
-        var plan = new OptimisationPlan(seed, generations, candidates, trials, firstStep(), threads, plain);
+        var plan = new OptimisationPlan(seed, generations, candidates, trials, firstStep(), where.threads(), plain);
+        Optimisation optimisation = where.isLocal()
+                ? new Optimisation(subject, wanted, plan, file)
+                : Optimisation.on(where.engine(), where.master(), subject, wanted, plan, file);
         System.out.printf(
                 Locale.ROOT,
-                "%s: %d numbers, %d generations of %d candidates with %d trials each, on %d threads%n",
+                "%s: %d numbers, %d generations of %d candidates with %d trials each, on %s%n",
                 subject.name(),
                 subject.dimension(),
                 generations,
                 candidates,
                 trials,
-                threads);
-        OptimisationResult result = run(subject, wanted, plan, file);
+                where.isLocal() ? where.threads() + " threads" : "a cluster");
+        OptimisationResult result = run(optimisation, subject, wanted, plan, file);
         return result.isBetter() ? ExitCode.OK : ExitCode.SOFTWARE;
     }
 
-    private OptimisationResult run(Subject subject, Objective wanted, OptimisationPlan plan, Path file)
+    private OptimisationResult run(
+            Optimisation optimisation, Subject subject, Objective wanted, OptimisationPlan plan, Path file)
             throws IOException, InterruptedException {
-        var optimisation = new Optimisation(subject, wanted, plan, file);
         OptimisationListener console = new SearchConsole(System.out, wanted.unit(), file);
         if (studio.isHeadless()) {
             return search(optimisation, subject, console, file);

@@ -58,6 +58,11 @@ public final class OptimisedAgent {
         return program.isPresent();
     }
 
+    /** {@return whether the program is a {@code .java} file, which only this computer has} */
+    public boolean isSourceFile() {
+        return program.filter(name -> name.endsWith(".java")).isPresent();
+    }
+
     /** {@return the name of the class without package and ending} */
     public String simpleName() {
         String name = String.valueOf(Path.of(program.orElse("")).getFileName()).replaceFirst("\\.java$", "");

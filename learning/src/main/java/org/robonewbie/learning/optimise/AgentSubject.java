@@ -38,11 +38,17 @@ public final class AgentSubject implements Subject {
      * @throws IllegalArgumentException if the program declares no number
      */
     public AgentSubject(String name, Supplier<Agent> maker, Objective objective, AgentScene scene) {
+        this(name, maker, objective, scene, new AgentDriver(maker.get()).numbers());
+    }
+
+    /** Takes a program whose numbers are known, whatever file with numbers lies beside it here. */
+    AgentSubject(
+            String name, Supplier<Agent> maker, Objective objective, AgentScene scene, List<TunableNumber> numbers) {
         this.name = name;
         this.maker = maker;
         this.objective = objective;
         this.scene = scene;
-        this.numbers = new AgentDriver(maker.get()).numbers();
+        this.numbers = numbers;
         if (numbers.isEmpty()) {
             throw new IllegalArgumentException(
                     name + " declares no number that could be improved. Declare one as a field of"
@@ -86,6 +92,11 @@ public final class AgentSubject implements Subject {
                 .mapToDouble(i -> beyond(i, coordinates[i]))
                 .sum();
         return new Evaluation(evaluation.value(), evaluation.success(), evaluation.flaws() + COST_OF_BEYOND * beyond);
+    }
+
+    @Override
+    public Map<String, String> recipe() {
+        return SubjectRecipe.ofAgent(maker.get().getClass().getName(), numbers, scene, objective);
     }
 
     @Override

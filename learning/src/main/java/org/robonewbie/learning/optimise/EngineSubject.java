@@ -79,6 +79,11 @@ public final class EngineSubject implements Subject {
     }
 
     @Override
+    public Map<String, String> recipe() {
+        return SubjectRecipe.ofEngine(objective);
+    }
+
+    @Override
     public void save(double[] coordinates, Map<String, String> facts, Path file) throws IOException {
         String text = facts.entrySet().stream()
                 .map(fact -> "// " + fact.getKey() + ": " + fact.getValue() + "\n")

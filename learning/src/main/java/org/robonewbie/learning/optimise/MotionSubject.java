@@ -21,6 +21,7 @@ public final class MotionSubject implements Subject {
     private final MotionFile file;
     private final KeyframeSpace space;
     private final MotionScene scene;
+    private final Objective objective;
 
     /**
      * Takes a motion as subject.
@@ -40,6 +41,7 @@ public final class MotionSubject implements Subject {
                             + " since the last keyframe stays as it is.");
         }
         this.scene = new MotionScene(file, objective);
+        this.objective = objective;
     }
 
     @Override
@@ -79,6 +81,11 @@ public final class MotionSubject implements Subject {
                 .map(x -> Math.max(0, Math.abs(x) - FREE_CHANGE))
                 .sum();
         return new Evaluation(evaluation.value(), evaluation.success(), evaluation.flaws() + COST_OF_CHANGE * far);
+    }
+
+    @Override
+    public Map<String, String> recipe() {
+        return SubjectRecipe.ofMotion(file, objective);
     }
 
     @Override

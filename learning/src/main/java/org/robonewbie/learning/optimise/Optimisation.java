@@ -3,15 +3,16 @@ package org.robonewbie.learning.optimise;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 import org.robonewbie.learning.optimise.Generation.Pace;
 import org.robonewbie.learning.optimise.Generation.Score;
 import org.robonewbie.learning.search.AskAndTell;
+import org.robonewbie.learning.series.ExperimentEngine;
 
 /**
  * Improves a subject with respect to an objective: candidates around the present state are tried under several circumstances,
@@ -36,9 +37,10 @@ public final class Optimisation {
     private final Objective objective;
     private final OptimisationPlan plan;
     private final Path output;
+    private final Supplier<Evaluator> evaluators;
 
     /**
-     * Prepares an optimisation.
+     * Prepares an optimisation whose trials are carried out by threads of this program.
      *
      * @param subject what is to be improved
      * @param objective what is measured
@@ -46,10 +48,37 @@ public final class Optimisation {
      * @param output where the result is written; the checkpoint lies next to it
      */
     public Optimisation(Subject subject, Objective objective, OptimisationPlan plan, Path output) {
+        this(subject, objective, plan, output, () -> new Workers(subject, plan.threads()));
+    }
+
+    /**
+     * Prepares an optimisation whose trials an engine carries out, which is closed at the end. The result is the same.
+     *
+     * @param engine carries out the trials
+     * @param master where, in the engine's own notation; empty for its usual place
+     * @param subject what is to be improved
+     * @param objective what is measured
+     * @param plan the plan of the search
+     * @param output where the result is written; the checkpoint lies next to it
+     * @return the optimisation
+     */
+    public static Optimisation on(
+            ExperimentEngine engine,
+            String master,
+            Subject subject,
+            Objective objective,
+            OptimisationPlan plan,
+            Path output) {
+        return new Optimisation(subject, objective, plan, output, () -> new EngineEvaluator(subject, engine, master));
+    }
+
+    private Optimisation(
+            Subject subject, Objective objective, OptimisationPlan plan, Path output, Supplier<Evaluator> evaluators) {
         this.subject = subject;
         this.objective = objective;
         this.plan = plan;
         this.output = output.toAbsolutePath();
+        this.evaluators = evaluators;
     }
 
     /**
@@ -64,7 +93,7 @@ public final class Optimisation {
         Checkpoint checkpoint = resume
                 ? Checkpoint.resume(checkpointFile(), question())
                 : Checkpoint.begin(checkpointFile(), question());
-        try (Workers workers = new Workers(plan.threads())) {
+        try (Evaluator workers = evaluators.get()) {
             Evaluation before = compared(workers, new double[subject.dimension()]);
             listener.begins(before);
             double[] found = search(workers, checkpoint, scale(before), listener);
@@ -95,7 +124,7 @@ public final class Optimisation {
         return output.resolveSibling(name.substring(0, name.length() - ending.length()) + "-so-far" + ending);
     }
 
-    private double[] search(Workers workers, Checkpoint checkpoint, double scale, OptimisationListener listener)
+    private double[] search(Evaluator workers, Checkpoint checkpoint, double scale, OptimisationListener listener)
             throws IOException {
         AskAndTell cloud = plan.search(subject.dimension());
         List<Checkpoint.Line> known = checkpoint.generations();
@@ -135,25 +164,19 @@ public final class Optimisation {
         return new Score(means.get(best).value(), all.value(), all.success());
     }
 
-    private List<List<Evaluation>> evaluations(Workers workers, List<double[]> candidates, long firstSeed) {
-        List<Callable<Evaluation>> tasks = new ArrayList<>();
-        for (double[] candidate : candidates) {
-            for (int i = 0; i < plan.trials(); i++) {
-                long seed = firstSeed + i;
-                tasks.add(() -> subject.evaluate(candidate, seed));
-            }
-        }
-        List<Evaluation> all = workers.all(tasks);
+    private List<List<Evaluation>> evaluations(Evaluator workers, List<double[]> candidates, long firstSeed) {
+        List<Evaluation> all = workers.all(candidates, seeds(firstSeed, plan.trials()));
         return IntStream.range(0, candidates.size())
                 .mapToObj(i -> all.subList(i * plan.trials(), (i + 1) * plan.trials()))
                 .toList();
     }
 
-    private Evaluation compared(Workers workers, double[] coordinates) {
-        List<Callable<Evaluation>> tasks = IntStream.range(0, TRIALS_OF_COMPARISON)
-                .<Callable<Evaluation>>mapToObj(i -> () -> subject.evaluate(coordinates, SEEDS_OF_COMPARISON + i))
-                .toList();
-        return Evaluation.mean(workers.all(tasks));
+    private Evaluation compared(Evaluator workers, double[] coordinates) {
+        return Evaluation.mean(workers.all(List.of(coordinates), seeds(SEEDS_OF_COMPARISON, TRIALS_OF_COMPARISON)));
+    }
+
+    private static List<Long> seeds(long first, int count) {
+        return LongStream.range(first, first + count).boxed().toList();
     }
 
     private long firstSeed(int generation) {

@@ -50,6 +50,16 @@ public interface Subject {
     Evaluation evaluate(double[] coordinates, long seed);
 
     /**
+     * Returns what another computer needs to try the same candidates.
+     *
+     * @return texts by their names
+     * @throws IllegalArgumentException if candidates can be tried in this program only
+     */
+    default Map<String, String> recipe() {
+        throw new IllegalArgumentException(name() + " can be tried in this program only; use the engine local.");
+    }
+
+    /**
      * Returns how else a candidate can be used than by its file.
      *
      * @param coordinates how far each number is changed

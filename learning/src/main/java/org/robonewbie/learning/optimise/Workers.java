@@ -8,12 +8,14 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
-/** Threads that carry out trials side by side; results come back in the order of the tasks. */
-final class Workers implements AutoCloseable {
+/** Threads of this program that carry out trials side by side. */
+final class Workers implements Evaluator {
 
+    private final Subject subject;
     private final ExecutorService service;
 
-    Workers(int threads) {
+    Workers(Subject subject, int threads) {
+        this.subject = subject;
         this.service = Executors.newFixedThreadPool(threads, task -> {
             Thread thread = new Thread(task, "trial");
             thread.setDaemon(true);
@@ -21,11 +23,15 @@ final class Workers implements AutoCloseable {
         });
     }
 
-    /** Carries out all tasks. */
-    <T> List<T> all(List<Callable<T>> tasks) {
+    @Override
+    public List<Evaluation> all(List<double[]> candidates, List<Long> seeds) {
+        List<Callable<Evaluation>> tasks = new ArrayList<>();
+        for (double[] candidate : candidates) {
+            seeds.forEach(seed -> tasks.add(() -> subject.evaluate(candidate, seed)));
+        }
         try {
-            List<T> results = new ArrayList<>();
-            for (Future<T> future : service.invokeAll(tasks)) {
+            List<Evaluation> results = new ArrayList<>();
+            for (Future<Evaluation> future : service.invokeAll(tasks)) {
                 results.add(future.get());
             }
             return results;

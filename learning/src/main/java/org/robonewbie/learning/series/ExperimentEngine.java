@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.IntConsumer;
 
 /** Something that carries out trials; which one does never changes the result. Found by {@link java.util.ServiceLoader}. */
-public interface ExperimentEngine {
+public interface ExperimentEngine extends AutoCloseable {
 
     /** {@return the engine's name on the command line, such as {@code local}} */
     String label();
@@ -36,4 +36,8 @@ public interface ExperimentEngine {
             sink.measured(trials.get(i), all.get(i));
         }
     }
+
+    /** Lets go of what the engine holds from one run to the next, such as a connection to a cluster. */
+    @Override
+    default void close() {}
 }

@@ -3,9 +3,6 @@ package org.robonewbie.learning.series;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -39,21 +36,9 @@ public final class LocalEngine implements ExperimentEngine {
 
     @Override
     public List<double[]> run(String experiment, List<PlannedTrial> trials, String master, IntConsumer progress) {
-        Map<PlannedTrial, double[]> results = new ConcurrentHashMap<>();
-        run(experiment, trials, master, progress, new TrialSink() {
-            @Override
-            public void measured(PlannedTrial trial, double[] numbers) {
-                results.put(trial, numbers);
-            }
-
-            @Override
-            public void failed(PlannedTrial trial, String why) {
-                throw new IllegalStateException(why);
-            }
-        });
-        return trials.stream()
-                .map(trial -> Objects.requireNonNull(results.get(trial)))
-                .toList();
+        CollectedTrials all = new CollectedTrials();
+        run(experiment, trials, master, progress, all);
+        return all.of(trials);
     }
 
     @Override

@@ -1,0 +1,91 @@
+package org.robonewbie.learning.optimise;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.TunableNumber;
+import org.robonewbie.learning.series.LocalEngine;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.file.ShippedMotions;
+
+class EngineEvaluatorTest {
+
+    private static final Objective FAR = NamedObjective.named("kick-distance");
+    private static final Objective WALKED = NamedObjective.named("distance-walked");
+
+    private static final TunableNumber FASTER = new TunableNumber("speed", 0.2, 0.1, 0.5, 0.3);
+
+    @TempDir
+    private Path folder;
+
+    static Stream<Subject> subjects() {
+        AgentScene scene = new AgentScene(new Vector3(-1, 0.5, 0), 10, new Vector3(2, 0, 0), 0.1, 3);
+        return Stream.of(
+                new MotionSubject("kick-right", ShippedMotions.file("kick-right"), FAR),
+                new EngineSubject(NamedObjective.named("walk-speed")),
+                new AgentSubject("Walker", Walker::new, WALKED, scene, List.of(FASTER)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("subjects")
+    void measuresTheSameAsThisProgram(Subject subject) {
+        double[] changed = new double[subject.dimension()];
+        changed[0] = 0.5;
+        List<double[]> candidates = List.of(new double[subject.dimension()], changed);
+        List<Evaluation> here;
+        List<Evaluation> there;
+
+        try (Evaluator workers = new Workers(subject, 2);
+                Evaluator engine = new EngineEvaluator(subject, new LocalEngine(2), "")) {
+            here = workers.all(candidates, List.of(3L, 4L));
+            there = engine.all(candidates, List.of(3L, 4L));
+        }
+
+        assertThat(there).isEqualTo(here);
+        assertThat(here).hasSize(4).doesNotHaveDuplicates();
+    }
+
+    @Test
+    void leadsToTheSameResult() throws IOException {
+        Subject kick = new MotionSubject("kick-right", ShippedMotions.file("kick-right"), FAR);
+        OptimisationPlan plan = new OptimisationPlan(1, 2, 4, 1, 0.05, 2, false);
+
+        OptimisationResult here =
+                new Optimisation(kick, FAR, plan, folder.resolve("here.txt")).run(false, new ArrayList<>()::add);
+        OptimisationResult there = Optimisation.on(new LocalEngine(2), "", kick, FAR, plan, folder.resolve("there.txt"))
+                .run(false, new ArrayList<>()::add);
+
+        assertThat(there).isEqualTo(here);
+    }
+
+    @Test
+    void refusesWhatOtherComputersCannotMake() {
+        assertThatThrownBy(() -> new EngineEvaluator(new Hill(), new LocalEngine(1), ""))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("hill can be tried in this program only; use the engine local.");
+    }
+
+    /** Walks ahead. */
+    public static final class Walker extends Agent {
+
+        private final double speed = number("speed", 0.2, 0.1, 0.5);
+
+        /** Creates the robot. */
+        public Walker() {}
+
+        @Override
+        protected void think() {
+            walk.towards(speed, 0, 0);
+        }
+    }
+}
