@@ -99,7 +99,7 @@ class CompetitionCommandTest {
 
         assertThat(first.exitCode()).as(first.err()).isZero();
         assertThat(first.out().replaceAll(" +", " "))
-                .contains("League, 2 against 2: Each team plays each other one twice, at home and away, for 1 s.")
+                .contains("League, 2 against 2: Every team plays every other team twice, home and away, for 1 s.")
                 .contains("1. Blue 2 0 2 0 0:0 0 2")
                 .contains("1. Red 2 0 2 0 0:0 0 2");
         assertThat(again.out()).contains("1 of 2 trials are over already", "[2/2] league-Red-Blue");

@@ -31,7 +31,7 @@ public record Fixture(String home, String away, int homeGoals, int awayGoals) {
         }
     }
 
-    /** Pairs each team with each other one once, in the order of the list. */
+    /** Pairs every team with every other team once, in the order of the list. */
     static List<Pair> pairs(List<String> teams) {
         List<Pair> pairs = new ArrayList<>();
         IntStream.range(0, teams.size())

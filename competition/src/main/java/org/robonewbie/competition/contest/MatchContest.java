@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Matches of teams: each team plays against each other one. A team whose program fails loses the match 0:3, or higher if it was
+ * Matches of teams: every team plays every other team. A team whose program fails loses the match 0:3, or higher if it was
  * behind by more; if both fail, neither gets points.
  *
  * @param kind pitch, rules and how often two teams meet

@@ -9,9 +9,9 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 /** What is different between the matches of a course and those of a league. */
 public enum MatchKind {
     /** Small teams on the small pitch without fouls; two teams meet once. */
-    MATCHES("matches", "Matches", "Each team plays each other one"),
+    MATCHES("matches", "Matches", "Every team plays every other team once"),
     /** Whole teams on the league's pitch under the league's rules; two teams meet twice, the second time with changed sides. */
-    LEAGUE("league", "League", "Each team plays each other one twice, at home and away,");
+    LEAGUE("league", "League", "Every team plays every other team twice, home and away,");
 
     /** So much longer than a match is its half, so that the contest and not the referee ends it. */
     private static final double SPARE_SECONDS = 60;

@@ -12,7 +12,7 @@ import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * Penalty kicks: each team meets each other one in a shoot-out in which both attack and both keep the goal. The ball lies 2.5 m
+ * Penalty kicks: every team meets every other team in a shoot-out in which both attack and both keep the goal. The ball lies 2.5 m
  * before the goal, the attacker starts 0.8 m behind it, in each round a little more to the left or right; for both teams alike.
  *
  * @param shootOut how many rounds
@@ -40,7 +40,7 @@ record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) 
 
     @Override
     public String rule() {
-        return "Each team meets each other one: " + shootOut.rounds()
+        return "Every team meets every other team: " + shootOut.rounds()
                 + " rounds in which both attack once and keep the goal once, each for " + Math.round(seconds)
                 + " s; then up to " + shootOut.suddenDeathRounds()
                 + " further rounds until one is ahead. Three points for a victory, one for a draw.";
