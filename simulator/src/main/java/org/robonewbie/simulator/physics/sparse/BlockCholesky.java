@@ -43,6 +43,11 @@ final class BlockCholesky {
                 matrix[plan.diagonalOffset[k] + r * width + r] += rows.softness[plan.firstRow[k] + r];
             }
         }
+        allRowsChanged();
+    }
+
+    /** Marks all rows as changed. */
+    void allRowsChanged() {
         Arrays.fill(changed, 0, plan.joints(), true);
     }
 

@@ -41,6 +41,9 @@ abstract class ConstraintJoint {
      */
     abstract void writeRows(ConstraintRows rows, double rate);
 
+    /** Sets the states with which the solver begins, where something better is known than that all rows are free. */
+    void guessStates(ConstraintRows rows) {}
+
     /** Takes from the rows what has to be remembered after the step. */
     void readForces(ConstraintRows rows) {}
 

@@ -17,6 +17,7 @@ final class ContactJoint extends ConstraintJoint {
     private final List<ContactPoint> points = new ArrayList<>(4);
     private ContactSurface surface = ContactSurface.HARD;
     private double sign;
+    private LastTouch lastTouch = new LastTouch();
 
     private final double[] normal = new double[3];
     private final double[] across = new double[3];
@@ -34,13 +35,15 @@ final class ContactJoint extends ConstraintJoint {
      * @param second another one, or none
      * @param surface how they behave in contact
      * @param sign 1 if the points' normals look towards the first body, -1 if away from it
+     * @param lastTouch what is remembered of the first body's shape
      * @return this joint
      */
-    ContactJoint between(Body first, @Nullable Body second, ContactSurface surface, double sign) {
+    ContactJoint between(Body first, @Nullable Body second, ContactSurface surface, double sign, LastTouch lastTouch) {
         this.first = first;
         this.second = second;
         this.surface = surface;
         this.sign = sign;
+        this.lastTouch = lastTouch;
         return this;
     }
 
@@ -111,7 +114,15 @@ final class ContactJoint extends ConstraintJoint {
     }
 
     @Override
+    void guessStates(ConstraintRows rows) {
+        for (int i = 0; i < points.size() && second == null; i++) {
+            rows.state[firstRow + ROWS_PER_POINT * i] = lastTouch.stateAt(first, points.get(i).numbers);
+        }
+    }
+
+    @Override
     void readForces(ConstraintRows rows) {
+        readStates(rows);
         for (int i = 0; i < points.size(); i++) {
             int row = firstRow + ROWS_PER_POINT * i;
             double[] force = points.get(i).force;
@@ -119,6 +130,15 @@ final class ContactJoint extends ConstraintJoint {
                 force[axis] = rows.first[6 * row + axis] * rows.force[row]
                         + rows.first[6 * row + 6 + axis] * rows.force[row + 1]
                         + rows.first[6 * row + 12 + axis] * rows.force[row + 2];
+            }
+        }
+    }
+
+    private void readStates(ConstraintRows rows) {
+        if (second == null) {
+            lastTouch.clear();
+            for (int i = 0; i < points.size(); i++) {
+                lastTouch.add(first, points.get(i).numbers, rows.state[firstRow + ROWS_PER_POINT * i]);
             }
         }
     }

@@ -101,9 +101,9 @@ final class ContactList implements OdeCollisions.Listener {
         Body first = one.body();
         Body second = other.body();
         if (first != null) {
-            add(newJoint().between(first, second, surface, 1), from);
+            add(newJoint().between(first, second, surface, 1, one.lastTouch()), from);
         } else if (second != null) {
-            add(newJoint().between(second, null, surface, -1), from);
+            add(newJoint().between(second, null, surface, -1, other.lastTouch()), from);
         }
     }
 

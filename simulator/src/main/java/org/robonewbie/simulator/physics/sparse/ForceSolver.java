@@ -18,6 +18,11 @@ final class ForceSolver {
     private static final int MOST_ROUNDS = 1000;
     private static final int FEWEST_ROUNDS = 40;
     private static final int MOST_ROUNDS_TIMES_ROWS = 200_000;
+    private static final int MOST_ROWS_OF_A_ROBOT = 250;
+    private static final int ROUNDS_NEARBY = 20;
+    private static final double DOUBT = 1e-6;
+    private static final double SMALL_SHARE = 0.5;
+    private static final double LEAST_LIMIT = 1;
     private static final double FORCE_TOLERANCE = 1e-10;
     private static final double MOTION_TOLERANCE = 1e-9;
 
@@ -25,6 +30,9 @@ final class ForceSolver {
     private final BlockCholesky cholesky = new BlockCholesky();
     private int[] limited = {};
     private int[] limitedJoint = {};
+    /** How far a limited row is beyond what its state allows, in newtons or m/s²; below 0 if its state is right. */
+    private double[] wrongness = {};
+
     private int limits;
 
     ForceSolver(ConstraintRows rows) {
@@ -34,8 +42,47 @@ final class ForceSolver {
     /** Solves; afterwards the rows hold the forces and the bodies the accelerations that come from them. */
     void solve(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
         cholesky.assemble(plan, rows);
-        guess();
         findLimits(plan);
+        if (rows.count > MOST_ROWS_OF_A_ROBOT || !searchNearby(plan, joints, bodies)) {
+            search(plan, joints, bodies);
+        }
+        watch(bodies, true);
+        accelerate(joints, bodies);
+    }
+
+    /**
+     * Looks for the forces in fewer rounds: begins with what touched the ground in the last step, and first changes what is most wrong,
+     * which often mends the rest. There is just one solution, so that forces do not depend on the way to it.
+     *
+     * @return whether that went well and no row is so near to another state that rounding could decide
+     */
+    private boolean searchNearby(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
+        guess();
+        for (int i = 0; i < joints.size(); i++) {
+            joints.get(i).guessStates(rows);
+        }
+        for (int round = ROUNDS_NEARBY; round > 0; round--) {
+            computeForces(plan, joints, bodies);
+            if (countWrong(plan, joints, bodies) == 0) {
+                return isBeyondDoubt();
+            }
+            changeMostWrong();
+        }
+        return false;
+    }
+
+    private boolean isBeyondDoubt() {
+        for (int i = 0; i < limits; i++) {
+            if (wrongness[i] > -DOUBT) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void search(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
+        cholesky.allRowsChanged();
+        guess();
         int fewest = Integer.MAX_VALUE;
         int patience = ROUNDS_WITHOUT_PROGRESS;
         for (int round = mostRounds(); round > 0; round--) {
@@ -52,8 +99,6 @@ final class ForceSolver {
             }
             change(patience < 0);
         }
-        watch(bodies, true);
-        accelerate(joints, bodies);
     }
 
     /** Limits the time that a pile of interpenetrating robots, which no forces separate well, can take. */
@@ -74,6 +119,7 @@ final class ForceSolver {
         if (limited.length < rows.count) {
             limited = new int[rows.state.length];
             limitedJoint = new int[limited.length];
+            wrongness = new double[limited.length];
         }
         limits = 0;
         for (int k = 0; k < plan.joints(); k++) {
@@ -181,26 +227,58 @@ final class ForceSolver {
         int wrong = 0;
         for (int i = 0; i < limits; i++) {
             int row = limited[i];
-            rows.next[row] = nextState(joints.get(plan.order[limitedJoint[i]]), row);
+            wrongness[i] = wrongness(joints.get(plan.order[limitedJoint[i]]), row);
+            rows.next[row] = nextState(row, wrongness[i]);
             wrong += rows.next[row] == rows.state[row] ? 0 : 1;
         }
         return wrong;
     }
 
-    private byte nextState(ConstraintJoint joint, int row) {
-        double force = rows.force[row];
+    private double wrongness(ConstraintJoint joint, int row) {
         if (rows.state[row] == ConstraintRows.FREE) {
-            if (force < rows.lower[row] - FORCE_TOLERANCE) {
-                return ConstraintRows.LOW;
-            }
-            return force > rows.upper[row] + FORCE_TOLERANCE ? ConstraintRows.HIGH : ConstraintRows.FREE;
+            return Math.max(rows.lower[row] - rows.force[row], rows.force[row] - rows.upper[row]);
         }
         if (rows.lower[row] == rows.upper[row]) {
-            return rows.state[row];
+            return Double.NEGATIVE_INFINITY;
         }
         double excess = rows.excess(joint, row);
-        boolean letsGo = rows.state[row] == ConstraintRows.LOW ? excess < -MOTION_TOLERANCE : excess > MOTION_TOLERANCE;
-        return letsGo ? ConstraintRows.FREE : rows.state[row];
+        return rows.state[row] == ConstraintRows.LOW ? -excess : excess;
+    }
+
+    private byte nextState(int row, double wrongness) {
+        if (rows.state[row] != ConstraintRows.FREE) {
+            return wrongness > MOTION_TOLERANCE ? ConstraintRows.FREE : rows.state[row];
+        }
+        if (rows.force[row] < rows.lower[row] - FORCE_TOLERANCE) {
+            return ConstraintRows.LOW;
+        }
+        return rows.force[row] > rows.upper[row] + FORCE_TOLERANCE ? ConstraintRows.HIGH : ConstraintRows.FREE;
+    }
+
+    /** Lets go what wants to, but holds at a limit only rows that are far beyond it: contacts that would pull come before motors. */
+    private void changeMostWrong() {
+        double most = 0;
+        for (int i = 0; i < limits; i++) {
+            if (isBeyondLimit(limited[i])) {
+                most = Math.max(most, urgency(i));
+            }
+        }
+        for (int i = 0; i < limits; i++) {
+            int row = limited[i];
+            if (rows.next[row] != rows.state[row] && !(isBeyondLimit(row) && urgency(i) < SMALL_SHARE * most)) {
+                rows.state[row] = rows.next[row];
+                cholesky.rowChanged(limitedJoint[i]);
+            }
+        }
+    }
+
+    private boolean isBeyondLimit(int row) {
+        return rows.state[row] == ConstraintRows.FREE && rows.next[row] != ConstraintRows.FREE;
+    }
+
+    private double urgency(int index) {
+        double limit = Math.min(Math.abs(rows.lower[limited[index]]), Math.abs(rows.upper[limited[index]]));
+        return wrongness[index] / Math.max(limit, LEAST_LIMIT);
     }
 
     private void change(boolean onlyLast) {

@@ -13,6 +13,7 @@ final class SparseCollider implements Collider {
     private final int material;
     private final Object owner;
     private final @Nullable ContactBudget budget;
+    private final LastTouch lastTouch = new LastTouch();
 
     /**
      * Creates a collider.
@@ -32,6 +33,11 @@ final class SparseCollider implements Collider {
     @Nullable
     ContactBudget budget() {
         return budget;
+    }
+
+    /** What the solver remembers of the last touch of something that never moves. */
+    LastTouch lastTouch() {
+        return lastTouch;
     }
 
     @Nullable
