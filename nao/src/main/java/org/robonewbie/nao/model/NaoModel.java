@@ -37,7 +37,7 @@ public final class NaoModel {
     private final List<Link> allLinks = Collections.unmodifiableList(links);
     private final List<Hinge> allHinges = Collections.unmodifiableList(hinges);
     private final Map<String, Integer> linkOfName = new HashMap<>();
-    private final Map<String, Integer> hingeOfEffector = new HashMap<>();
+    private final Map<String, OptionalInt> hingeOfEffector = new HashMap<>();
     private final int[] hingeOfJoint;
 
     private NaoModel(RobotType type) {
@@ -49,7 +49,7 @@ public final class NaoModel {
         addLeg(1);
         addLeg(-1);
         links.forEach(link -> linkOfName.put(link.name(), linkOfName.size()));
-        hinges.forEach(hinge -> hingeOfEffector.put(hinge.effectorName(), hingeOfEffector.size()));
+        hinges.forEach(hinge -> hingeOfEffector.put(hinge.effectorName(), OptionalInt.of(hingeOfEffector.size())));
         hingeOfJoint = Arrays.stream(Joint.values())
                 .mapToInt(joint -> hingeIndex(joint.effectorName()).orElseThrow())
                 .toArray();
@@ -115,8 +115,7 @@ public final class NaoModel {
      * @return its index in {@link #hinges()}; empty if this robot has no such hinge
      */
     public OptionalInt hingeIndex(String effectorName) {
-        Integer index = hingeOfEffector.get(effectorName);
-        return index == null ? OptionalInt.empty() : OptionalInt.of(index);
+        return hingeOfEffector.getOrDefault(effectorName, OptionalInt.empty());
     }
 
     private void addHead() {

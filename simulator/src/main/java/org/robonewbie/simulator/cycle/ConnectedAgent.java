@@ -218,10 +218,9 @@ public final class ConnectedAgent {
                 connection.executedMessage().toString());
     }
 
-    /** {@return the agent as one of those that are recorded; empty without robot} */
-    Optional<Participant> participant() {
-        return robot.map(body ->
-                new Participant(id, player, body, connection.executedCommands(), connection.unansweredMessages()));
+    /** The agent with its robot as one of those that are recorded. */
+    Participant participant(Robot body) {
+        return new Participant(id, player, body, connection.executedCommands(), connection.unansweredMessages());
     }
 
     /** {@return whether nobody is at the other end, so that the next state that is restored needs no such agent} */

@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.cycle;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.ObjDoubleConsumer;
 import org.robonewbie.nao.SoccerField;
@@ -75,9 +76,18 @@ final class Effectors implements Restorable {
 
     /** Creates robots, lets them join and beams them, as agents asked for in this cycle. */
     void prepareStep(ConnectedAgent agent) {
-        agent.takeWantedRobot().ifPresent(create -> create(agent, create));
-        agent.takeWantedTeam().ifPresent(join -> join(agent, join));
-        agent.takeWantedBeam().ifPresent(beam -> beam(agent, beam));
+        Optional<CreateRobot> body = agent.takeWantedRobot();
+        if (body.isPresent()) {
+            create(agent, body.get());
+        }
+        Optional<JoinTeam> team = agent.takeWantedTeam();
+        if (team.isPresent()) {
+            join(agent, team.get());
+        }
+        Optional<Beam> place = agent.takeWantedBeam();
+        if (place.isPresent()) {
+            beam(agent, place.get());
+        }
     }
 
     /** Replaces a player's body by a new one with its joints at 0, where the old one was last beamed. */

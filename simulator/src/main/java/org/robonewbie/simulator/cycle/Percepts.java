@@ -62,8 +62,11 @@ final class Percepts {
         if (!agent.seesInThisCycle() || agent.robot().isEmpty() || isStillNobody(agent)) {
             return Optional.empty();
         }
+        if (agent.camera().isEmpty()) {
+            return Optional.empty();
+        }
         Optional<TeamSide> side = agent.player().map(Player::side);
-        return agent.camera().map(camera -> camera.look(agent.robot().get(), world, players, side));
+        return Optional.of(agent.camera().get().look(agent.robot().get(), world, players, side));
     }
 
     /** What an awaited agent sees from where its robot happened to appear would depend on who came first. */
@@ -88,12 +91,10 @@ final class Percepts {
     private GameState gameState(ConnectedAgent agent, double playSeconds) {
         boolean tellTeam = agent.takeTeamToBeTold();
         boolean tellScore = match.parameters().isOn(SoccerParameter.REPORT_SCORE);
+        Optional<Player> told = tellTeam ? agent.player() : Optional.empty();
         return new GameState(
-                agent.player()
-                        .filter(player -> tellTeam)
-                        .map(player -> OptionalInt.of(player.number()))
-                        .orElse(OptionalInt.empty()),
-                agent.player().filter(player -> tellTeam).map(player -> player.side()),
+                told.isPresent() ? OptionalInt.of(told.get().number()) : OptionalInt.empty(),
+                told.map(Player::side),
                 tellScore ? OptionalInt.of(match.state().score(TeamSide.LEFT)) : OptionalInt.empty(),
                 tellScore ? OptionalInt.of(match.state().score(TeamSide.RIGHT)) : OptionalInt.empty(),
                 playSeconds,

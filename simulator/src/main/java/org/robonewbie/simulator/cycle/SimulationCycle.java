@@ -309,7 +309,11 @@ public final class SimulationCycle implements Restorable {
 
     private List<Participant> participants() {
         List<Participant> all = new ArrayList<>(agents.size());
-        agents.forEach(agent -> agent.participant().ifPresent(all::add));
+        for (int i = 0; i < agents.size(); i++) {
+            if (agents.get(i).robot().isPresent()) {
+                all.add(agents.get(i).participant(agents.get(i).robot().get()));
+            }
+        }
         return all;
     }
 

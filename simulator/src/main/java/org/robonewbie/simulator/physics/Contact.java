@@ -20,4 +20,22 @@ public interface Contact {
      * @return newtons; zero before the step, for a trigger and between sleeping bodies
      */
     Vector3 forceOnFirst();
+
+    /**
+     * Adds up contacts.
+     *
+     * @param sums to these are added the force, its place times its strength, and its strength, seven numbers
+     */
+    default void addTo(double[] sums) {
+        Vector3 force = forceOnFirst();
+        Vector3 place = position();
+        double strength = force.length();
+        sums[0] += force.x();
+        sums[1] += force.y();
+        sums[2] += force.z();
+        sums[3] += strength * place.x();
+        sums[4] += strength * place.y();
+        sums[5] += strength * place.z();
+        sums[6] += strength;
+    }
 }

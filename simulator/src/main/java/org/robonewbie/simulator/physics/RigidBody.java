@@ -21,6 +21,39 @@ public interface RigidBody {
         return new BodyPose(position(), rotation());
     }
 
+    /** {@return the direction of the body's own y axis in the world} */
+    default Vector3 axisY() {
+        return rotation().axisY();
+    }
+
+    /** {@return the direction of the body's own z axis in the world} */
+    default Vector3 axisZ() {
+        return rotation().axisZ();
+    }
+
+    /**
+     * Sees a direction of the world along the body's own axes.
+     *
+     * @param x first component of a vector in the world frame
+     * @param y its second component
+     * @param z its third component
+     * @return the same vector along the axes of the body
+     */
+    default Vector3 directionToLocal(double x, double y, double z) {
+        return rotation().applyInverse(new Vector3(x, y, z));
+    }
+
+    /**
+     * Tells whether the body is not too far away.
+     *
+     * @param metres a limit for the absolute value of each coordinate
+     * @return whether each coordinate of the centre is below the limit; false if one is not a number
+     */
+    default boolean isWithin(double metres) {
+        Vector3 place = position();
+        return Math.abs(place.x()) < metres && Math.abs(place.y()) < metres && Math.abs(place.z()) < metres;
+    }
+
     /** {@return the velocity of the centre in metres per second} */
     Vector3 velocity();
 
@@ -68,6 +101,17 @@ public interface RigidBody {
      * @param newtonMetres the torque, added to others
      */
     void addTorque(Vector3 newtonMetres);
+
+    /**
+     * Resists the body's motion during the next step, in proportion to its speed.
+     *
+     * @param linear newtons per metre per second
+     * @param angular newton metres per radian per second
+     */
+    default void resist(double linear, double angular) {
+        addForce(velocity().times(-linear));
+        addTorque(angularVelocity().times(-angular));
+    }
 
     /**
      * Makes the body heavier or lighter than it was made, and harder or easier to turn in proportion.

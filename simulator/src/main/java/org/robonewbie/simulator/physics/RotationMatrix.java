@@ -145,18 +145,18 @@ public record RotationMatrix(
 
     /** {@return the same rotation as the quaternion of {@link #toQuaternion}} */
     public org.robonewbie.nao.kinematics.Rotation toTurn() {
-        double[] moveNumber = toQuaternion();
-        return new org.robonewbie.nao.kinematics.Rotation(moveNumber[0], moveNumber[1], moveNumber[2], moveNumber[3]);
+        double[] quaternion = toQuaternion();
+        return new org.robonewbie.nao.kinematics.Rotation(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
     }
 
     /**
      * Makes a rotation of a quaternion.
      *
-     * @param moveNumber the quaternion; its length need not be exactly 1
+     * @param quaternion the quaternion; its length need not be exactly 1
      * @return the same rotation
      */
-    public static RotationMatrix of(org.robonewbie.nao.kinematics.Rotation moveNumber) {
-        return ofQuaternion(moveNumber.w(), moveNumber.x(), moveNumber.y(), moveNumber.z());
+    public static RotationMatrix of(org.robonewbie.nao.kinematics.Rotation quaternion) {
+        return ofQuaternion(quaternion.w(), quaternion.x(), quaternion.y(), quaternion.z());
     }
 
     private static double[] normalised(double w, double x, double y, double z) {

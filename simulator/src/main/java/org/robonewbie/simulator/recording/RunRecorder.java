@@ -28,6 +28,7 @@ public final class RunRecorder implements AutoCloseable {
     private final BallStatistics ball;
     private final Map<Integer, Entry> entries = new LinkedHashMap<>();
     private final List<RunReport.Goal> goals = new ArrayList<>();
+    private final Map<Integer, List<EffectorCommand>> commands = new HashMap<>();
     private List<Participant> present = List.of();
     private long cycles;
 
@@ -81,9 +82,11 @@ public final class RunRecorder implements AutoCloseable {
         cycles = cycle;
         ball.cycleEnded(world.ball().position());
         for (Participant participant : participants) {
-            RobotStatistics statistics = entry(participant).statistics();
-            statistics.cycleEnded(participant.robot());
-            entries.put(participant.id(), Entry.of(statistics, participant));
+            Entry entry = entry(participant);
+            entry.statistics().cycleEnded(participant.robot());
+            if (!entry.isOf(participant)) {
+                entries.put(participant.id(), Entry.of(entry.statistics(), participant));
+            }
         }
         forgetOldest(participants);
         for (MatchEvent event : match.events()) {
@@ -93,7 +96,9 @@ public final class RunRecorder implements AutoCloseable {
         }
         writer.write(
                 Snapshots.of(cycle, match, world, participants),
-                match.events().stream().map(MatchEvent::text).toList(),
+                match.events().isEmpty()
+                        ? List.of()
+                        : match.events().stream().map(MatchEvent::text).toList(),
                 commands(participants));
     }
 
@@ -109,9 +114,13 @@ public final class RunRecorder implements AutoCloseable {
         }
     }
 
-    private static Map<Integer, List<EffectorCommand>> commands(List<Participant> participants) {
-        Map<Integer, List<EffectorCommand>> commands = new HashMap<>();
-        participants.forEach(participant -> commands.put(participant.id(), participant.commands()));
+    private Map<Integer, List<EffectorCommand>> commands(List<Participant> participants) {
+        if (commands.size() > participants.size()) {
+            commands.clear();
+        }
+        for (Participant participant : participants) {
+            commands.put(participant.id(), participant.commands());
+        }
         return commands;
     }
 
@@ -152,12 +161,25 @@ public final class RunRecorder implements AutoCloseable {
                     player.map(Player::number).orElse(0),
                     participant.unansweredMessages());
         }
+
+        /** Whether it still says what is known of a participant, as it nearly always does. */
+        boolean isOf(Participant participant) {
+            Optional<Player> player = participant.player();
+            boolean samePlayer = player.isEmpty()
+                    ? team.isEmpty() && number == 0
+                    : number == player.get().number() && team.equals(player.get().team().name());
+            return samePlayer && unansweredMessages == participant.unansweredMessages();
+        }
     }
 
     private Entry entry(Participant participant) {
-        return entries.computeIfAbsent(
-                participant.id(),
-                id -> Entry.of(new RobotStatistics(participant.robot().model()), participant));
+        Entry known = entries.get(participant.id());
+        if (known != null) {
+            return known;
+        }
+        Entry entry = Entry.of(new RobotStatistics(participant.robot().model()), participant);
+        entries.put(participant.id(), entry);
+        return entry;
     }
 
     private static RunReport.RobotResult robot(Entry entry) {

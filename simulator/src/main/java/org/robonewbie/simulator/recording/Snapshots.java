@@ -37,20 +37,28 @@ public final class Snapshots {
                 state.half(),
                 world.ball().position(),
                 world.ball().rotation().toTurn(),
-                participants.stream().map(Snapshots::robot).toList(),
+                robots(participants),
                 world.things().now(),
                 false,
                 1,
                 1);
     }
 
+    private static List<RobotSnapshot> robots(List<Participant> participants) {
+        RobotSnapshot[] robots = new RobotSnapshot[participants.size()];
+        for (int i = 0; i < robots.length; i++) {
+            robots[i] = robot(participants.get(i));
+        }
+        return List.of(robots);
+    }
+
     private static RobotSnapshot robot(Participant participant) {
         Optional<Player> player = participant.player();
         return new RobotSnapshot(
                 participant.id(),
-                player.map(member -> member.team().name()).orElse(""),
+                player.isPresent() ? player.get().team().name() : "",
                 player.map(Player::side),
-                player.map(Player::number).orElse(0),
+                player.isPresent() ? player.get().number() : 0,
                 participant.robot().body());
     }
 }

@@ -22,6 +22,7 @@ import org.robonewbie.protocol.perceptor.Vision.SeenLandmark;
 import org.robonewbie.protocol.perceptor.Vision.SeenLine;
 import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 import org.robonewbie.simulator.physics.BodyPose;
+import org.robonewbie.simulator.physics.RotationMatrix;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -44,11 +45,14 @@ public final class Camera implements Restorable {
     /** What can be added to any number without changing it, even to -0. */
     private static final Vector3 NOWHERE_ELSE = new Vector3(-0.0, -0.0, -0.0);
 
-    private final SoccerField field;
+    private final List<Vector3> landmarks;
     private final CameraSettings settings;
     private final ViewCone cone;
     private final List<Segment> lines;
     private final Optional<VisionNoise> noise;
+    private final List<SeenBodyPart> parts = new ArrayList<>();
+    private final double[] local = new double[3];
+    private final double[] ends = new double[6];
 
     /**
      * Creates a camera; its calibration error is drawn here and stays.
@@ -58,7 +62,7 @@ public final class Camera implements Restorable {
      * @param random source of all noise; not used without noise
      */
     public Camera(SoccerField field, CameraSettings settings, RandomGenerator random) {
-        this.field = field;
+        this.landmarks = LANDMARKS.stream().map(field::position).toList();
         this.settings = settings;
         this.cone = new ViewCone(settings.horizontalConeDegrees(), settings.verticalConeDegrees());
         this.lines = settings.lines() ? FieldLines.of(field) : List.of();
@@ -79,7 +83,7 @@ public final class Camera implements Restorable {
         Vector3 ball = world.ball().position();
         return new Vision(
                 landmarks(head),
-                see(head, ball),
+                sees(head, ball) ? Optional.of(measure()) : Optional.empty(),
                 players(head, players),
                 lines(head),
                 settings.ownPosition() ? Optional.of(inTeamView(head.position(), side)) : Optional.empty(),
@@ -88,17 +92,20 @@ public final class Camera implements Restorable {
     }
 
     private List<SeenLandmark> landmarks(BodyPose head) {
-        List<SeenLandmark> seen = new ArrayList<>();
-        for (Landmark landmark : LANDMARKS) {
-            see(head, field.position(landmark)).ifPresent(position -> seen.add(new SeenLandmark(landmark, position)));
+        List<SeenLandmark> seen = new ArrayList<>(landmarks.size());
+        for (int i = 0; i < landmarks.size(); i++) {
+            if (sees(head, landmarks.get(i))) {
+                seen.add(new SeenLandmark(LANDMARKS.get(i), measure()));
+            }
         }
         return seen;
     }
 
     private List<SeenPlayer> players(BodyPose head, List<VisiblePlayer> players) {
         List<SeenPlayer> seen = new ArrayList<>();
-        for (VisiblePlayer player : players) {
-            List<SeenBodyPart> parts = parts(head, player);
+        for (int i = 0; i < players.size(); i++) {
+            VisiblePlayer player = players.get(i);
+            measureParts(head, player);
             if (!parts.isEmpty()) {
                 seen.add(new SeenPlayer(player.team(), player.number(), parts, Optional.empty()));
             }
@@ -106,45 +113,55 @@ public final class Camera implements Restorable {
         return seen;
     }
 
-    private List<SeenBodyPart> parts(BodyPose head, VisiblePlayer player) {
-        List<SeenBodyPart> seen = new ArrayList<>();
-        for (BodyPart part : PARTS) {
-            see(head, player.parts().get(part.ordinal()))
-                    .ifPresent(position -> seen.add(new SeenBodyPart(part, position)));
+    private void measureParts(BodyPose head, VisiblePlayer player) {
+        parts.clear();
+        for (int i = 0; i < PARTS.size(); i++) {
+            if (sees(head, player.parts().get(i))) {
+                parts.add(new SeenBodyPart(PARTS.get(i), measure()));
+            }
         }
-        return seen;
     }
 
     private List<SeenLine> lines(BodyPose head) {
         List<SeenLine> seen = new ArrayList<>();
-        for (Segment line : lines) {
-            if (isAhead(head, line.start()) || isAhead(head, line.end())) {
-                cone.clip(new Segment(fromCamera(head, line.start()), fromCamera(head, line.end())))
-                        .ifPresent(visible -> seen.add(new SeenLine(measure(visible.start()), measure(visible.end()))));
+        for (int i = 0; i < lines.size(); i++) {
+            if (isVisible(head, lines.get(i))) {
+                PolarPosition start = measure(ends[0], ends[1], ends[2]);
+                seen.add(new SeenLine(start, measure(ends[3], ends[4], ends[5])));
             }
         }
         return seen;
     }
 
-    private boolean isAhead(BodyPose head, Vector3 point) {
-        return fromCamera(head, point).y() > 0;
+    /** Leaves in {@link #ends} what is seen of a line. */
+    private boolean isVisible(BodyPose head, Segment line) {
+        locate(head, line.start());
+        System.arraycopy(local, 0, ends, 0, 3);
+        locate(head, line.end());
+        System.arraycopy(local, 0, ends, 3, 3);
+        return (ends[1] > 0 || ends[4] > 0) && cone.clip(ends);
     }
 
-    /** Hands numbers on instead of vectors: most points are not seen, and then no object is made for them. */
-    private Optional<PolarPosition> see(BodyPose head, Vector3 point) {
-        Vector3 local = fromCamera(head, point);
-        return cone.contains(local.x(), local.y(), local.z())
-                ? Optional.of(measure(local.x(), local.y(), local.z()))
-                : Optional.empty();
+    /** Leaves in {@link #local} where a point is: most points are not seen, and then no object is made for them. */
+    private boolean sees(BodyPose head, Vector3 point) {
+        locate(head, point);
+        return cone.contains(local[0], local[1], local[2]);
     }
 
     /** The calibration error comes first, so it takes part in the decision what is visible. */
-    private Vector3 fromCamera(BodyPose head, Vector3 point) {
-        return head.toLocal(point).plus(noise.isPresent() ? noise.get().displacement() : NOWHERE_ELSE);
+    private void locate(BodyPose head, Vector3 point) {
+        RotationMatrix turn = head.rotation();
+        double x = point.x() - head.position().x();
+        double y = point.y() - head.position().y();
+        double z = point.z() - head.position().z();
+        Vector3 displacement = noise.isPresent() ? noise.get().displacement() : NOWHERE_ELSE;
+        local[0] = turn.xx() * x + turn.yx() * y + turn.zx() * z + displacement.x();
+        local[1] = turn.xy() * x + turn.yy() * y + turn.zy() * z + displacement.y();
+        local[2] = turn.xz() * x + turn.yz() * y + turn.zz() * z + displacement.z();
     }
 
-    private PolarPosition measure(Vector3 local) {
-        return measure(local.x(), local.y(), local.z());
+    private PolarPosition measure() {
+        return measure(local[0], local[1], local[2]);
     }
 
     private PolarPosition measure(double x, double y, double z) {

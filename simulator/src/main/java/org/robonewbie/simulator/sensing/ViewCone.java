@@ -1,8 +1,5 @@
 package org.robonewbie.simulator.sensing;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 
@@ -19,18 +16,17 @@ final class ViewCone {
 
     private final double halfHorizontal;
     private final double halfVertical;
-    private final List<Vector3> sides;
+    private final Vector3[] sides;
+    private final double[] cuts = new double[12];
 
     ViewCone(double horizontalDegrees, double verticalDegrees) {
         halfHorizontal = PortableMath.toRadians(horizontalDegrees) / 2;
         halfVertical = PortableMath.toRadians(verticalDegrees) / 2;
         double across = PortableMath.tan(halfHorizontal);
         double upward = PortableMath.tan(halfVertical);
-        sides = List.of(
-                new Vector3(1, across, 0),
-                new Vector3(-1, across, 0),
-                new Vector3(0, upward, -1),
-                new Vector3(0, upward, 1));
+        sides = new Vector3[] {
+            new Vector3(1, across, 0), new Vector3(-1, across, 0), new Vector3(0, upward, -1), new Vector3(0, upward, 1)
+        };
     }
 
     /** Whether a point is seen; no cone reaches beyond what is ahead, and most points need no angles. */
@@ -41,49 +37,54 @@ final class ViewCone {
                 && Math.abs(PortableMath.atan2(z, PortableMath.hypot(x, y))) <= halfVertical;
     }
 
-    private boolean contains(Vector3 point) {
-        return contains(point.x(), point.y(), point.z());
-    }
-
-    /** Cuts a line to what is seen of it: visible ends stay, hidden ones move to the edge of the picture. */
-    Optional<Segment> clip(Segment line) {
-        boolean startSeen = contains(line.start());
-        boolean endSeen = contains(line.end());
+    /**
+     * Cuts a line to what is seen of it: visible ends stay, hidden ones move to the edge of the picture.
+     *
+     * @param line the coordinates of both its ends, which are changed
+     * @return whether any of it is seen
+     */
+    boolean clip(double[] line) {
+        boolean startSeen = contains(line[0], line[1], line[2]);
+        boolean endSeen = contains(line[3], line[4], line[5]);
         if (startSeen && endSeen) {
-            return Optional.of(line);
+            return true;
         }
-        List<Vector3> cuts = cuts(line);
+        int found = findCuts(line);
         if (startSeen || endSeen) {
-            return cuts.stream()
-                    .findFirst()
-                    .map(cut -> startSeen ? new Segment(line.start(), cut) : new Segment(cut, line.end()));
+            System.arraycopy(cuts, 0, line, startSeen ? 3 : 0, found > 0 ? 3 : 0);
+            return found > 0;
         }
-        return cuts.size() < 2 ? Optional.empty() : Optional.of(new Segment(cuts.get(0), cuts.get(1)));
+        System.arraycopy(cuts, 0, line, 0, found > 1 ? 6 : 0);
+        return found > 1;
     }
 
-    /** Points where a line crosses the sides of the picture: left, right, top, bottom. */
-    private List<Vector3> cuts(Segment line) {
-        List<Vector3> cuts = new ArrayList<>();
+    /** Finds the points where a line crosses the sides of the picture: left, right, top, bottom. */
+    private int findCuts(double[] line) {
+        int found = 0;
         for (Vector3 side : sides) {
-            double start = side.dot(line.start());
-            double end = side.dot(line.end());
+            double start = dot(side, line, 0);
+            double end = dot(side, line, 3);
             if (start < 0 != end < 0) {
                 double share = start / (start - end);
-                Vector3 cut = line.start().plus(line.end().minus(line.start()).times(share));
-                if (isInPicture(cut)) {
-                    cuts.add(cut);
+                for (int axis = 0; axis < 3; axis++) {
+                    cuts[3 * found + axis] = line[axis] + share * (line[3 + axis] - line[axis]);
                 }
+                found += isInPicture(3 * found) ? 1 : 0;
             }
         }
-        return cuts;
+        return found;
     }
 
-    private boolean isInPicture(Vector3 point) {
+    private boolean isInPicture(int at) {
         for (Vector3 side : sides) {
-            if (side.dot(point) < -ROUNDING) {
+            if (dot(side, cuts, at) < -ROUNDING) {
                 return false;
             }
         }
-        return point.y() >= LEAST_DISTANCE;
+        return cuts[at + 1] >= LEAST_DISTANCE;
+    }
+
+    private static double dot(Vector3 side, double[] point, int at) {
+        return side.x() * point[at] + side.y() * point[at + 1] + side.z() * point[at + 2];
     }
 }

@@ -1,5 +1,6 @@
 package org.robonewbie.simulator.soccer;
 
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -26,10 +27,13 @@ final class IllegalDefenceRule implements FoulRule {
         for (Player player : match.players(side)) {
             player.fouls().watchArea(area.contains(player.position()), match.currentTick());
         }
-        List<Player> inside = match.players(side).stream()
-                .filter(player -> player.fouls().areaEntryTick() != FoulHistory.NEVER)
-                .filter(player -> !player.fouls().isPunished())
-                .toList();
+        List<Player> inside = new ArrayList<>(0);
+        for (Player player : match.players(side)) {
+            if (player.fouls().areaEntryTick() != FoulHistory.NEVER
+                    && !player.fouls().isPunished()) {
+                inside.add(player);
+            }
+        }
         if (inside.size() > match.parameters().get(SoccerParameter.MAX_PLAYERS_INSIDE_OWN_AREA)) {
             offender(inside, side).ifPresent(player -> punish(player, area));
         }

@@ -1,7 +1,6 @@
 package org.robonewbie.simulator.soccer;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -29,7 +28,7 @@ final class TouchingRule implements FoulRule {
             }
         }
         for (Player player : match.players()) {
-            player.fouls().setTouched(new HashSet<>());
+            player.fouls().setTouched(Set.of());
         }
         groups.forEach(group -> group.forEach(player -> player.fouls().setTouched(group)));
     }

@@ -10,15 +10,18 @@ import org.robonewbie.simulator.physics.RigidBody;
 /** Proper acceleration from the change of velocity over one step (SimSpark: {@code accelerometer.cpp}). */
 final class Accelerometer implements Restorable {
 
-    private static final Vector3 GRAVITY = new Vector3(0, 0, -9.81);
+    private static final double GRAVITY = -9.81;
 
     private Vector3 lastVelocity = Vector3.ZERO;
     private Vector3 reading = Vector3.ZERO;
 
     void measure(RigidBody body) {
         Vector3 velocity = body.velocity();
-        Vector3 change = velocity.minus(lastVelocity).times(1 / Cycle.SECONDS);
-        reading = body.rotation().applyInverse(change.minus(GRAVITY));
+        double rate = 1 / Cycle.SECONDS;
+        reading = body.directionToLocal(
+                rate * (velocity.x() - lastVelocity.x()),
+                rate * (velocity.y() - lastVelocity.y()),
+                rate * (velocity.z() - lastVelocity.z()) - GRAVITY);
         lastVelocity = velocity;
     }
 

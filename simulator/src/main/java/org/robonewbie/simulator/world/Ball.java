@@ -92,7 +92,7 @@ public final class Ball {
 
     /** Returns a ball that went beyond all limits to the centre spot. */
     void finishStep() {
-        if (!WorldLimits.isWithin(body.position())) {
+        if (!WorldLimits.isWithin(body)) {
             body.setRotation(RotationMatrix.IDENTITY);
             place(new Vector3(0, 0, properties.radius()));
         }

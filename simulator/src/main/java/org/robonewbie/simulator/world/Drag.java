@@ -12,7 +12,6 @@ import org.robonewbie.simulator.physics.RigidBody;
 record Drag(double linear, double angular) {
 
     void applyTo(RigidBody body) {
-        body.addForce(body.velocity().times(-linear));
-        body.addTorque(body.angularVelocity().times(-angular));
+        body.resist(linear, angular);
     }
 }

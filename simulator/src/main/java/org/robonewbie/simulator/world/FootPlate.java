@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.world;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.Vector3;
@@ -8,8 +9,8 @@ import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.perceptor.FootForce;
-import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.Contact;
+import org.robonewbie.simulator.physics.RigidBody;
 
 /**
  * Adds up the contacts of one foot during a step (SimSpark: {@code forceresistanceperceptor.cpp}).
@@ -22,6 +23,7 @@ final class FootPlate implements Restorable {
 
     private final int link;
     private final List<Contact> contacts = new ArrayList<>();
+    private final double[] sums = new double[7];
     private boolean touching;
     private FootForce last = new FootForce(Vector3.ZERO, Vector3.ZERO);
 
@@ -43,20 +45,18 @@ final class FootPlate implements Restorable {
         touching = true;
     }
 
-    void update(BodyPose foot) {
-        Vector3 total = Vector3.ZERO;
-        Vector3 weighted = Vector3.ZERO;
-        double weight = 0;
-        for (Contact contact : contacts) {
-            Vector3 force = contact.forceOnFirst();
-            double strength = force.length();
-            total = total.plus(force);
-            weighted = weighted.plus(contact.position().times(strength));
-            weight += strength;
+    void update(RigidBody foot) {
+        Arrays.fill(sums, 0);
+        for (int i = 0; i < contacts.size(); i++) {
+            contacts.get(i).addTo(sums);
         }
-        if (weight > 0) {
+        if (sums[6] > 0) {
+            double share = 1 / sums[6];
+            Vector3 centre = foot.position();
             last = new FootForce(
-                    foot.toLocal(weighted.times(1 / weight)), foot.rotation().applyInverse(total));
+                    foot.directionToLocal(
+                            share * sums[3] - centre.x(), share * sums[4] - centre.y(), share * sums[5] - centre.z()),
+                    foot.directionToLocal(sums[0], sums[1], sums[2]));
         }
     }
 

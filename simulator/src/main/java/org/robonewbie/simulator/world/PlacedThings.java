@@ -80,9 +80,7 @@ public final class PlacedThings {
     /** Returns what went beyond all limits to its beginning. */
     void finishStep() {
         for (int i = 0; i < bodies.size(); i++) {
-            if (bodies.get(i)
-                    .filter(body -> !WorldLimits.isWithin(body.position()))
-                    .isPresent()) {
+            if (bodies.get(i).filter(body -> !WorldLimits.isWithin(body)).isPresent()) {
                 reset(i);
             }
         }

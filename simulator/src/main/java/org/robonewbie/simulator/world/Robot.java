@@ -49,6 +49,7 @@ public final class Robot {
     private final List<MotorHinge> hinges;
     private final Accelerometer accelerometer = new Accelerometer();
     private final Map<FootSensor, FootPlate> plates = new EnumMap<>(FootSensor.class);
+    private final List<FootPlate> allPlates;
     private Optional<Beam> beam = Optional.empty();
 
     private record Beam(Vector3 position, double yawDegrees) {}
@@ -60,6 +61,7 @@ public final class Robot {
         this.bodies = builder.addBodies(START_POSITION);
         this.hinges = builder.addHinges(bodies, START_POSITION);
         addFootPlates();
+        allPlates = List.copyOf(plates.values());
     }
 
     /**
@@ -132,12 +134,12 @@ public final class Robot {
 
     /** {@return the direction in which the torso faces in degrees, 0 along the world's x axis, positive to the left} */
     public double headingDegrees() {
-        return BodyState.headingDegrees(bodies.get(0).rotation().axisY());
+        return BodyState.headingDegrees(bodies.get(0).axisY());
     }
 
     /** {@return how far the torso leans to any side in degrees: 0 upright, 180 upside down} */
     public double tiltDegrees() {
-        return BodyState.tiltDegrees(bodies.get(0).rotation().axisZ());
+        return BodyState.tiltDegrees(bodies.get(0).axisZ());
     }
 
     /** {@return whether the torso is tilted by more than 60 degrees or its centre is lower than 0.2 m} */
@@ -183,7 +185,8 @@ public final class Robot {
     /** {@return the gyro: the torso's angular velocity about its own axes in degrees per second} */
     public Vector3 gyroDegreesPerSecond() {
         RigidBody torso = bodies.get(0);
-        return torso.rotation().applyInverse(torso.angularVelocity()).times(PortableMath.toDegrees(1));
+        Vector3 spin = torso.angularVelocity();
+        return torso.directionToLocal(spin.x(), spin.y(), spin.z()).times(PortableMath.toDegrees(1));
     }
 
     /**
@@ -318,16 +321,22 @@ public final class Robot {
 
     void prepareStep() {
         accelerometer.measure(bodies.get(0));
-        plates.values().forEach(FootPlate::clear);
-        beam.ifPresent(target -> moveUpright(target.position(), target.yawDegrees()));
-        beam = Optional.empty();
-        bodies.forEach(DRAG::applyTo);
+        for (int i = 0; i < allPlates.size(); i++) {
+            allPlates.get(i).clear();
+        }
+        if (beam.isPresent()) {
+            moveUpright(beam.get().position(), beam.get().yawDegrees());
+            beam = Optional.empty();
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            DRAG.applyTo(bodies.get(i));
+        }
     }
 
     void feel(int linkIndex, Contact contact) {
-        for (FootPlate plate : plates.values()) {
-            if (plate.link() == linkIndex) {
-                plate.add(contact);
+        for (int i = 0; i < allPlates.size(); i++) {
+            if (allPlates.get(i).link() == linkIndex) {
+                allPlates.get(i).add(contact);
             }
         }
     }
@@ -336,12 +345,15 @@ public final class Robot {
         if (isTornApart()) {
             rebuild();
         }
-        plates.values().forEach(plate -> plate.update(linkPose(plate.link())));
+        for (int i = 0; i < allPlates.size(); i++) {
+            FootPlate plate = allPlates.get(i);
+            plate.update(bodies.get(plate.link()));
+        }
     }
 
     private boolean isTornApart() {
-        for (RigidBody body : bodies) {
-            if (!WorldLimits.isWithin(body.position())) {
+        for (int i = 0; i < bodies.size(); i++) {
+            if (!WorldLimits.isWithin(bodies.get(i))) {
                 return true;
             }
         }
@@ -373,7 +385,8 @@ public final class Robot {
     }
 
     private Optional<FootForce> reading(FootSensor sensor) {
-        return Optional.ofNullable(plates.get(sensor)).flatMap(FootPlate::reading);
+        FootPlate plate = plates.get(sensor);
+        return plate == null ? Optional.empty() : plate.reading();
     }
 
     private static void stop(RigidBody body) {

@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.world;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.physics.RigidBody;
 
 /**
  * Keeps every body where the engine can still calculate, whatever a trainer or an accident asks for: beyond some kilometres,
@@ -31,8 +32,8 @@ final class WorldLimits {
     }
 
     /** Whether a body may stay where it is. */
-    static boolean isWithin(Vector3 place) {
-        return Math.abs(place.x()) < FARTHEST && Math.abs(place.y()) < FARTHEST && Math.abs(place.z()) < FARTHEST;
+    static boolean isWithin(RigidBody body) {
+        return body.isWithin(FARTHEST);
     }
 
     private static Vector3 cut(Vector3 vector, double limit) {

@@ -52,6 +52,10 @@ final class Body implements RigidBody, Restorable {
     private final double[] inertia = new double[3];
     private final boolean evenlyHeavy;
     private final double[] position = new double[3];
+    /** The position as it was asked for last, since it is asked for several times per step. */
+    private Vector3 seenPosition = Vector3.ZERO;
+
+    private boolean hasMoved = true;
     private final double[] quaternion = {1, 0, 0, 0};
     private final MoveOrder order;
     private final List<CollisionShape> shapes = new ArrayList<>();
@@ -161,6 +165,7 @@ final class Body implements RigidBody, Restorable {
         for (int axis = 0; axis < 3; axis++) {
             position[axis] += seconds * velocity[axis];
         }
+        hasMoved = true;
         Rotations.rotate(quaternion, velocity, seconds);
         Rotations.toMatrix(quaternion, rotation);
         turns++;
@@ -176,13 +181,39 @@ final class Body implements RigidBody, Restorable {
 
     @Override
     public Vector3 position() {
-        return new Vector3(position[0], position[1], position[2]);
+        if (hasMoved) {
+            seenPosition = new Vector3(position[0], position[1], position[2]);
+            hasMoved = false;
+        }
+        return seenPosition;
     }
 
     @Override
     public RotationMatrix rotation() {
         double[] r = rotation;
         return new RotationMatrix(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]);
+    }
+
+    @Override
+    public Vector3 axisY() {
+        return new Vector3(rotation[1], rotation[4], rotation[7]);
+    }
+
+    @Override
+    public Vector3 axisZ() {
+        return new Vector3(rotation[2], rotation[5], rotation[8]);
+    }
+
+    @Override
+    public Vector3 directionToLocal(double x, double y, double z) {
+        double[] r = rotation;
+        return new Vector3(
+                r[0] * x + r[3] * y + r[6] * z, r[1] * x + r[4] * y + r[7] * z, r[2] * x + r[5] * y + r[8] * z);
+    }
+
+    @Override
+    public boolean isWithin(double metres) {
+        return Math.abs(position[0]) < metres && Math.abs(position[1]) < metres && Math.abs(position[2]) < metres;
     }
 
     @Override
@@ -198,6 +229,7 @@ final class Body implements RigidBody, Restorable {
     @Override
     public void setPosition(Vector3 place) {
         set(position, place);
+        hasMoved = true;
         tellForms();
     }
 
@@ -237,6 +269,14 @@ final class Body implements RigidBody, Restorable {
     }
 
     @Override
+    public void resist(double linear, double angular) {
+        for (int axis = 0; axis < 3; axis++) {
+            force[axis] += -linear * velocity[axis];
+            force[3 + axis] += -angular * velocity[3 + axis];
+        }
+    }
+
+    @Override
     public boolean isAsleep() {
         return asleep;
     }
@@ -268,6 +308,7 @@ final class Body implements RigidBody, Restorable {
     @Override
     public void restore(StateReader in) {
         in.getDoubles(position);
+        hasMoved = true;
         in.getDoubles(quaternion);
         in.getDoubles(rotation);
         in.getDoubles(velocity);

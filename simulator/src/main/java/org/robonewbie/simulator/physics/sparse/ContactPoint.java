@@ -45,4 +45,14 @@ final class ContactPoint implements Contact {
     public Vector3 forceOnFirst() {
         return new Vector3(force[0], force[1], force[2]);
     }
+
+    @Override
+    public void addTo(double[] sums) {
+        double strength = Math.sqrt(Rotations.dot(force, 0, force, 0));
+        for (int axis = 0; axis < 3; axis++) {
+            sums[axis] += force[axis];
+            sums[3 + axis] += strength * numbers[axis];
+        }
+        sums[6] += strength;
+    }
 }
