@@ -43,11 +43,12 @@ public final class AgentDriver {
     /**
      * Sets who the agent is, which a simulator would tell.
      *
-     * @param who its team and number, among others
+     * @param who its team, its number and its type, among others
      * @param side the half of its team
      */
     public void introduce(Options who, TeamSide side) {
         agent.begin(who);
+        agent.clockwork().senses().setType(who.robotType());
         agent.clockwork().senses().introduce(who.team(), who.number(), side);
     }
 

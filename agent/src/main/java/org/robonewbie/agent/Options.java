@@ -12,6 +12,7 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.running.Surroundings;
+import org.robonewbie.nao.model.RobotType;
 
 /**
  * Where a robot lives and who it is: the same options for every agent. They are taken from the command line, from the file
@@ -212,6 +213,10 @@ public final class Options {
     /** {@return the build of the robot, 0 to 4, see {@code org.robonewbie.nao.model.RobotType}} */
     public int type() {
         return text(Option.TYPE).map(Integer::valueOf).orElse(0);
+    }
+
+    RobotType robotType() {
+        return RobotType.values()[type()];
     }
 
     /** {@return the start of all random numbers; empty if the run need not be repeatable} */

@@ -14,6 +14,7 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.telemetry.BelievedPose;
 import org.robonewbie.protocol.telemetry.Drawing;
 
@@ -136,6 +137,11 @@ public class Robot {
     /** {@return the number on the robot's shirt, 1 to 11; 0 before it has joined a game} */
     public final int getNumber() {
         return senses().number();
+    }
+
+    /** {@return how the robot is built: as the option {@code --type} wants it, else the standard type 0} */
+    public final RobotType getType() {
+        return senses().type();
     }
 
     /** {@return the goals of this team} */

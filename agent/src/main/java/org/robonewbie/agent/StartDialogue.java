@@ -39,6 +39,7 @@ final class StartDialogue {
      */
     void run(Runnable atFirstMessage) throws IOException {
         robot.senses().setTeam(options.team());
+        robot.senses().setType(options.robotType());
         answer(Optional.of(createRobot()));
         receive();
         atFirstMessage.run();

@@ -5,20 +5,28 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.Options;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
 /** An agent of this process. */
 final class AgentPerformer implements Performer {
 
     private final AgentDriver agent;
+    private RobotType type = RobotType.TYPE_0;
 
     AgentPerformer(Agent agent) {
         this.agent = new AgentDriver(agent);
     }
 
     @Override
+    public void embody(RobotType built) {
+        type = built;
+    }
+
+    @Override
     public void introduce(String team, int number, TeamSide side) {
-        agent.introduce(Options.none().withTeam(team).withNumber(number), side);
+        Options who = Options.none().withTeam(team).withNumber(number);
+        agent.introduce(who.with("type", Integer.toString(type.ordinal())), side);
     }
 
     @Override

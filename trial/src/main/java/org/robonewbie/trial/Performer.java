@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Function;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
@@ -74,7 +75,14 @@ public interface Performer extends AutoCloseable {
     }
 
     /**
-     * Sets the performer's identity, before anything else.
+     * Tells how the robot is built that it moves, before anything else.
+     *
+     * @param type the robot type
+     */
+    default void embody(RobotType type) {}
+
+    /**
+     * Sets the performer's identity, before anything that it senses.
      *
      * @param team its team
      * @param number its number

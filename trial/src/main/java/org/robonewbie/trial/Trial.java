@@ -140,9 +140,7 @@ public final class Trial implements AutoCloseable {
             scene.ball().ifPresent(this::placeBall);
             world = played;
             bodies.forEach(this::playPrelude);
-            cycles = 0;
-            world.keep();
-            firstReadings = bodies.stream().map(TrialBody::readings).toList();
+            keep();
         } catch (RuntimeException | Error failure) {
             close();
             throw failure;
@@ -173,6 +171,7 @@ public final class Trial implements AutoCloseable {
 
     private Performer introduced(RobotStart start, Performer performer) {
         boolean first = start.team().equals(scene.robots().get(0).team());
+        performer.embody(start.type());
         performer.introduce(start.team(), start.number(), first ? TeamSide.LEFT : TeamSide.RIGHT);
         return performer;
     }
@@ -228,6 +227,13 @@ public final class Trial implements AutoCloseable {
         cycle();
         script.act(this);
         return now();
+    }
+
+    /** Makes the present moment the beginning, to which {@link #reset} returns from now on; performers begin anew there. */
+    public void keep() {
+        cycles = 0;
+        world.keep();
+        firstReadings = bodies.stream().map(TrialBody::readings).toList();
     }
 
     /**

@@ -13,6 +13,7 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.FootForce;
@@ -36,6 +37,7 @@ public final class Senses {
     private int rightScore;
     private TeamSide side = TeamSide.LEFT;
     private String team = "";
+    private RobotType type = RobotType.TYPE_0;
     private int number;
     private boolean joined;
 
@@ -96,6 +98,20 @@ public final class Senses {
      */
     public void setTeam(String name) {
         team = name;
+    }
+
+    /**
+     * Sets how the robot is built, as it was asked for.
+     *
+     * @param asked the robot type
+     */
+    public void setType(RobotType asked) {
+        type = asked;
+    }
+
+    /** {@return how the robot is built; type 0 unless another one was asked for} */
+    public RobotType type() {
+        return type;
     }
 
     /**

@@ -1,6 +1,7 @@
 package org.robonewbie.team.skill;
 
 import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
@@ -18,7 +19,6 @@ public final class Kick {
     private static final double HURRY_METRES = 1;
     private static final double HURRY = 1.4;
 
-    private static final Spot BEFORE_LEFT_FOOT = new Spot(0.205, 0.05);
     private static final double AHEAD_TOLERANCE = 0.0375;
     private static final double CLOSER_METRES = 0.03;
     private static final double DRIFT = 1.4;
@@ -34,6 +34,7 @@ public final class Kick {
     private final Limbs body;
     private final Footwork feet;
     private boolean waiting;
+    private double walkedSeconds;
 
     /**
      * Prepares the skill.
@@ -58,8 +59,13 @@ public final class Kick {
     }
 
     /** Where the ball has to lie for a kick with the foot on whose side it is. */
-    private static Spot before(Spot ball) {
-        return new Spot(BEFORE_LEFT_FOOT.x(), (ball.y() > 0 ? 1 : -1) * BEFORE_LEFT_FOOT.y());
+    private Spot before(Spot ball) {
+        Spot left = build().beforeLeftFoot();
+        return new Spot(left.x(), (ball.y() > 0 ? 1 : -1) * left.y());
+    }
+
+    private Build build() {
+        return Build.of(body.nao().getType());
     }
 
     /**
@@ -86,6 +92,10 @@ public final class Kick {
     private void waitForTheStance(Spot ball, double turn, double patience) {
         if (body.walk().isWalking()) {
             body.walk().stop();
+            walkedSeconds = body.nao().getTime();
+            return;
+        }
+        if (body.nao().getTime() - walkedSeconds < build().calmSeconds()) {
             return;
         }
         waiting = false;
@@ -94,8 +104,8 @@ public final class Kick {
         }
     }
 
-    private static boolean isThere(Spot ball, double turn, double factor) {
-        return Math.abs(ball.x() - BEFORE_LEFT_FOOT.x()) < AHEAD_TOLERANCE
+    private boolean isThere(Spot ball, double turn, double factor) {
+        return Math.abs(ball.x() - before(ball).x()) < AHEAD_TOLERANCE
                 && Math.abs(ball.y() - before(ball).y()) < factor * LEFT_TOLERANCE
                 && Math.abs(turn) < factor * factor * TURN_TOLERANCE;
     }
@@ -117,6 +127,28 @@ public final class Kick {
             feet.step(world, place.minus(direction.times(BEHIND_METRES)), turn);
         } else {
             body.walk().towards(gentle(place.x() + CLOSER_METRES), gentle(place.y()), turn);
+        }
+    }
+
+    /**
+     * What differs with the build of the robot. The same angles bring a longer leg to another place, and a walk with longer legs stops later
+     * and leaves the robot rocking. With these numbers the ball lies in the middle of what the kick reaches, and the torso is calm.
+     *
+     * @param beforeLeftFoot where the ball has to lie for the left foot, seen from the robot, metres
+     * @param calmSeconds how long the robot waits between walk and kick
+     */
+    private record Build(Spot beforeLeftFoot, double calmSeconds) {
+
+        private static final Build USUAL = new Build(new Spot(0.205, 0.05), 0);
+        private static final Build LONGER_LEGS = new Build(new Spot(0.19, 0.05), 0.3);
+        private static final Build LONGEST_LEGS = new Build(new Spot(0.22, 0.055), 0.6);
+
+        static Build of(RobotType type) {
+            return switch (type) {
+                case TYPE_1 -> LONGER_LEGS;
+                case TYPE_3 -> LONGEST_LEGS;
+                default -> USUAL;
+            };
         }
     }
 
