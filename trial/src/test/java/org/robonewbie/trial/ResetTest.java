@@ -37,6 +37,22 @@ class ResetTest {
         }
     }
 
+    @Test
+    void resetReturnsToTheMomentThatWasKept() {
+        try (Trial trial = Trial.direct(scene, 1, kick())) {
+            trial.run(2);
+            Moment kept = trial.now();
+            trial.keep();
+            trial.run(1);
+
+            trial.reset(1, Performer.ofSpeeds());
+
+            assertThat(trial.seconds()).isZero();
+            assertThat(trial.now().ball()).isEqualTo(kept.ball());
+            assertThat(trial.now().robot().torso()).isEqualTo(kept.robot().torso());
+        }
+    }
+
     private static Performer kick() {
         return Performer.ofMotion(ShippedMotions.motion("kick-left"));
     }

@@ -90,8 +90,7 @@ final class MeasureCommand implements Callable<Integer> {
             names = "--type",
             paramLabel = "0..4",
             defaultValue = "0",
-            description =
-                    "motions: how the robot is built; types 1 to 4 are tried on a whole simulator only (default: 0).")
+            description = "motions: how the robot is built; types 1 to 4 walk on a whole simulator only (default: 0).")
     private int type;
 
     @Option(names = "--json", paramLabel = "FILE", description = "motions, agents: write the results as JSON too.")

@@ -19,10 +19,12 @@ record CheckStart(String suffix, String words, LongFunction<Rehearsal> opening) 
             new CheckStart("", "stance, reached from a posture beside it", seed -> Rehearsal.inStance(seed, 3));
 
     /** A robot in a bare world with the ball at its feet. */
-    static final CheckStart KICKER = new CheckStart(
-            "",
-            "stance, ball up to 1 cm beside the place that the file names, along each axis",
-            seed -> Rehearsal.inStance(seed, 2));
+    static CheckStart kicker(RobotType type) {
+        return new CheckStart(
+                suffix(type),
+                "stance, ball up to 1 cm beside the place that the file names, along each axis",
+                seed -> Rehearsal.inStance(type, seed, 2));
+    }
 
     /** An agent on a whole simulator. */
     static CheckStart server(RobotType type) {

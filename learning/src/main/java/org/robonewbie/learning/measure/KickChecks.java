@@ -3,6 +3,7 @@ package org.robonewbie.learning.measure;
 import java.util.List;
 import java.util.stream.Stream;
 import org.robonewbie.learning.rehearsal.KickTrial;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.trial.Moment;
@@ -20,13 +21,14 @@ final class KickChecks {
 
     private KickChecks() {}
 
-    static List<MotionCheck> all() {
+    static List<MotionCheck> all(RobotType type) {
+        CheckStart start = CheckStart.kicker(type);
         return Stream.of("left", "right")
                 .flatMap(side -> Stream.of(
-                        kick(CheckStart.KICKER, "kick-" + side),
-                        pass(CheckStart.KICKER, "pass-" + side),
-                        quickKick(CheckStart.KICKER, "quick-kick-" + side),
-                        quickStart(CheckStart.KICKER, "quick-kick-" + side)))
+                        kick(start, "kick-" + side),
+                        pass(start, "pass-" + side),
+                        quickKick(start, "quick-kick-" + side),
+                        quickStart(start, "quick-kick-" + side)))
                 .toList();
     }
 

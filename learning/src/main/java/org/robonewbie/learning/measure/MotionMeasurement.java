@@ -45,7 +45,7 @@ public final class MotionMeasurement {
      * @param seeds trials of each motion, at least 1
      * @param firstSeed seed of the first trial of each motion
      * @param part a part of the names of the motions that are measured; all have the empty one
-     * @param type how the robot is built; types other than 0 are measured on a whole simulator only
+     * @param type how the robot is built; types other than 0 walk and fall on a whole simulator only
      * @param out where the table goes
      */
     public MotionMeasurement(int seeds, long firstSeed, String part, RobotType type, PrintStream out) {
@@ -76,10 +76,13 @@ public final class MotionMeasurement {
     }
 
     private static List<MotionCheck> checks(RobotType type) {
-        Stream<List<MotionCheck>> bare =
-                Stream.of(WalkChecks.all(), EngineChecks.all(), KickChecks.all(), GetUpChecks.all(), FallChecks.all());
+        Stream<List<MotionCheck>> walks =
+                type == RobotType.TYPE_0 ? Stream.of(WalkChecks.all(), EngineChecks.all()) : Stream.empty();
+        Stream<List<MotionCheck>> kicks = Stream.of(KickChecks.all(type), new GetUpChecks(type).all());
+        Stream<List<MotionCheck>> falls = type == RobotType.TYPE_0 ? Stream.of(FallChecks.all()) : Stream.empty();
         Stream<List<MotionCheck>> served = Stream.of(ServerChecks.all(type), SkillChecks.all(type));
-        return Stream.concat(type == RobotType.TYPE_0 ? bare : Stream.empty(), served)
+        return Stream.of(walks, kicks, falls, served)
+                .flatMap(checks -> checks)
                 .flatMap(List::stream)
                 .toList();
     }

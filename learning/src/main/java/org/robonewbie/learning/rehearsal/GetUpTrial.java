@@ -1,10 +1,12 @@
 package org.robonewbie.learning.rehearsal;
 
+import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.measure.MeasureFromStart;
@@ -17,12 +19,20 @@ import org.robonewbie.trial.measure.MeasureFromStart;
  * @param seconds time of the motion
  * @param bestPromise how near it came to standing on the way, from the first third on: about -1 lying, 3.6 standing
  * @param lastPromise the promise at the end
+ * @param degreesBeside the largest difference of a joint from the stance at last
  * @param rocking mean speed of the torso about the horizontal axes, degrees per second
  * @param jointsAtLimit mean number of joints at their speed limit
  */
 public record GetUpTrial(
-        boolean success, double seconds, double bestPromise, double lastPromise, double rocking, double jointsAtLimit) {
+        boolean success,
+        double seconds,
+        double bestPromise,
+        double lastPromise,
+        double degreesBeside,
+        double rocking,
+        double jointsAtLimit) {
 
+    private static final double SETTLING_SECONDS = 1;
     private static final double HOPELESS_TORSO = 0.13;
     private static final Vector3 UP = new Vector3(0, 0, 1);
 
@@ -35,18 +45,37 @@ public record GetUpTrial(
      * @return what happened
      */
     public static GetUpTrial run(Lying lying, Motion motion, long seed) {
-        try (Rehearsal robot = lying.fallen(seed)) {
-            Progress progress = new Progress(motion.durationMillis() / 3000.0);
-            robot.watch(progress);
-            robot.play(motion);
-            double seconds = robot.seconds();
-            double best = progress.value();
-            double rocking = robot.poise().meanRocking();
-            double jointsAtLimit = robot.poise().meanJointsAtLimit();
-            boolean hopeful = robot.body().position().z() > HOPELESS_TORSO;
-            boolean success = hopeful && robot.hold(1) && robot.isInStance();
-            return new GetUpTrial(success, seconds, best, promise(robot.body()), rocking, jointsAtLimit);
+        return run(lying, RobotType.TYPE_0, motion, seed);
+    }
+
+    /**
+     * Carries out a trial with a robot of some build.
+     *
+     * @param lying how the robot lies at first
+     * @param type how it is built
+     * @param motion how it gets up
+     * @param seed chooses its fall
+     * @return what happened
+     */
+    public static GetUpTrial run(Lying lying, RobotType type, Motion motion, long seed) {
+        try (Rehearsal robot = lying.fallen(type, seed)) {
+            return run(robot, motion, SETTLING_SECONDS);
         }
+    }
+
+    /** Carries out a trial with a robot that lies on the ground. */
+    static GetUpTrial run(Rehearsal robot, Motion motion, double settlingSeconds) {
+        Progress progress = new Progress(motion.durationMillis() / 3000.0);
+        robot.watch(progress);
+        robot.play(motion);
+        double seconds = robot.seconds();
+        double best = progress.value();
+        double rocking = robot.poise().meanRocking();
+        double jointsAtLimit = robot.poise().meanJointsAtLimit();
+        boolean hopeful = robot.body().position().z() > HOPELESS_TORSO;
+        boolean success = hopeful && robot.hold(settlingSeconds) && robot.isInStance();
+        double beside = robot.body().joints().largestDifference(Stance.POSTURE);
+        return new GetUpTrial(success, seconds, best, promise(robot.body()), beside, rocking, jointsAtLimit);
     }
 
     /** How near a robot is to standing: soles flat on the ground, centre of mass above them, torso upright and high. */

@@ -6,6 +6,7 @@ import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
 /** The sides on which a robot can lie, and robots that have fallen on them. */
@@ -60,14 +61,26 @@ public enum Lying {
      * rest with its motors holding.
      *
      * @param seed chooses the fall
-     * @return a robot that lies on this side
+     * @return a standard robot that lies on this side
      * @throws IllegalStateException if no fall ends that way
      */
     public Rehearsal fallen(long seed) {
+        return fallen(RobotType.TYPE_0, seed);
+    }
+
+    /**
+     * Makes robots of some build fall until one lies on this side.
+     *
+     * @param type how they are built
+     * @param seed chooses the fall
+     * @return a robot that lies on this side
+     * @throws IllegalStateException if no fall ends that way
+     */
+    public Rehearsal fallen(RobotType type, long seed) {
         Random random = new Random(31 * seed + ordinal());
         random.nextLong();
         for (int i = 0; i < MOST_TRIES; i++) {
-            Rehearsal robot = fall(random);
+            Rehearsal robot = fall(type, random);
             if (isTrueOf(robot.body())) {
                 robot.begin(false);
                 return robot;
@@ -77,8 +90,8 @@ public enum Lying {
         throw new IllegalStateException("No fall of " + MOST_TRIES + " with seed " + seed + " ended " + this + ".");
     }
 
-    private Rehearsal fall(Random random) {
-        Rehearsal robot = Rehearsal.standing(WalkStyle.STANDARD);
+    private Rehearsal fall(RobotType type, Random random) {
+        Rehearsal robot = Rehearsal.standing(type, WalkStyle.STANDARD);
         robot.moveTo(anyPosture(random), 700);
         Vector3 push = push(random);
         for (int tries = 0; robot.body().tiltDegrees() < TILTED_DEGREES && tries < 5; tries++) {

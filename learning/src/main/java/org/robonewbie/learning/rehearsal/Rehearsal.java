@@ -2,8 +2,10 @@ package org.robonewbie.learning.rehearsal;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Queue;
 import java.util.Random;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -58,8 +60,8 @@ public final class Rehearsal implements AutoCloseable {
     private static final double UPRIGHT_DEGREES = 12;
     private static final double REST_METRES_PER_SECOND = 0.05;
 
-    /** Direct trials that are not in use: resetting one is much faster than beginning another. */
-    private static final Queue<Trial> IDLE = new ConcurrentLinkedQueue<>();
+    /** Direct trials of each robot type that are not in use: resetting one is much faster than beginning another. */
+    private static final Map<RobotType, Queue<Trial>> IDLE = new ConcurrentHashMap<>();
 
     private final Trial trial;
     private final Puppet puppet;
@@ -79,15 +81,38 @@ public final class Rehearsal implements AutoCloseable {
     }
 
     /** A robot without noise that stands with all joints at 0. */
-    static Rehearsal standing(WalkStyle style) {
-        MotorPuppet puppet = new MotorPuppet(new PolicyWalk(style, WalkReflex.NONE));
-        Trial idle = IDLE.poll();
-        if (idle == null) {
-            Scene scene = Scene.of(ROBOT).withBall(BALL_ASIDE).withoutNoise();
-            return new Rehearsal(Trial.direct(scene, 0, puppet.performer()), puppet, IDLE::add);
+    static Rehearsal standing(RobotType type, WalkStyle style) {
+        MotorPuppet puppet = newPuppet(style);
+        Queue<Trial> idle = IDLE.computeIfAbsent(type, key -> new ConcurrentLinkedQueue<>());
+        Trial trial = idle.poll();
+        if (trial == null) {
+            Scene scene = Scene.of(ROBOT.withType(type)).withBall(BALL_ASIDE).withoutNoise();
+            return new Rehearsal(Trial.direct(scene, 0, puppet.performer()), puppet, idle::add);
         }
-        idle.reset(0, puppet.performer());
-        return new Rehearsal(idle, puppet, IDLE::add);
+        trial.reset(0, puppet.performer());
+        return new Rehearsal(trial, puppet, idle::add);
+    }
+
+    private static MotorPuppet newPuppet(WalkStyle style) {
+        return new MotorPuppet(new PolicyWalk(style, WalkReflex.NONE));
+    }
+
+    /** Makes the present moment the one to which {@link #again} returns. The robot must rest, and this rehearsal stays open. */
+    void keep() {
+        trial.keep();
+    }
+
+    /** Returns to the moment that was kept, with motors that hold their joints; what was measured before is over. */
+    Rehearsal again() {
+        MotorPuppet rested = newPuppet(WalkStyle.STANDARD);
+        trial.reset(0, rested.performer());
+        return new Rehearsal(trial, rested, kept -> {});
+    }
+
+    /** Makes surfaces more or less slippery and the robot heavier or lighter than usual, until the end. */
+    void change(double gripFactor, double massFactor) {
+        trial.setGrip(gripFactor);
+        trial.robot(0).setMassFactor(massFactor);
     }
 
     /**
@@ -110,7 +135,7 @@ public final class Rehearsal implements AutoCloseable {
      * @return the robot on its feet
      */
     public static Rehearsal inStance(Place place, long seed, double newtons) {
-        Rehearsal rehearsal = standing(WalkStyle.STANDARD);
+        Rehearsal rehearsal = standing(RobotType.TYPE_0, WalkStyle.STANDARD);
         rehearsal.trial.moveRobot(0, place);
         return rehearsal.intoStance(seed, newtons);
     }
@@ -124,7 +149,19 @@ public final class Rehearsal implements AutoCloseable {
      * @return the robot on its feet
      */
     public static Rehearsal inStance(WalkStyle style, long seed, double newtons) {
-        return standing(style).intoStance(seed, newtons);
+        return standing(RobotType.TYPE_0, style).intoStance(seed, newtons);
+    }
+
+    /**
+     * Brings a robot of some build into the stance by way of a nearby posture.
+     *
+     * @param type how it is built
+     * @param seed chooses the disturbances
+     * @param newtons strength of the pushes
+     * @return the robot on its feet
+     */
+    public static Rehearsal inStance(RobotType type, long seed, double newtons) {
+        return standing(type, WalkStyle.STANDARD).intoStance(seed, newtons);
     }
 
     private Rehearsal intoStance(long seed, double newtons) {
