@@ -22,6 +22,9 @@ class SelfLocalisationTest {
 
     private static final SoccerField FIELD = SoccerField.BEGINNER;
 
+    /** Height of the camera of a robot with straight legs. */
+    private static final double CAMERA_METRES = 0.54;
+
     private final SelfLocalisation self = new SelfLocalisation(FIELD);
     private final AgentDriver agent = new AgentDriver(new Agent() {
         @Override
@@ -90,10 +93,48 @@ class SelfLocalisationTest {
         self.setPose(new GroundPose(0.5, 0.8, 0));
 
         for (int i = 0; i < 60; i++) {
-            agent.respond(seeing(truth, TeamSide.LEFT, 1 + 0.06 * i, Landmark.FLAG_1_RIGHT));
+            agent.respond(seeing(truth, TeamSide.LEFT, 1 + 0.02 * i, Landmark.FLAG_1_RIGHT));
         }
 
         assertIs(truth, 0.03);
+    }
+
+    @Test
+    void findsItsPlaceAgainAfterItWasCarriedAway() {
+        GroundPose there = new GroundPose(-2, -1, 120);
+        for (int i = 0; i < 10; i++) {
+            agent.respond(seeing(
+                    new GroundPose(1, 1, 0),
+                    TeamSide.LEFT,
+                    1 + 0.02 * i,
+                    Landmark.FLAG_1_RIGHT,
+                    Landmark.FLAG_2_RIGHT));
+        }
+
+        for (int i = 10; i < 40; i++) {
+            agent.respond(seeing(there, TeamSide.LEFT, 1 + 0.02 * i, Landmark.FLAG_1_LEFT, Landmark.GOAL_POST_1_LEFT));
+        }
+
+        assertIs(there, 0.03);
+    }
+
+    @Test
+    void knowsThatItLiesOnItsBack() {
+        self.setPose(new GroundPose(1, 1, 90));
+
+        for (int i = 0; i < 50; i++) {
+            double degrees = 1.8 * i;
+            double along = 9.81 * Math.cos(Math.toRadians(degrees));
+            double ahead = 9.81 * Math.sin(Math.toRadians(degrees));
+            agent.respond(Messages.standing()
+                    .at(1 + 0.02 * i)
+                    .gyro(90, 0, 0)
+                    .accelerometer(0, ahead, along)
+                    .build());
+        }
+
+        assertThat(self.leanDegrees()).isCloseTo(-90, within(1.0));
+        assertThat(self.tiltDegrees()).isCloseTo(90, within(1.0));
     }
 
     @Test
@@ -167,7 +208,8 @@ class SelfLocalisationTest {
     }
 
     private static PolarPosition polar(GroundPose truth, Vector3 place) {
-        Direction direction = Direction.of(truth.fromFrame(place));
+        Vector3 seen = truth.fromFrame(place).minus(new Vector3(0, 0, CAMERA_METRES));
+        Direction direction = Direction.of(seen);
         return new PolarPosition(direction.distance(), direction.bearing(), direction.elevation());
     }
 }

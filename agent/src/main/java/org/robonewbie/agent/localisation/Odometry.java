@@ -35,8 +35,10 @@ public final class Odometry {
     private GroundPose pose = GroundPose.ORIGIN;
     private Leg support = Leg.LEFT;
     private GroundPose torsoOnSupport = GroundPose.ORIGIN;
+    private Vector3 step = Vector3.ZERO;
     private double height;
     private boolean begun;
+    private boolean standing;
 
     /** Creates an odometry that begins at the origin. */
     public Odometry() {
@@ -51,8 +53,8 @@ public final class Odometry {
     public void update(Robot nao) {
         BodyPoses body = kinematics.poses(posture(nao));
         GroundPose now = torsoOn(body, support);
-        boolean standing = begun && !nao.isFallen();
-        Vector3 step = standing ? torsoOnSupport.fromFrame(new Vector3(now.x(), now.y(), 0)) : Vector3.ZERO;
+        standing = begun && !nao.isFallen();
+        step = standing ? torsoOnSupport.fromFrame(new Vector3(now.x(), now.y(), 0)) : Vector3.ZERO;
         begun = true;
         pose = pose.moved(step.x(), step.y(), nao.getGyro().z() * Cycle.SECONDS);
         history[index(nao.getTime())] = pose;
@@ -62,6 +64,16 @@ public final class Odometry {
                 : Leg.RIGHT;
         torsoOnSupport = torsoOn(body, support);
         height = body.foot(support).inverse().position().z() + SOLE_BELOW_FOOT;
+    }
+
+    /** {@return whether one foot is known to stand on the ground, so that the last step is true} */
+    boolean isStanding() {
+        return standing;
+    }
+
+    /** {@return how far the torso has moved in the last cycle: metres forward and to the left, seen from the standing foot} */
+    Vector3 step() {
+        return step;
     }
 
     /** {@return height of the torso's centre above the sole of the standing foot, metres} */

@@ -1,108 +1,147 @@
 package org.robonewbie.agent.localisation;
 
+import java.util.Optional;
 import org.robonewbie.agent.perception.Direction;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * The belief of where the torso is, in six dimensions: place, height and heading, and how it leans and rolls. It is an extended
- * Kalman filter (S. Thrun, W. Burgard, D. Fox, <em>Probabilistic Robotics</em>, 2005, chapters 3 and 7). A movement makes the
- * belief less certain. A landmark makes it more certain: the difference between where the camera should see it and where it does
- * is shared out among all dimensions, more to those that are less certain.
+ * The belief of where the torso is, how it is turned and how fast it moves, in space. It is an inertial navigation, as in ships and
+ * aeroplanes: the gyroscope says how the torso turns on, the accelerometer how its velocity changes, and both go on while the robot
+ * falls, lies and gets up. Small errors add up, so landmarks and the standing foot correct them, by an extended Kalman filter.
+ *
+ * <p>The filter does not correct angles, but a small rotation that is missing to the true attitude: so no attitude is special, lying on
+ * the back is like standing (J. Solà, <em>Quaternion kinematics for the error-state Kalman filter</em>, 2017).
  */
 final class PoseFilter {
 
-    private static final int X = 0;
-    private static final int Y = 1;
-    private static final int HEADING = 2;
-    private static final int HEIGHT = 3;
-    private static final int LEAN = 4;
-    private static final int ROLL = 5;
-    private static final int DIMENSIONS = 6;
+    /** Rows of the uncertainty, three each: metres, metres per second and radians along and about the axes of the pitch. */
+    private static final int PLACE = 0;
+
+    private static final int VELOCITY = 3;
+    private static final int TURN = 6;
+    private static final int DIMENSIONS = 9;
 
     private static final double USUAL_HEIGHT = 0.36;
-    private static final double FIRST_METRES = 0.05;
-    private static final double FIRST_DEGREES = 5;
-    private static final double CARRIED_METRES = 0.5;
-    private static final double CARRIED_DEGREES = 15;
-    private static final double LYING_METRES = 0.04;
-    private static final double LYING_DEGREES = 2;
-    private static final double NUDGE = 1e-4;
-    /** What is seen further beside its place than this many standard deviations is taken for a mistake. */
+    private static final double FIRST_HEIGHT = 0.1;
+    private static final double FIRST_TILT = PortableMath.toRadians(5);
+    private static final double FIRST_SPEED = 0.5;
+    private static final double GRAVITY = 9.81;
+    /** No knock is as strong: what is above it is a beam, or a hand that carries the robot. */
+    private static final double STRONGEST = 300;
+
     private static final double MOST_DEVIATIONS = 5;
 
-    private static final double ANGLE_DEVIATION = 0.5;
-    private static final double DISTANCE_DEVIATION = 0.02;
-    private static final double DISTANCE_DEVIATION_PER_METRE = 0.003;
-    private static final double SLIP = 0.4;
-    private static final double LEAST_METRES = 0.0005;
-    private static final double LEAST_DEGREES = 0.03;
-    private static final double TURN_SHARE = 0.02;
-    private static final double TILT_DEGREES = 0.3;
-    private static final double HEIGHT_METRES = 0.002;
-    private static final double GRAVITY_DEVIATION = 25;
-    private static final double HEIGHT_DEVIATION = 0.03;
+    private static final double PLACE_DEVIATION = 0.001;
+    private static final double VELOCITY_DEVIATION = 0.003;
+    private static final double TURN_DEVIATION = PortableMath.toRadians(0.01);
+    private static final double SIGHT_DEVIATION = 0.006;
+    private static final double DISTANCE_DEVIATION_PER_METRE = 0.0015;
+    private static final double ASIDE_DEVIATION_PER_METRE = PortableMath.toRadians(0.25);
+    private static final double FOOT_DEVIATION = 0.5;
+    private static final double HEIGHT_DEVIATION = 0.2;
 
-    private final double[] state = new double[DIMENSIONS];
-    private final double[][] covariance = new double[DIMENSIONS][DIMENSIONS];
+    private final Uncertainty uncertainty = new Uncertainty(DIMENSIONS);
+    private Vector3 place = new Vector3(0, 0, USUAL_HEIGHT);
+    private Vector3 velocity = Vector3.ZERO;
+    private Rotation attitude = Rotation.NONE;
 
-    /** Begins again at a pose. */
+    /** Creates the belief to stand upright in the centre spot. */
+    PoseFilter() {
+        begin(GroundPose.ORIGIN, 0, 0);
+    }
+
+    /** Begins again, upright and at rest. */
     void begin(GroundPose pose, double deviationMetres, double deviationDegrees) {
-        forget(X, pose.x(), deviationMetres);
-        forget(Y, pose.y(), deviationMetres);
-        forget(HEADING, pose.headingDegrees(), deviationDegrees);
-        standUpright();
+        place = new Vector3(pose.x(), pose.y(), USUAL_HEIGHT);
+        velocity = Vector3.ZERO;
+        attitude = Rotation.about(new Vector3(0, 0, 1), pose.headingDegrees());
+        double[] deviations = {
+            deviationMetres, deviationMetres, FIRST_HEIGHT,
+            FIRST_SPEED, FIRST_SPEED, FIRST_SPEED,
+            FIRST_TILT, FIRST_TILT, PortableMath.toRadians(deviationDegrees)
+        };
+        for (int i = 0; i < DIMENSIONS; i++) {
+            uncertainty.forget(i, deviations[i]);
+        }
     }
 
     /**
-     * Moves on.
+     * Moves on by a cycle. What the accelerometer reads is one cycle old, so it belongs to the attitude before the turn.
      *
-     * @param forward metres
-     * @param left metres
-     * @param degrees how far the torso has turned to the left, bowed forward and rolled to the right, as z, y, x
+     * @param gyro degrees per second about the axes of the torso
+     * @param felt m/s² along the axes of the torso; at rest it feels the ground push upwards
      */
-    void move(double forward, double left, Vector3 degrees) {
-        GroundPose moved = pose().moved(forward, left, degrees.z());
-        double radians = PortableMath.toRadians(1);
-        addToRow(X, HEADING, -radians * (moved.y() - state[Y]));
-        addToRow(Y, HEADING, radians * (moved.x() - state[X]));
-        state[X] = moved.x();
-        state[Y] = moved.y();
-        state[HEADING] = moved.headingDegrees();
-        state[LEAN] += degrees.y();
-        state[ROLL] += degrees.x();
-        double metres = LEAST_METRES + SLIP * PortableMath.hypot(forward, left);
-        doubt(X, metres);
-        doubt(Y, metres);
-        doubt(HEADING, LEAST_DEGREES + TURN_SHARE * Math.abs(degrees.z()));
-        doubt(HEIGHT, HEIGHT_METRES);
-        doubt(LEAN, TILT_DEGREES);
-        doubt(ROLL, TILT_DEGREES);
+    void move(Vector3 gyro, Vector3 felt) {
+        if (felt.length() < STRONGEST) {
+            accelerate(attitude.apply(felt));
+        } else {
+            stumble();
+        }
+        place = place.plus(velocity.times(Cycle.SECONDS));
+        attitude = attitude.times(rotation(gyro.times(Cycle.SECONDS)));
+        for (int i = 0; i < 3; i++) {
+            uncertainty.add(PLACE + i, VELOCITY + i, Cycle.SECONDS);
+            uncertainty.doubt(PLACE + i, PLACE_DEVIATION);
+            uncertainty.doubt(VELOCITY + i, VELOCITY_DEVIATION);
+            uncertainty.doubt(TURN + i, TURN_DEVIATION);
+        }
     }
 
-    /** Lies on the ground: when it is up again the torso is level, and the place is less certain with each cycle. */
-    void lie() {
-        doubt(X, LYING_METRES);
-        doubt(Y, LYING_METRES);
-        doubt(HEADING, LYING_DEGREES);
-        standUpright();
+    /** With a wrong attitude the push of the ground goes into a wrong direction: that is how the tilt gets known. */
+    private void accelerate(Vector3 felt) {
+        velocity = velocity.plus(felt.minus(new Vector3(0, 0, GRAVITY)).times(Cycle.SECONDS));
+        double[] push = components(felt.times(Cycle.SECONDS));
+        for (int i = 0; i < 3; i++) {
+            int next = (i + 1) % 3;
+            int last = (i + 2) % 3;
+            uncertainty.add(VELOCITY + i, TURN + next, push[last]);
+            uncertainty.add(VELOCITY + i, TURN + last, -push[next]);
+        }
     }
 
-    /** Feels where gravity pulls; shocks of the feet make that rough. */
-    void feel(double leanDegrees, double rollDegrees) {
-        correct(LEAN, leanDegrees - state[LEAN], GRAVITY_DEVIATION);
-        correct(ROLL, rollDegrees - state[ROLL], GRAVITY_DEVIATION);
+    /** Has lost its velocity. */
+    private void stumble() {
+        velocity = Vector3.ZERO;
+        for (int i = 0; i < 3; i++) {
+            uncertainty.forget(VELOCITY + i, FIRST_SPEED);
+        }
     }
 
-    /** Knows the height of the torso above the standing foot. */
-    void stand(double height) {
-        correct(HEIGHT, height - state[HEIGHT], HEIGHT_DEVIATION);
+    /** Has missed some cycles, in which anything may have happened. */
+    void miss(double seconds) {
+        for (int i = 0; i < 3; i++) {
+            uncertainty.doubt(PLACE + i, FIRST_SPEED * seconds);
+            uncertainty.doubt(VELOCITY + i, FIRST_SPEED);
+            uncertainty.doubt(TURN + i, PortableMath.toRadians(90) * seconds);
+        }
     }
 
     /**
-     * Sees a landmark.
+     * Knows by the joints how the torso moves above the foot that stands on the ground, and how high it is. Feet slip, so this is rough.
+     *
+     * @param forward metres per second
+     * @param left metres per second
+     * @param height metres above the sole
+     */
+    void stand(double forward, double left, double height) {
+        Vector3 expected = new GroundPose(0, 0, pose().headingDegrees()).toFrame(new Vector3(forward, left, 0));
+        learn(VELOCITY, expected.x() - velocity.x(), FOOT_DEVIATION);
+        learn(VELOCITY + 1, expected.y() - velocity.y(), FOOT_DEVIATION);
+        learn(PLACE + 2, height - place.z(), HEIGHT_DEVIATION);
+    }
+
+    private void learn(int dimension, double difference, double deviation) {
+        double[] gradient = new double[DIMENSIONS];
+        gradient[dimension] = 1;
+        uncertainty.learn(gradient, difference, deviation, MOST_DEVIATIONS).ifPresent(this::correct);
+    }
+
+    /**
+     * Sees a landmark. What is wrong is measured in metres at the landmark: along the line of sight, and to both sides of it.
      *
      * @param map where it stands
      * @param seen where the camera sees it
@@ -110,118 +149,59 @@ final class PoseFilter {
      * @return whether it is where it is expected; if not, it is not believed
      */
     boolean see(Vector3 map, Direction seen, Pose camera) {
-        Pose eye = camera.inverse();
-        Direction expected = expected(map, eye);
-        double[][] gradients = new double[3][DIMENSIONS];
-        for (int i = 0; i < DIMENSIONS; i++) {
-            double before = state[i];
-            state[i] += NUDGE;
-            Direction nudged = expected(map, eye);
-            state[i] = before;
-            gradients[0][i] = (nudged.distance() - expected.distance()) / NUDGE;
-            gradients[1][i] = difference(nudged.bearing(), expected.bearing()) / NUDGE;
-            gradients[2][i] = (nudged.elevation() - expected.elevation()) / NUDGE;
-        }
-        double[] start = state.clone();
-        double near = DISTANCE_DEVIATION + DISTANCE_DEVIATION_PER_METRE * seen.distance();
-        double aside = difference(seen.bearing(), expected.bearing());
-        return correct(gradients[0], seen.distance() - expected.distance(), near, start)
-                && correct(gradients[1], aside, ANGLE_DEVIATION, start)
-                && correct(gradients[2], seen.elevation() - expected.elevation(), ANGLE_DEVIATION, start);
+        double across = SIGHT_DEVIATION + ASIDE_DEVIATION_PER_METRE * seen.distance();
+        double along = SIGHT_DEVIATION + DISTANCE_DEVIATION_PER_METRE * seen.distance();
+        Vector3 left = new Direction(1, seen.bearing() + 90, 0).toPoint();
+        Vector3 up = new Direction(1, seen.bearing(), seen.elevation() + 90).toPoint();
+        return see(map, seen, camera, left, across)
+                && see(map, seen, camera, up, across)
+                && see(map, seen, camera, seen.toPoint().times(1 / seen.distance()), along);
     }
 
-    /** Doubts place and heading, since what is seen again and again contradicts them. */
-    void doubt() {
-        doubt(X, CARRIED_METRES);
-        doubt(Y, CARRIED_METRES);
-        doubt(HEADING, CARRIED_DEGREES);
-    }
-
-    /** Where the camera should see a point of the pitch. */
-    private Direction expected(Vector3 map, Pose eye) {
-        Pose torso = new Pose(
-                new Vector3(state[X], state[Y], state[HEIGHT]),
-                Rotation.ofYawPitchRoll(state[HEADING], state[LEAN], state[ROLL]));
-        return Direction.of(eye.transform(torso.inverse().transform(map)));
-    }
-
-    GroundPose pose() {
-        return new GroundPose(state[X], state[Y], PortableMath.IEEEremainder(state[HEADING], 360));
-    }
-
-    double height() {
-        return state[HEIGHT];
-    }
-
-    double leanDegrees() {
-        return state[LEAN];
-    }
-
-    double rollDegrees() {
-        return state[ROLL];
-    }
-
-    private void standUpright() {
-        forget(HEIGHT, USUAL_HEIGHT, FIRST_METRES);
-        forget(LEAN, 0, FIRST_DEGREES);
-        forget(ROLL, 0, FIRST_DEGREES);
-    }
-
-    /** Takes a new value for a dimension that has nothing to do with what was before. */
-    private void forget(int dimension, double value, double deviation) {
-        for (int i = 0; i < DIMENSIONS; i++) {
-            covariance[dimension][i] = 0;
-            covariance[i][dimension] = 0;
-        }
-        state[dimension] = value;
-        doubt(dimension, deviation);
-    }
-
-    private void doubt(int dimension, double deviation) {
-        covariance[dimension][dimension] += deviation * deviation;
-    }
-
-    /** Follows a change of coordinates in which one dimension gets a share of another. */
-    private void addToRow(int to, int from, double share) {
-        for (int i = 0; i < DIMENSIONS; i++) {
-            covariance[to][i] += share * covariance[from][i];
-        }
-        for (int i = 0; i < DIMENSIONS; i++) {
-            covariance[i][to] += share * covariance[i][from];
-        }
-    }
-
-    private void correct(int dimension, double difference, double deviation) {
+    private boolean see(Vector3 map, Direction seen, Pose camera, Vector3 axis, double deviation) {
+        Vector3 here = attitude.apply(camera.transform(seen.toPoint()));
+        Vector3 direction = attitude.apply(camera.rotation().apply(axis));
+        double[] moved = components(direction);
+        double[] turned = components(here.cross(direction));
         double[] gradient = new double[DIMENSIONS];
-        gradient[dimension] = 1;
-        correct(gradient, difference, deviation, state.clone());
+        for (int i = 0; i < 3; i++) {
+            gradient[PLACE + i] = moved[i];
+            gradient[TURN + i] = turned[i];
+        }
+        double difference = map.minus(place.plus(here)).dot(direction);
+        Optional<double[]> corrections = uncertainty.learn(gradient, difference, deviation, MOST_DEVIATIONS);
+        corrections.ifPresent(this::correct);
+        return corrections.isPresent();
     }
 
-    /** Learns from one number: by how much it differs from what was expected at the start, and how sure it is. */
-    private boolean correct(double[] gradient, double difference, double deviation, double[] start) {
-        double missing = difference;
-        double[] shares = new double[DIMENSIONS];
-        double variance = deviation * deviation;
-        for (int i = 0; i < DIMENSIONS; i++) {
-            missing -= gradient[i] * (state[i] - start[i]);
-            for (int j = 0; j < DIMENSIONS; j++) {
-                shares[i] += covariance[i][j] * gradient[j];
-            }
-            variance += gradient[i] * shares[i];
-        }
-        if (missing * missing > MOST_DEVIATIONS * MOST_DEVIATIONS * variance) {
-            return false;
-        }
-        for (int i = 0; i < DIMENSIONS; i++) {
-            state[i] += shares[i] / variance * missing;
-            for (int j = 0; j < DIMENSIONS; j++) {
-                covariance[i][j] -= shares[i] * shares[j] / variance;
-            }
-        }
-        return true;
+    private void correct(double[] corrections) {
+        place = place.plus(vector(corrections, PLACE));
+        velocity = velocity.plus(vector(corrections, VELOCITY));
+        attitude = rotation(vector(corrections, TURN).times(PortableMath.toDegrees(1)))
+                .times(attitude);
     }
 
-    private static double difference(double one, double other) {
-        return PortableMath.IEEEremainder(one - other, 360);
+    /** Where the torso is above the ground, and which way it faces. */
+    GroundPose pose() {
+        return new GroundPose(place.x(), place.y(), attitude.yawDegrees());
+    }
+
+    /** Where the torso is, and how it is turned. */
+    Pose torso() {
+        return new Pose(place, attitude);
+    }
+
+    /** The rotation about an axis by as many degrees as it is long. */
+    private static Rotation rotation(Vector3 degrees) {
+        double size = degrees.length();
+        return size == 0 ? Rotation.NONE : Rotation.about(degrees, size);
+    }
+
+    private static double[] components(Vector3 vector) {
+        return new double[] {vector.x(), vector.y(), vector.z()};
+    }
+
+    private static Vector3 vector(double[] numbers, int first) {
+        return new Vector3(numbers[first], numbers[first + 1], numbers[first + 2]);
     }
 }

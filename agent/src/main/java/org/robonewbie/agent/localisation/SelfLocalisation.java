@@ -15,8 +15,10 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.RobotType;
 
@@ -43,7 +45,8 @@ public final class SelfLocalisation {
     private static final double SET_METRES = 0.3;
     private static final double SET_DEGREES = 0.5;
     private static final int PICTURES_TO_DOUBT = 4;
-    private static final double GRAVITY_LEAST = 5;
+    private static final double STANDING_DEGREES = 20;
+    private static final double LONGEST_MISS_SECONDS = 10;
 
     private static final Set<String> LANDMARKS =
             Arrays.stream(Landmark.values()).map(Landmark::name).collect(Collectors.toSet());
@@ -56,10 +59,9 @@ public final class SelfLocalisation {
     private final ForwardKinematics kinematics = ForwardKinematics.of(RobotType.TYPE_0);
     private final PoseFilter filter = new PoseFilter();
     private int contradictions;
-    private GroundPose odometryBefore = GroundPose.ORIGIN;
     private boolean known;
     private double seenSeconds = Double.NEGATIVE_INFINITY;
-    private double nowSeconds;
+    private double nowSeconds = Double.NaN;
 
     /** A landmark in the picture: where the camera sees it, where that is from the torso, and where it stands. */
     private record Sighting(Direction direction, Vector3 seen, Vector3 map) {}
@@ -84,45 +86,35 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Takes in one cycle; call it once in each cycle, first of all.
+     * Takes in one cycle; call it once in each cycle, first of all, also while the robot lies.
      *
      * @param nao the robot
      * @param view what it sees
      */
     public void update(Robot nao, LocalFieldView view) {
+        double elapsed = nao.getTime() - nowSeconds;
         nowSeconds = nao.getTime();
         odometry.update(nao);
-        move(nao);
+        move(nao, elapsed);
         Optional<CameraPicture> picture = nao.getVision();
-        if (picture.isPresent() && !nao.isFallen()) {
+        if (picture.isPresent()) {
             Pose camera = kinematics.camera(nao.getJointAngle(Joint.NECK_YAW), nao.getJointAngle(Joint.NECK_PITCH));
             recognisePitch(picture.get(), camera, nao.getTeamSide());
             if (fieldKnown) {
-                correct(sightings(field, picture.get(), camera, nao.getTeamSide()), camera);
+                correct(sightings(field, picture.get(), camera, nao.getTeamSide()), camera, nao.isFallen());
             }
         }
     }
 
-    private void move(Robot nao) {
-        GroundPose now = odometry.pose();
-        Vector3 step = odometryBefore.fromFrame(new Vector3(now.x(), now.y(), 0));
-        Vector3 turned = nao.getGyro().times(Cycle.SECONDS);
-        odometryBefore = now;
-        if (nao.isFallen()) {
-            filter.move(step.x(), step.y(), new Vector3(0, 0, turned.z()));
-            filter.lie();
-            return;
+    private void move(Robot nao, double elapsed) {
+        if (elapsed > 1.5 * Cycle.SECONDS) {
+            filter.miss(Math.min(elapsed, LONGEST_MISS_SECONDS));
         }
-        filter.move(step.x(), step.y(), turned);
-        filter.stand(odometry.height());
-        Vector3 up = nao.getAcceleration();
-        if (up.z() > GRAVITY_LEAST) {
-            filter.feel(degrees(-up.x(), up.z()), degrees(up.y(), up.z()));
+        filter.move(nao.getGyro(), nao.getAcceleration());
+        if (odometry.isStanding() && tiltDegrees() < STANDING_DEGREES) {
+            Vector3 velocity = odometry.step().times(1 / Cycle.SECONDS);
+            filter.stand(velocity.x(), velocity.y(), odometry.height());
         }
-    }
-
-    private static double degrees(double aside, double up) {
-        return PortableMath.toDegrees(PortableMath.atan2(aside, up));
     }
 
     /**
@@ -157,17 +149,26 @@ public final class SelfLocalisation {
 
     /** {@return height of the torso's centre above the ground, metres} */
     public double heightMetres() {
-        return filter.height();
+        return filter.torso().position().z();
     }
 
-    /** {@return how much the torso bows forward, degrees} */
+    /** {@return how much the torso bows forward, degrees; 90 if it lies on the front} */
     public double leanDegrees() {
-        return filter.leanDegrees();
+        double down = -filter.torso().rotation().apply(new Vector3(1, 0, 0)).z();
+        return PortableMath.toDegrees(PortableMath.asin(Math.max(-1, Math.min(1, down))));
     }
 
     /** {@return how much the torso leans to the right, degrees} */
     public double rollDegrees() {
-        return filter.rollDegrees();
+        Rotation rotation = filter.torso().rotation();
+        double left = rotation.apply(new Vector3(0, 1, 0)).z();
+        double up = rotation.apply(new Vector3(0, 0, 1)).z();
+        return PortableMath.toDegrees(PortableMath.atan2(left, up));
+    }
+
+    /** {@return how far the torso leans to any side, degrees: 0 upright, 90 lying} */
+    public double tiltDegrees() {
+        return BodyState.tiltDegrees(filter.torso().rotation().apply(new Vector3(0, 0, 1)));
     }
 
     /** {@return the movement alone, kept up to date by this class} */
@@ -175,10 +176,12 @@ public final class SelfLocalisation {
         return odometry;
     }
 
-    private void correct(List<Sighting> sightings, Pose camera) {
-        if (!known && sightings.size() >= 2) {
+    private void correct(List<Sighting> sightings, Pose camera, boolean fallen) {
+        boolean lost = !known || contradictions >= PICTURES_TO_DOUBT;
+        if (lost && !fallen && sightings.size() >= 2 && distanceError(sightings) < CERTAIN_METRES) {
             filter.begin(fit(sightings), FIT_METRES, FIT_DEGREES);
             known = true;
+            contradictions = 0;
             seenSeconds = nowSeconds;
         } else if (known && !sightings.isEmpty()) {
             believe(sightings, camera);
@@ -186,15 +189,12 @@ public final class SelfLocalisation {
         }
     }
 
-    /** What several pictures contradict is doubted, so that a robot that was carried away finds its place again. */
+    /** What several pictures contradict is given up, so that a robot that was carried away finds its place again. */
     private void believe(List<Sighting> sightings, Pose camera) {
         long strange = sightings.stream()
                 .filter(sighting -> !filter.see(sighting.map, sighting.direction, camera))
                 .count();
         contradictions = 2 * strange >= sightings.size() ? contradictions + 1 : 0;
-        if (contradictions >= PICTURES_TO_DOUBT) {
-            filter.doubt();
-        }
     }
 
     private void recognisePitch(CameraPicture picture, Pose camera, TeamSide side) {

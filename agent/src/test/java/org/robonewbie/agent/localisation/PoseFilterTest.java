@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.perception.Direction;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
@@ -15,6 +16,7 @@ import org.robonewbie.nao.kinematics.Rotation;
 class PoseFilterTest {
 
     private static final Pose CAMERA = new Pose(new Vector3(0, 0, 0.15), Rotation.NONE);
+    private static final Vector3 GRAVITY = new Vector3(0, 0, 9.81);
     private static final Landmark[] BEFORE_IT = {
         Landmark.GOAL_POST_1_RIGHT, Landmark.GOAL_POST_2_RIGHT, Landmark.FLAG_1_RIGHT, Landmark.FLAG_2_RIGHT
     };
@@ -28,29 +30,54 @@ class PoseFilterTest {
 
     @Test
     void findsPlaceHeadingHeightAndTiltByLandmarks() {
+        Pose truth = new Pose(new Vector3(1.4, 0.7, 0.33), Rotation.ofYawPitchRoll(16, 6, -4));
+
         for (int i = 0; i < 60; i++) {
-            see(new Vector3(1.4, 0.7, 0.33), 16, 6, -4);
+            see(truth);
         }
 
-        assertThat(filter.pose().x()).isCloseTo(1.4, within(0.02));
-        assertThat(filter.pose().y()).isCloseTo(0.7, within(0.02));
-        assertThat(filter.pose().headingDegrees()).isCloseTo(16, within(0.3));
-        assertThat(filter.height()).isCloseTo(0.33, within(0.02));
-        assertThat(filter.leanDegrees()).isCloseTo(6, within(0.5));
-        assertThat(filter.rollDegrees()).isCloseTo(-4, within(0.5));
+        assertIs(truth, 0.02, 0.3);
     }
 
     @Test
-    void movesAlongItsHeading() {
-        filter.begin(new GroundPose(1, 1, 90), 0.1, 1);
+    void findsItselfWhileItLiesOnItsBack() {
+        Pose truth = new Pose(new Vector3(-0.5, 0.2, 0.1), Rotation.ofYawPitchRoll(0, -85, 0));
+        filter.begin(new GroundPose(-0.6, 0.1, 0), 0.3, 3);
+        for (int i = 0; i < 50; i++) {
+            filter.move(
+                    new Vector3(0, -85, 0),
+                    Rotation.ofYawPitchRoll(0, -1.7 * i, 0).inverse().apply(GRAVITY));
+        }
 
-        filter.move(0.5, 0.2, new Vector3(1, 2, 20));
+        for (int i = 0; i < 60; i++) {
+            see(truth);
+        }
 
-        assertThat(filter.pose().x()).isCloseTo(0.8, within(1e-9));
-        assertThat(filter.pose().y()).isCloseTo(1.5, within(1e-9));
+        assertIs(truth, 0.03, 0.5);
+    }
+
+    @Test
+    void turnsByTheGyroscopeAndSpeedsUpByTheAccelerometer() {
+        filter.begin(new GroundPose(1, 1, 90), 0, 0);
+
+        filter.move(new Vector3(0, 0, 1000), new Vector3(5, 0, 9.81));
+        filter.move(Vector3.ZERO, GRAVITY);
+
         assertThat(filter.pose().headingDegrees()).isCloseTo(110, within(1e-9));
-        assertThat(filter.leanDegrees()).isEqualTo(2);
-        assertThat(filter.rollDegrees()).isEqualTo(1);
+        assertThat(filter.pose().x()).isCloseTo(1, within(1e-9));
+        assertThat(filter.pose().y()).isCloseTo(1 + 2 * 5 * Cycle.SECONDS * Cycle.SECONDS, within(1e-9));
+    }
+
+    @Test
+    void rollsOverInSpaceNotOnPaper() {
+        filter.begin(new GroundPose(0, 0, 0), 0, 0);
+
+        filter.move(new Vector3(0, 90 / Cycle.SECONDS, 0), GRAVITY);
+        filter.move(new Vector3(0, 0, 180 / Cycle.SECONDS), GRAVITY);
+        filter.move(new Vector3(0, 90 / Cycle.SECONDS, 0), GRAVITY);
+
+        assertThat(Math.abs(filter.pose().headingDegrees())).isCloseTo(180, within(1e-6));
+        assertThat(filter.torso().rotation().apply(new Vector3(0, 0, 1)).z()).isCloseTo(1, within(1e-9));
     }
 
     @Test
@@ -58,41 +85,59 @@ class PoseFilterTest {
         filter.begin(new GroundPose(1, 1, 10), 0.01, 0.5);
         Vector3 post = SoccerField.BEGINNER.position(Landmark.GOAL_POST_1_RIGHT);
 
-        filter.see(post, new Direction(1, -120, 0), CAMERA);
+        boolean believed = filter.see(post, new Direction(1, -120, 0), CAMERA);
 
+        assertThat(believed).isFalse();
         assertThat(filter.pose().x()).isCloseTo(1, within(1e-6));
         assertThat(filter.pose().headingDegrees()).isCloseTo(10, within(1e-6));
     }
 
     @Test
-    void believesWhatItSeesAgainOnceItDoubts() {
-        filter.begin(new GroundPose(-2, -1, 100), 0.01, 0.5);
-
-        for (int i = 0; i < 60; i++) {
-            filter.doubt();
-            see(new Vector3(1.4, 0.7, 0.36), 16, 0, 0);
+    void learnsItsSpeedFromTheStandingFoot() {
+        for (int i = 0; i < 200; i++) {
+            filter.move(Vector3.ZERO, GRAVITY);
+            filter.stand(0.4, 0, 0.36);
         }
+        double before = filter.torso().position().x();
+        filter.move(Vector3.ZERO, GRAVITY);
 
-        assertThat(filter.pose().x()).isCloseTo(1.4, within(0.05));
-        assertThat(filter.pose().y()).isCloseTo(0.7, within(0.05));
+        double metresPerSecond = (filter.torso().position().x() - before) / Cycle.SECONDS;
+        assertThat(metresPerSecond).isBetween(0.3, 0.45);
     }
 
     @Test
-    void learnsFromWhereGravityPulls() {
-        for (int i = 0; i < 200; i++) {
-            filter.feel(5, -3);
+    void learnsItsTiltFromTheStandingFootAndThePushOfTheGround() {
+        Vector3 up = Rotation.ofYawPitchRoll(0, 3, 0).inverse().apply(GRAVITY);
+
+        for (int i = 0; i < 400; i++) {
+            filter.move(Vector3.ZERO, up);
+            filter.stand(0, 0, 0.36);
         }
 
-        assertThat(filter.leanDegrees()).isBetween(2.0, 5.0);
-        assertThat(filter.rollDegrees()).isBetween(-3.0, -1.0);
+        assertThat(filter.torso().rotation().apply(new Vector3(1, 0, 0)).z())
+                .isCloseTo(-Math.sin(Math.toRadians(3)), within(0.01));
     }
 
-    private void see(Vector3 place, double heading, double lean, double roll) {
-        Pose torso = new Pose(place, Rotation.ofYawPitchRoll(heading, lean, roll));
+    @Test
+    void aBeamLeavesNoSpeed() {
+        filter.move(Vector3.ZERO, new Vector3(4000, 0, 0));
+        filter.move(Vector3.ZERO, GRAVITY);
+
+        assertThat(filter.pose().x()).isEqualTo(1);
+    }
+
+    private void see(Pose torso) {
         Pose eye = torso.times(CAMERA).inverse();
         for (Landmark landmark : BEFORE_IT) {
             Vector3 map = SoccerField.BEGINNER.position(landmark);
             filter.see(map, Direction.of(eye.transform(map)), CAMERA);
         }
+    }
+
+    private void assertIs(Pose truth, double metres, double degrees) {
+        Pose torso = filter.torso();
+        assertThat(torso.position().distanceTo(truth.position())).isLessThan(metres);
+        assertThat(torso.rotation().inverse().times(truth.rotation()).angleDegrees())
+                .isLessThan(degrees);
     }
 }

@@ -1,6 +1,7 @@
 package org.robonewbie.learning.measure;
 
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
@@ -46,23 +47,37 @@ final class SkillChecks {
     private List<MotionCheck> localisations() {
         return List.of(
                 localisation(
-                        "place",
-                        "m, median of a trial",
-                        "the median is at most 0.3 m",
-                        0.3,
-                        LocalisationTrial::medianMetres),
+                        "place", "the median is at most 0.05 m", "m, median", 0.05, middle(LocalisationTrial::metres)),
                 localisation(
-                        "place, mostly",
-                        "m, not exceeded in 95 % of the time",
-                        "95 % are at most 5 m",
-                        5,
-                        LocalisationTrial::mostMetres),
+                        "place, mostly", "95 % are at most 0.15 m", "m, 95 %", 0.15, most(LocalisationTrial::metres)),
                 localisation(
                         "heading",
-                        "degrees, median of a trial",
-                        "the median is at most 5°",
-                        5,
-                        LocalisationTrial::medianDegrees));
+                        "the median is at most 2°",
+                        "degrees, median",
+                        2,
+                        middle(LocalisationTrial::degrees)),
+                localisation(
+                        "heading, mostly", "95 % are at most 5°", "degrees, 95 %", 5, most(LocalisationTrial::degrees)),
+                localisation(
+                        "camera's height",
+                        "95 % are at most 0.05 m",
+                        "m, 95 %",
+                        0.05,
+                        most(LocalisationTrial::cameraMetres)),
+                localisation(
+                        "camera's tilt",
+                        "95 % are at most 2°",
+                        "degrees, 95 %",
+                        2,
+                        most(LocalisationTrial::tiltDegrees)));
+    }
+
+    private static ToDoubleFunction<LocalisationTrial> middle(Function<LocalisationTrial, double[]> errors) {
+        return trial -> LocalisationTrial.median(errors.apply(trial));
+    }
+
+    private static ToDoubleFunction<LocalisationTrial> most(Function<LocalisationTrial, double[]> errors) {
+        return trial -> LocalisationTrial.most(errors.apply(trial));
     }
 
     private CheckStart start() {
@@ -131,10 +146,10 @@ final class SkillChecks {
     }
 
     private MotionCheck localisation(
-            String what, String unit, String rule, double most, ToDoubleFunction<LocalisationTrial> value) {
+            String what, String rule, String unit, double most, ToDoubleFunction<LocalisationTrial> value) {
         return new MotionCheck(
                 "self-localisation, " + what + CheckStart.suffix(type),
-                "an agent on an own simulator with noise, anywhere on the league's pitch, walks about for 60 s and falls once",
+                "an agent on an own simulator with noise, anywhere on the league's pitch, walks about for 60 s and is thrown over twice",
                 rule,
                 unit,
                 seed -> {

@@ -34,9 +34,11 @@ public final class WorldModel {
     private static final double LYING_METRES = 0.25;
     private static final double IN_GOAL_METRES = 1;
 
+    /** A robot that falls sees balls and players where they are not. */
+    private static final double UPRIGHT_DEGREES = 15;
+
     private final SelfLocalisation self = new SelfLocalisation();
     private final BallTracker tracker = new BallTracker();
-    private final Tilt tilt = new Tilt();
     private final SideWatch sides = new SideWatch();
     private final SortedMap<Integer, Mate> mates = new TreeMap<>();
     private GroundPose pose = GroundPose.ORIGIN;
@@ -68,10 +70,11 @@ public final class WorldModel {
         seconds = nao.getTime();
         number = nao.getNumber();
         fallen = nao.isFallen();
-        tilt.feel(nao);
-        boolean upright = tilt.isUpright() && !fallen;
-        if (upright && seconds - beamedSeconds > BEAM_SECONDS) {
+        if (seconds - beamedSeconds > BEAM_SECONDS) {
             self.update(nao, view);
+        }
+        boolean upright = self.tiltDegrees() < UPRIGHT_DEGREES && !fallen;
+        if (upright && seconds - beamedSeconds > BEAM_SECONDS) {
             tracker.look(self, view.ball(), seconds);
         }
         sides.look(sides.convert(self.pose()), seconds);
