@@ -41,6 +41,7 @@ public class Agent_Team extends Agent {
     private static final int MOST_OF_TWO_TYPES = 9;
     private static final double STILL_SECONDS = 0.2;
     private static final double BEAM_AGAIN_SECONDS = 1;
+    private static final double BEHIND_METRES = 0.45;
 
     private final int number;
     private final WorldModel world = new WorldModel();
@@ -177,10 +178,15 @@ public class Agent_Team extends Agent {
             case GO -> way = feet.go(world, plan.target(), plan.headingDegrees());
             case KEEP -> keep(plan);
             case DRIBBLE -> dribble.bring(world, plan.target());
+            case WAIT -> way = feet.go(world, behindBall(plan.headingDegrees()), plan.headingDegrees());
             case KICK -> kick.kick(world, plan.headingDegrees());
             case SEARCH -> walk.towards(0, 0, 40);
             case STAND -> walk.stop();
         }
+    }
+
+    private Spot behindBall(double headingDegrees) {
+        return world.ball().plus(Spot.polar(headingDegrees, -BEHIND_METRES));
     }
 
     private void keep(Plan plan) {

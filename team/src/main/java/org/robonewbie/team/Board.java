@@ -66,7 +66,7 @@ final class Board {
 
     /** Where the ball is to go, to whom, and what else was possible. */
     private void showChoice(Plan plan, List<KickChoice.Option> options) {
-        boolean kick = plan.action() == Plan.Action.KICK;
+        boolean kick = plan.isKick();
         if (!kick && plan.action() != Plan.Action.DRIBBLE) {
             return;
         }

@@ -49,7 +49,7 @@ final class MeasureCommand implements Callable<Integer> {
     private static final Map<String, String> DESCRIPTIONS = Map.of(
             MOTIONS, "Try all shipped motions many times in the simulator.",
             AGENTS, "Let each example agent play many times.",
-            TEAM, "Let the example team play halves against as many Agent_BetterSoccer.",
+            TEAM, "Let the example team play halves against as many others.",
             SERVER, "Let many robots play whole matches over TCP; does the server keep step with the clock?");
 
     /** What can be measured. */
@@ -103,6 +103,13 @@ final class MeasureCommand implements Callable<Integer> {
             description = "team: players of each team, 1 to 11; 1 plays alone (default: 3).")
     private int players;
 
+    @Option(
+            names = "--against",
+            paramLabel = "AGENT",
+            defaultValue = TeamMeasurement.USUAL_OPPONENT,
+            description = "team: who the others are, Agent_BetterSoccer or Agent_Team (default: Agent_BetterSoccer).")
+    private String opponent = TeamMeasurement.USUAL_OPPONENT;
+
     @Mixin
     final ServerLoadOptions load = new ServerLoadOptions();
 
@@ -149,7 +156,7 @@ final class MeasureCommand implements Callable<Integer> {
         if (subject.equals(AGENTS)) {
             new AgentMeasurement(seeds, firstSeed, System.out).run(part, json);
         } else if (subject.equals(TEAM)) {
-            new TeamMeasurement(seeds, firstSeed, System.out).run(players);
+            new TeamMeasurement(seeds, firstSeed, System.out).run(players, opponent);
         } else {
             RobotType built = robotType();
             new MotionMeasurement(seeds, firstSeed, part, built, System.out)

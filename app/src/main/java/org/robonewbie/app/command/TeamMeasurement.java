@@ -6,14 +6,24 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.IntFunction;
 import java.util.function.ToIntFunction;
+import org.robonewbie.agent.Agent;
 import org.robonewbie.app.command.TeamMatch.Result;
 import org.robonewbie.examples.Agent_BetterSoccer;
 import org.robonewbie.team.Agent_Team;
 
-/** Lets the example team play on the league's pitch: one player alone, or against as many {@code Agent_BetterSoccer}. */
+/** Lets the example team play on the league's pitch: one player alone, or against as many others. */
 final class TeamMeasurement {
+
+    /** Whom the team plays against unless the user says otherwise. */
+    static final String USUAL_OPPONENT = "Agent_BetterSoccer";
+
+    private static final Map<String, IntFunction<Agent>> OPPONENTS =
+            Map.of(USUAL_OPPONENT, number -> new Agent_BetterSoccer(), "Agent_Team", Agent_Team::new);
 
     private static final double HALF_SECONDS = 300;
     private static final double LONGEST_SECONDS = 3600;
@@ -32,11 +42,16 @@ final class TeamMeasurement {
      * Plays halves of five minutes; alone it is five minutes of open play.
      *
      * @param players players of each team; 1 is one player alone
+     * @param opponent the class of the others
+     * @throws IllegalArgumentException if there are no such opponents
      */
-    void run(int players) {
+    void run(int players, String opponent) {
+        IntFunction<Agent> others = Optional.ofNullable(OPPONENTS.get(opponent))
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "--against " + opponent + ": write Agent_BetterSoccer or Agent_Team."));
         List<Result> results = new ArrayList<>();
         for (long seed = firstSeed; seed < firstSeed + halves; seed++) {
-            Result result = quietly(players, seed);
+            Result result = quietly(players, seed, others);
             results.add(result);
             out.println(String.format(
                     Locale.ROOT,
@@ -62,13 +77,14 @@ final class TeamMeasurement {
                 results.stream().filter(each -> each.goals() == each.against()).count();
         return String.format(
                 Locale.ROOT,
-                "in all: %d won, %d drawn, %d lost; goals %.1f : %.1f; falls of each player %.1f; kicks %.1f; passes %.1f, reached %.1f",
+                "in all: %d won, %d drawn, %d lost; goals %.1f : %.1f; falls of each player %.1f, of the others %.1f; kicks %.1f; passes %.1f, reached %.1f",
                 wins,
                 draws,
                 results.size() - wins - draws,
                 mean(results, Result::goals),
                 mean(results, Result::against),
                 mean(results, Result::falls) / players,
+                mean(results, Result::opponentsFalls) / players,
                 mean(results, Result::kicks),
                 mean(results, Result::passesTried),
                 mean(results, Result::passesReached));
@@ -78,7 +94,7 @@ final class TeamMeasurement {
         return results.stream().mapToInt(value).average().orElse(0);
     }
 
-    private static Result quietly(int players, long seed) {
+    private static Result quietly(int players, long seed, IntFunction<Agent> others) {
         PrintStream usual = System.out;
         System.setOut(new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
         try {
@@ -88,7 +104,7 @@ final class TeamMeasurement {
                     players,
                     alone ? 0 : players,
                     Agent_Team::new,
-                    number -> new Agent_BetterSoccer(),
+                    others,
                     alone ? LONGEST_SECONDS : HALF_SECONDS,
                     alone ? OptionalDouble.of(HALF_SECONDS) : OptionalDouble.empty());
         } finally {

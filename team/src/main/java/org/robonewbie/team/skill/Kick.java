@@ -9,6 +9,7 @@ import org.robonewbie.team.world.WorldModel;
  * Kicks the ball far. The kick is a motion of keyframes that begins in the stance, with the ball before a foot. So the robot walks
  * there, stops, looks whether the ball lies within reach, and only then kicks; else it goes on walking. With an opponent near it is
  * content with less, but not ahead: a ball that touches the foot already rolls two metres only, one that is too far ahead rolls one.
+ * When the robot stops it takes its last step back a little, so it stops only where the ball will still be near enough then.
  */
 public final class Kick {
 
@@ -19,7 +20,9 @@ public final class Kick {
     private static final double HURRY_METRES = 1;
     private static final double HURRY = 1.4;
 
-    private static final double AHEAD_TOLERANCE = 0.0375;
+    private static final double NEARER_TOLERANCE = 0.0375;
+    private static final double FARTHER_TOLERANCE = 0.028;
+    private static final double STANCE_METRES = 0.016;
     private static final double CLOSER_METRES = 0.03;
     private static final double DRIFT = 1.4;
     private static final double LEFT_TOLERANCE = 0.027;
@@ -80,7 +83,7 @@ public final class Kick {
         double patience = world.opponentDistance(world.ball()) < HURRY_METRES ? HURRY : 1;
         if (waiting) {
             waitForTheStance(ball, turn, patience);
-        } else if (isThere(ball, turn, patience)) {
+        } else if (isThere(ball, turn, patience) && beyond(ball) < FARTHER_TOLERANCE - STANCE_METRES) {
             body.walk().stop();
             waiting = true;
         } else {
@@ -105,9 +108,15 @@ public final class Kick {
     }
 
     private boolean isThere(Spot ball, double turn, double factor) {
-        return Math.abs(ball.x() - before(ball).x()) < AHEAD_TOLERANCE
+        return beyond(ball) > -NEARER_TOLERANCE
+                && beyond(ball) < FARTHER_TOLERANCE
                 && Math.abs(ball.y() - before(ball).y()) < factor * LEFT_TOLERANCE
                 && Math.abs(turn) < factor * factor * TURN_TOLERANCE;
+    }
+
+    /** How much too far away the ball lies, metres. */
+    private double beyond(Spot ball) {
+        return ball.x() - before(ball).x();
     }
 
     /** Walks to the place from which the ball lies before the foot; from the wrong side of the ball around it. */

@@ -23,6 +23,7 @@ public final class KickChoice {
 
     private static final double STEP_DEGREES = 15;
     private static final double DRIBBLE_METRES = 2;
+    private static final double TAP_IN_METRES = 2.5;
     private static final double DRIBBLE_SPEED = 0.45;
     private static final double RUN_SPEED = 0.5;
     private static final double OPPONENT_SPEED = 0.5;
@@ -34,7 +35,7 @@ public final class KickChoice {
     private static final double LANE_METRES = 0.3;
     private static final double LANE_SLOPE = 0.1;
     private static final double SHOT_DEVIATION_DEGREES = 6;
-    private static final double PASS_METRES = 3;
+    private static final double PASS_METRES = 3.5;
     private static final double LOYALTY = 0.6;
     private static final double SAME_DEGREES = 20;
 
@@ -77,7 +78,7 @@ public final class KickChoice {
     }
 
     private double loyalGain(Option option) {
-        boolean same = option.plan.action() == before.action()
+        boolean same = (option.plan.action() == before.action() || (option.plan.isKick() && before.isKick()))
                 && Math.abs(PortableMath.IEEEremainder(option.plan.headingDegrees() - before.headingDegrees(), 360))
                         < SAME_DEGREES;
         return option.gain + (same ? LOYALTY * Math.abs(option.gain) : 0);
@@ -113,7 +114,10 @@ public final class KickChoice {
             keeps *= 1 - 0.5 * PortableMath.exp(-near * near);
         }
         Plan plan = new Plan(TeamRole.STRIKER, Plan.Action.DRIBBLE, end, degrees, 0);
-        return new Option(plan, keeps * gain(end, 1, seconds));
+        boolean near = world.ball().distanceTo(world.theirGoal()) < TAP_IN_METRES;
+        double goal = near ? goalProbability(world.ball(), degrees) : 0;
+        double score = goal * (1 - value(world.ball())) / seconds;
+        return new Option(plan, keeps * (score + (1 - goal) * gain(end, 1, seconds)));
     }
 
     private Option kick(double degrees) {
@@ -123,11 +127,12 @@ public final class KickChoice {
         double free = freeLane(ball, end);
         double goal = goalProbability(ball, degrees);
         Optional<Mate> receiver = nearest(end);
-        double ours = secondsTo(receiver.map(Mate::place).orElse(world.place()), end);
+        double patience = SetPlay.patienceSeconds(world);
+        double ours = secondsTo(receiver.map(Mate::place).orElse(world.place()), end, patience);
         double theirs = world.opponentDistance(end) / OPPONENT_SPEED;
         double rest = free * gain(end, probability(theirs - ours), seconds + runShare() * ours);
         double shot = free * (1 - value(ball)) / seconds;
-        int number = receiver.filter(mate -> goal < 0.3 && mate.place().distanceTo(end) < PASS_METRES)
+        int number = receiver.filter(mate -> goal < 0.3 && mate.place().distanceTo(end) < PASS_METRES + patience * RUN_SPEED)
                 .map(Mate::number)
                 .orElse(0);
         Plan plan = new Plan(TeamRole.STRIKER, Plan.Action.KICK, end, degrees, number);
@@ -201,8 +206,8 @@ public final class KickChoice {
                 .filter(mate -> mate.place().distanceTo(end) < world.place().distanceTo(end));
     }
 
-    private static double secondsTo(Spot from, Spot to) {
-        return Math.max(1.5, from.distanceTo(to) / RUN_SPEED);
+    private static double secondsTo(Spot from, Spot to, double patience) {
+        return Math.max(1.5, from.distanceTo(to) / RUN_SPEED - patience);
     }
 
     /** From 0 to 1; one half for 0. */

@@ -23,10 +23,27 @@ public record Plan(TeamRole role, Action action, Spot target, double headingDegr
         DRIBBLE,
         /** Kicks the ball. */
         KICK,
+        /** Stands behind the ball until the receiver of the kick is ready. */
+        WAIT,
         /** Keeps the goal. */
         KEEP,
         /** Does nothing. */
         STAND
+    }
+
+    /**
+     * Means to do the same in another way.
+     *
+     * @param other what to do
+     * @return the changed plan
+     */
+    public Plan with(Action other) {
+        return new Plan(role, other, target, headingDegrees, receiver);
+    }
+
+    /** {@return whether the player kicks, or waits to kick} */
+    public boolean isKick() {
+        return action == Action.KICK || action == Action.WAIT;
     }
 
     /** A player that knows nothing yet. */

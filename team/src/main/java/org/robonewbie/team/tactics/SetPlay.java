@@ -1,5 +1,6 @@
 package org.robonewbie.team.tactics;
 
+import org.robonewbie.team.skill.Kick;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.Spot;
@@ -13,17 +14,24 @@ import org.robonewbie.team.world.WorldModel;
 public final class SetPlay {
 
     private static final double TAKER_METRES = 0.7;
-    private static final double FORBIDDEN_SECONDS = 6;
+    private static final double FORBIDDEN_SECONDS = 15;
+    private static final double SETTLED_SECONDS = 1;
+    private static final double LATER_SECONDS = 3;
+    private static final double MOVED_METRES = 0.4;
     private static final double OTHERS_METRES = 0.5;
     private static final double KEEP_AWAY_METRES = 0.6;
     private static final double PATIENCE_SECONDS = 11;
+    private static final double WAIT_SECONDS = 9;
+    private static final double READY_METRES = 1;
     private static final double NO_GOAL_SECONDS = 10;
     private static final double ASK_METRES = 0.5;
     private static final double THREAT_METRES = 3;
+    private static final double FAR_METRES = Kick.METRES + 1;
 
     private Situation before = Situation.LINE_UP;
     private double forbiddenUntil;
     private double noGoalUntil;
+    private Spot end = Spot.ORIGIN;
     private boolean forbidden;
 
     /** Creates a set play before the first kick-off. */
@@ -41,6 +49,9 @@ public final class SetPlay {
         if (taken && taker && !world.mates().isEmpty()) {
             forbiddenUntil = world.seconds() + FORBIDDEN_SECONDS;
         }
+        if (isForbidden(world) && forbiddenUntil - world.seconds() > FORBIDDEN_SECONDS - SETTLED_SECONDS) {
+            end = world.ballIn(LATER_SECONDS);
+        }
         if ((isForbidden(world) && isTouchedByOthers(world))
                 || !world.situation().isOpen()) {
             forbiddenUntil = 0;
@@ -56,11 +67,13 @@ public final class SetPlay {
         return world.seconds() < forbiddenUntil;
     }
 
-    private static boolean isTouchedByOthers(WorldModel world) {
-        return world.opponentDistance(world.ball()) < OTHERS_METRES
+    /** Who touches the ball is near, and it does not come to rest any more where it would have. */
+    private boolean isTouchedByOthers(WorldModel world) {
+        boolean near = world.opponentDistance(world.ball()) < OTHERS_METRES
                 || world.mates().stream()
                         .map(Mate::place)
                         .anyMatch(place -> place.distanceTo(world.ball()) < OTHERS_METRES);
+        return near && world.ballIn(LATER_SECONDS).distanceTo(end) > MOVED_METRES;
     }
 
     /** {@return whether the player must leave the ball to others, since it has just taken a kick} */
@@ -70,18 +83,19 @@ public final class SetPlay {
 
     /**
      * Looks whether a goal of this player would count. After pass mode it does not for ten seconds, unless a team mate has touched the
-     * ball meanwhile.
+     * ball meanwhile; and kick-ins and most free kicks are indirect.
      *
      * @param world the game
      * @return whether it makes sense to shoot
      */
     public boolean mayScore(WorldModel world) {
-        return world.seconds() > noGoalUntil;
+        boolean indirect = world.situation() == Situation.OUR_KICK && !world.mates().isEmpty();
+        return world.seconds() > noGoalUntil && !indirect;
     }
 
     /**
      * Looks whether the player should ask for pass mode, which keeps the opponents a metre away from the ball for four seconds: if it is
-     * about to pass, and an opponent is coming. The referee decides.
+     * about to pass, or to kick from where it cannot score, and an opponent is coming. The referee decides.
      *
      * @param world the game
      * @param plan what the player is about to do
@@ -89,7 +103,7 @@ public final class SetPlay {
      */
     public static boolean wantsPass(WorldModel world, Plan plan) {
         return plan.action() == Plan.Action.KICK
-                && plan.receiver() > 0
+                && (plan.receiver() > 0 || world.ball().distanceTo(world.theirGoal()) > FAR_METRES)
                 && world.situation() == Situation.OPEN_PLAY
                 && world.ballFromHere().length() < ASK_METRES
                 && world.opponentDistance(world.ball()) < THREAT_METRES;
@@ -103,6 +117,32 @@ public final class SetPlay {
      */
     public boolean mayTouchOnce(WorldModel world) {
         return world.situation().isOurs() && !world.mates().isEmpty() && world.secondsInSituation() < PATIENCE_SECONDS;
+    }
+
+    /**
+     * Looks whether the taker of a kick should wait: opponents keep away meanwhile, and a team mate has to be where the ball goes.
+     *
+     * @param world the game
+     * @param kick what the player means to do
+     * @return whether the receiver is still on its way
+     */
+    public boolean waitsForReceiver(WorldModel world, Plan kick) {
+        return world.situation() == Situation.OUR_KICK
+                && mayTouchOnce(world)
+                && world.secondsInSituation() < WAIT_SECONDS
+                && world.mates().stream()
+                        .anyMatch(mate -> mate.number() == kick.receiver()
+                                && mate.place().distanceTo(kick.target()) > READY_METRES);
+    }
+
+    /**
+     * Returns how much time a receiver has until the taker of a kick can wait no longer.
+     *
+     * @param world the game
+     * @return seconds, 0 in open play
+     */
+    public static double patienceSeconds(WorldModel world) {
+        return world.situation() == Situation.OUR_KICK ? Math.max(0, WAIT_SECONDS - world.secondsInSituation()) : 0;
     }
 
     /**

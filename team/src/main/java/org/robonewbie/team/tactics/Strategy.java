@@ -95,7 +95,8 @@ public final class Strategy {
         boolean kickOnly = setPlay.mayTouchOnce(world) || world.situation() == Situation.OUR_PASS;
         KickChoice choice = new KickChoice(world, !kickOnly, setPlay.mayScore(world), plan);
         options = choice.options();
-        return choice.best();
+        Plan best = choice.best();
+        return setPlay.waitsForReceiver(world, best) ? best.with(Action.WAIT) : best;
     }
 
     private Plan waiting(TeamRole role) {

@@ -1,0 +1,207 @@
+package org.robonewbie.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.AgentDriver;
+import org.robonewbie.agent.Options;
+import org.robonewbie.agent.StartPose;
+import org.robonewbie.examples.Agent_BetterSoccer;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.team.Agent_Team;
+import org.robonewbie.team.talk.TeamMessage;
+import org.robonewbie.trial.Audience;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RecordingTarget;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.SensorReadings;
+import org.robonewbie.trial.Trial;
+
+/**
+ * Takes the picture of a pass in {@code docs/team/passing.md}, from a real match that stops when the ball rolls to its receiver: to
+ * {@code target/pictures}, or where {@code -Dstudio.pictures=../docs/team/images} says.
+ */
+@Tag("slow")
+@InBrowser(width = 800, height = 450)
+class TeamPictureTest {
+
+    private static final int PLAYERS = 5;
+    private static final long SEED = 1;
+    private static final double LONGEST_SECONDS = 300;
+    private static final double LEAST_SPEED = 3;
+    private static final double READY_METRES = 1.3;
+    private static final String LABELS = "JSON.stringify(studio.view.drawings.texts.children.map(each => each.name))";
+
+    private final Chromium browser;
+    private final MatchOnShow match = new MatchOnShow();
+
+    TeamPictureTest(Chromium browser) {
+        this.browser = browser;
+    }
+
+    /** A pass: who is to get it, and where to. */
+    private record Pass(int receiver, Vector3 end) {}
+
+    @Test
+    void passIsOnThePicture() throws IOException {
+        browser.drawSharply();
+        try (StudioServer studio = StudioServer.start(match, 0, AccessToken.random());
+                Trial trial = match.begin(studio.telemetry())) {
+            Pass pass = firstPass(trial);
+            browser.visit(studio.address() + "&quality=high&shadows=on&theme=light");
+            browser.await("studio.state.scene.robots.length === " + 2 * PLAYERS + " && studio.state.frame");
+            trial.step();
+            browser.press("1");
+            browser.evaluate(view(trial.now().ball(), pass.end));
+            browser.await("studio.desk.isStill");
+            trial.step();
+            browser.await(LABELS + ".includes('pass to " + pass.receiver + "')");
+
+            byte[] png = browser.screenshot();
+
+            Path folder = Path.of(System.getProperty("studio.pictures", "target/pictures"));
+            Files.write(Files.createDirectories(folder).resolve("studio-pass.png"), png);
+            assertThat(png.length).isBetween(10_000, 400_000);
+        }
+    }
+
+    /** Plays until the ball has just left the foot of a player that passes it, and the receiver is ready. */
+    private static Pass firstPass(Trial trial) {
+        TeamMessage[] said = new TeamMessage[PLAYERS];
+        while (trial.seconds() < LONGEST_SECONDS) {
+            trial.step();
+            for (int i = 0; i < PLAYERS; i++) {
+                int index = i;
+                trial.said(i).flatMap(TeamMessage::decode).ifPresent(message -> said[index] = message);
+                if (said[i] != null && isPass(trial, i, said[i])) {
+                    Vector3 end = new Vector3(said[i].passTarget().x(), said[i].passTarget().y(), 0);
+                    return new Pass(said[i].receiver(), end);
+                }
+            }
+        }
+        throw new AssertionError("Nobody has passed the ball.");
+    }
+
+    private static boolean isPass(Trial trial, int player, TeamMessage said) {
+        if (said.receiver() == 0 || trial.now().ballVelocity().length() < LEAST_SPEED) {
+            return false;
+        }
+        double rolled = trial.now().place(player).distance(trial.now().ball());
+        Vector3 end = new Vector3(said.passTarget().x(), said.passTarget().y(), 0);
+        return rolled > 0.3
+                && rolled < 0.5
+                && trial.now().place(said.receiver() - 1).distance(end) < READY_METRES;
+    }
+
+    /** Looks at the way of the ball from the side. */
+    private static String view(Vector3 ball, Vector3 end) {
+        return String.format(
+                Locale.ROOT,
+                "studio.desk.jumpTo({target: [%.2f, %.2f, 0], azimuthDegrees: -80, elevationDegrees: 32, distance: 6.5});"
+                        + " studio.touch()",
+                (ball.x() + end.x()) / 2,
+                (ball.y() + end.y()) / 2);
+    }
+
+    /** A match that a studio shows while a test plays it cycle by cycle. */
+    private static final class MatchOnShow implements SimulationControl, Audience {
+
+        private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
+
+        /** Begins to play; what the players think goes to a viewer. */
+        Trial begin(TelemetrySink viewer) {
+            List<RobotStart> robots = new ArrayList<>();
+            for (int i = 0; i < 2 * PLAYERS; i++) {
+                int side = i < PLAYERS ? 1 : -1;
+                int number = i % PLAYERS + 1;
+                StartPose pose = StartPose.ofNumber(number);
+                Place place = new Place(side * pose.x(), side * pose.y(), side > 0 ? 0 : 180);
+                String team = side > 0 ? "Team" : "Others";
+                robots.add(new RobotStart(team, number, Agent_Team.type(number), place, List.of()));
+            }
+            SoccerParameters rules = SoccerParameters.league()
+                    .with(SoccerParameter.AUTOMATIC_KICK_OFF, 1)
+                    .with(SoccerParameter.WAIT_BEFORE_KICK_OFF, 4);
+            Trial trial = Trial.observed(
+                    new Scene(rules, true, robots, Optional.of(Vector3.ZERO)),
+                    SEED,
+                    this,
+                    RecordingTarget.NONE,
+                    start -> start.team().equals("Team")
+                            ? new ShownPlayer(new Agent_Team(start.number()), viewer)
+                            : Performer.ofAgent(new Agent_BetterSoccer()));
+            trial.allowBeams();
+            trial.order(new Order.SetTime(0));
+            trial.order(new Order.ChangePlayMode(PlayMode.BEFORE_KICK_OFF));
+            return trial;
+        }
+
+        @Override
+        public void cycleEnded(Trial trial) {
+            observers.forEach(observer -> observer.cycleEnded(trial.snapshot(false, 1)));
+        }
+
+        @Override
+        public SoccerField field() {
+            return SoccerField.LEAGUE;
+        }
+
+        @Override
+        public void order(Order order) {
+            // The test decides what happens.
+        }
+
+        @Override
+        public void addObserver(SimulationObserver observer) {
+            observers.add(observer);
+        }
+
+        @Override
+        public void removeObserver(SimulationObserver observer) {
+            observers.remove(observer);
+        }
+    }
+
+    /** A player whose drawings can be seen. */
+    private static final class ShownPlayer implements Performer {
+
+        private final AgentDriver driver;
+
+        ShownPlayer(Agent agent, TelemetrySink viewer) {
+            driver = new AgentDriver(agent);
+            driver.publishTo(viewer);
+        }
+
+        @Override
+        public void introduce(String team, int number, TeamSide side) {
+            driver.introduce(Options.none().withTeam(team).withNumber(number), side);
+        }
+
+        @Override
+        public List<EffectorCommand> respond(SensorReadings readings) {
+            return driver.respond(readings.message());
+        }
+    }
+}
