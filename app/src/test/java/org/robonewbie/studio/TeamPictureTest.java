@@ -96,7 +96,8 @@ class TeamPictureTest {
                 int index = i;
                 trial.said(i).flatMap(TeamMessage::decode).ifPresent(message -> said[index] = message);
                 if (said[i] != null && isPass(trial, i, said[i])) {
-                    Vector3 end = new Vector3(said[i].passTarget().x(), said[i].passTarget().y(), 0);
+                    Vector3 end = new Vector3(
+                            said[i].passTarget().x(), said[i].passTarget().y(), 0);
                     return new Pass(said[i].receiver(), end);
                 }
             }

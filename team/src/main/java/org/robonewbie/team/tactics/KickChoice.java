@@ -132,7 +132,8 @@ public final class KickChoice {
         double theirs = world.opponentDistance(end) / OPPONENT_SPEED;
         double rest = free * gain(end, probability(theirs - ours), seconds + runShare() * ours);
         double shot = free * (1 - value(ball)) / seconds;
-        int number = receiver.filter(mate -> goal < 0.3 && mate.place().distanceTo(end) < PASS_METRES + patience * RUN_SPEED)
+        int number = receiver.filter(
+                        mate -> goal < 0.3 && mate.place().distanceTo(end) < PASS_METRES + patience * RUN_SPEED)
                 .map(Mate::number)
                 .orElse(0);
         Plan plan = new Plan(TeamRole.STRIKER, Plan.Action.KICK, end, degrees, number);
@@ -203,7 +204,8 @@ public final class KickChoice {
         return world.mates().stream()
                 .filter(mate -> !mate.message().fallen() && !Roles.isKeeper(world, mate.number()))
                 .min(Comparator.comparingDouble(mate -> mate.place().distanceTo(end)))
-                .filter(mate -> mate.place().distanceTo(end) < world.place().distanceTo(end));
+                .filter(mate -> SetPlay.patienceSeconds(world) > 0
+                        || mate.place().distanceTo(end) < world.place().distanceTo(end));
     }
 
     private static double secondsTo(Spot from, Spot to, double patience) {

@@ -24,6 +24,7 @@ public final class SetPlay {
     private static final double WAIT_SECONDS = 9;
     private static final double READY_METRES = 1;
     private static final double NO_GOAL_SECONDS = 10;
+    private static final double SHOT_SECONDS = 2.5;
     private static final double ASK_METRES = 0.5;
     private static final double THREAT_METRES = 3;
     private static final double FAR_METRES = Kick.METRES + 1;
@@ -56,7 +57,7 @@ public final class SetPlay {
                 || !world.situation().isOpen()) {
             forbiddenUntil = 0;
         }
-        if (before == Situation.OUR_PASS && world.situation() == Situation.OPEN_PLAY && taker) {
+        if (before == Situation.OUR_PASS && world.situation() == Situation.OPEN_PLAY) {
             noGoalUntil = world.seconds() + NO_GOAL_SECONDS;
         }
         forbidden = isForbidden(world);
@@ -82,15 +83,16 @@ public final class SetPlay {
     }
 
     /**
-     * Looks whether a goal of this player would count. After pass mode it does not for ten seconds, unless a team mate has touched the
-     * ball meanwhile; and kick-ins and most free kicks are indirect.
+     * Looks whether a goal would count. After pass mode it does not for ten seconds, unless two players of the team have touched the ball
+     * meanwhile; the time for the shot itself is left out. And kick-ins and most free kicks are indirect.
      *
      * @param world the game
      * @return whether it makes sense to shoot
      */
     public boolean mayScore(WorldModel world) {
-        boolean indirect = world.situation() == Situation.OUR_KICK && !world.mates().isEmpty();
-        return world.seconds() > noGoalUntil && !indirect;
+        boolean indirect =
+                world.situation() == Situation.OUR_KICK && !world.mates().isEmpty();
+        return world.seconds() > noGoalUntil - SHOT_SECONDS && !indirect;
     }
 
     /**

@@ -69,6 +69,7 @@ public final class Strategy {
     /** A player that prepares a kick sticks to it for a while, since each new plan would cost it new steps. */
     private boolean isOld(Plan next) {
         return world.seconds() - planSeconds > KICK_LASTS_SECONDS
+                || next.action() == Action.WAIT
                 || next.role() != TeamRole.STRIKER
                 || world.ballFromHere().length() > NEAR_METRES;
     }

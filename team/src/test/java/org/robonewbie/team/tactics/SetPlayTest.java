@@ -1,0 +1,89 @@
+package org.robonewbie.team.tactics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.localisation.GroundPose;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.team.Agent_Team;
+import org.robonewbie.team.talk.Talk;
+import org.robonewbie.team.talk.TeamMessage;
+import org.robonewbie.team.world.Spot;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/** A free kick: for whom it waits, and who leaves the ball alone after it. */
+@Tag("slow")
+class SetPlayTest {
+
+    private static final Place TAKER = new Place(-1, 0, 0);
+    private static final Place MATE = new Place(-2, 3, 0);
+
+    /** Stands where it is, says so, and does not want the ball. */
+    private static final class Idle extends Agent {
+        @Override
+        protected void think() {
+            if (Talk.isMyTurn(nao.getTime(), 3)) {
+                GroundPose here = new GroundPose(MATE.x(), MATE.y(), 0);
+                nao.say(new TeamMessage(
+                                3, here, false, TeamRole.SUPPORTER, Spot.ORIGIN, Spot.ORIGIN, 6, 24, 0, Spot.of(here))
+                        .encode());
+            }
+        }
+    }
+
+    @Test
+    void itIsTakenWhenSomebodyIsAheadWhoCanGetTheBall() {
+        try (Trial trial = freeKick(Performer.ofAgent(new Agent_Team(3)))) {
+            runTo(PlayMode.PLAY_ON, trial, 14);
+
+            assertThat(trial.now().place(1).x()).isGreaterThan(1);
+        }
+    }
+
+    @Test
+    void whoHasTakenItLeavesTheBallAloneUntilSomebodyElseTouchesIt() {
+        try (Trial trial = freeKick(Performer.ofAgent(new Idle()))) {
+            runTo(PlayMode.PLAY_ON, trial, 14);
+            trial.run(trial.seconds() + 3);
+            Vector3 end = trial.now().ball();
+            trial.run(trial.seconds() + 9);
+
+            assertThat(trial.now().playMode()).isEqualTo(PlayMode.PLAY_ON);
+            assertThat(end.distanceTo(Vector3.ZERO)).isGreaterThan(2);
+            assertThat(trial.now().ball().distanceTo(end)).isLessThan(0.3);
+        }
+    }
+
+    private static void runTo(PlayMode mode, Trial trial, double mostSeconds) {
+        double last = trial.seconds() + mostSeconds;
+        while (trial.now().playMode() != mode && trial.seconds() < last) {
+            trial.step();
+        }
+        assertThat(trial.now().playMode()).isEqualTo(mode);
+    }
+
+    /** Number 2 has a free kick in the middle, number 3 is behind it; an opponent stands ahead. */
+    private static Trial freeKick(Performer mate) {
+        List<RobotStart> robots = List.of(
+                new RobotStart("Team", 2, RobotType.TYPE_0, TAKER, List.of()),
+                new RobotStart("Team", 3, RobotType.TYPE_0, MATE, List.of()),
+                new RobotStart("Others", 1, RobotType.TYPE_0, new Place(3.5, 0, 180), List.of()));
+        Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(Vector3.ZERO));
+        Trial trial = Trial.served(scene, 1, Performer.ofAgent(new Agent_Team(2)), mate, Performer.ofSpeeds());
+        trial.order(new Order.ChangePlayMode(PlayMode.FREE_KICK_LEFT));
+        runTo(PlayMode.FREE_KICK_LEFT, trial, 1);
+        return trial;
+    }
+}
