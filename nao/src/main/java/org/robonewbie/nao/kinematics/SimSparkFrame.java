@@ -10,6 +10,7 @@ import org.robonewbie.nao.Vector3;
 public final class SimSparkFrame {
 
     private static final Rotation LEFT_TURN = Rotation.about(new Vector3(0, 0, 1), 90);
+    private static final Rotation RIGHT_TURN = LEFT_TURN.inverse();
 
     private SimSparkFrame() {}
 
@@ -72,6 +73,6 @@ public final class SimSparkFrame {
      * @return the same pose of the link with x right, y forward, z up
      */
     public static Pose linkFromBody(Pose link) {
-        return new Pose(link.position(), link.rotation().times(LEFT_TURN.inverse()));
+        return new Pose(link.position(), link.rotation().times(RIGHT_TURN));
     }
 }

@@ -1,6 +1,7 @@
 package org.robonewbie.protocol.effector;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 import org.robonewbie.nao.Joint;
@@ -30,6 +31,8 @@ public final class EffectorMessageReader {
 
     private final SexpReader reader = SexpReader.withQuotes();
     private final double[] numbers = new double[3];
+    private final SetHingeSpeed[] lastSpeeds =
+            Arrays.stream(HINGES).map(name -> new SetHingeSpeed(name, 0)).toArray(SetHingeSpeed[]::new);
     private int expectedHinge;
     private int problemCount;
     private Consumer<? super EffectorCommand> commands = command -> {};
@@ -84,10 +87,20 @@ public final class EffectorMessageReader {
 
     private void readHingeSpeed(String name) {
         if (readNumbers(1)) {
-            finish(new SetHingeSpeed(name, numbers[0]));
+            finish(speedOf(name));
         } else {
             ignore("Joint command \"" + name + "\" was ignored: it needs one number, the speed in radians per second");
         }
+    }
+
+    /** Gives the last command of the hinge again if it is the same: joints at rest are commanded the same speed in each cycle. */
+    private SetHingeSpeed speedOf(String name) {
+        int hinge = expectedHinge - 1;
+        SetHingeSpeed last = lastSpeeds[hinge];
+        if (Double.doubleToLongBits(last.radiansPerSecond()) != Double.doubleToLongBits(numbers[0])) {
+            lastSpeeds[hinge] = new SetHingeSpeed(name, numbers[0]);
+        }
+        return lastSpeeds[hinge];
     }
 
     private void readBeam() {

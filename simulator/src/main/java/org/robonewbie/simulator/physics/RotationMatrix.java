@@ -130,6 +130,12 @@ public record RotationMatrix(
      * @return w, x, y, z with w at least 0
      */
     public double[] toQuaternion() {
+        org.robonewbie.nao.kinematics.Rotation turn = toTurn();
+        return new double[] {turn.w(), turn.x(), turn.y(), turn.z()};
+    }
+
+    /** {@return the same rotation as the quaternion of {@link #toQuaternion}} */
+    public org.robonewbie.nao.kinematics.Rotation toTurn() {
         double w = 1 + xx + yy + zz;
         double x = 1 + xx - yy - zz;
         double y = 1 - xx + yy - zz;
@@ -143,12 +149,6 @@ public record RotationMatrix(
         return y >= z ? normalised(xz - zx, xy + yx, y, yz + zy) : normalised(yx - xy, xz + zx, yz + zy, z);
     }
 
-    /** {@return the same rotation as the quaternion of {@link #toQuaternion}} */
-    public org.robonewbie.nao.kinematics.Rotation toTurn() {
-        double[] quaternion = toQuaternion();
-        return new org.robonewbie.nao.kinematics.Rotation(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
-    }
-
     /**
      * Makes a rotation of a quaternion.
      *
@@ -159,8 +159,8 @@ public record RotationMatrix(
         return ofQuaternion(quaternion.w(), quaternion.x(), quaternion.y(), quaternion.z());
     }
 
-    private static double[] normalised(double w, double x, double y, double z) {
+    private static org.robonewbie.nao.kinematics.Rotation normalised(double w, double x, double y, double z) {
         double factor = (w < 0 ? -1 : 1) / Math.sqrt(w * w + x * x + y * y + z * z);
-        return new double[] {w * factor, x * factor, y * factor, z * factor};
+        return new org.robonewbie.nao.kinematics.Rotation(w * factor, x * factor, y * factor, z * factor);
     }
 }

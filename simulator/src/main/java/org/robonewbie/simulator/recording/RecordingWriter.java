@@ -28,6 +28,7 @@ public final class RecordingWriter implements AutoCloseable {
     private final RecordingStream stream;
     private final RecordSink sink;
     private final ByteSink changed = new ByteSink();
+    private final List<String> others = new ArrayList<>();
     private final DeltaTrack ballTrack = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE);
     private final Map<Integer, RobotTrack> robotTracks = new HashMap<>();
     private final ThingTrack things = new ThingTrack();
@@ -145,7 +146,7 @@ public final class RecordingWriter implements AutoCloseable {
     private boolean putCommands(RobotSnapshot robot, List<EffectorCommand> commands, ByteSink payload) {
         long[] speeds = track(robot).speeds;
         NaoModel model = NaoModel.of(robot.type());
-        List<String> others = new ArrayList<>(0);
+        others.clear();
         changed.clear();
         int changes = 0;
         for (EffectorCommand command : commands) {

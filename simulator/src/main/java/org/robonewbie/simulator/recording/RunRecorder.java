@@ -167,7 +167,8 @@ public final class RunRecorder implements AutoCloseable {
             Optional<Player> player = participant.player();
             boolean samePlayer = player.isEmpty()
                     ? team.isEmpty() && number == 0
-                    : number == player.get().number() && team.equals(player.get().team().name());
+                    : number == player.get().number()
+                            && team.equals(player.get().team().name());
             return samePlayer && unansweredMessages == participant.unansweredMessages();
         }
     }
