@@ -200,7 +200,17 @@ public final class BodyState {
      * @return degrees from the vertical, 0 to 180
      */
     public static double tiltDegrees(Vector3 up) {
-        return PortableMath.toDegrees(PortableMath.acos(Math.max(-1, Math.min(1, up.z()))));
+        return tiltDegrees(up.z());
+    }
+
+    /**
+     * Calculates the tilt of a torso.
+     *
+     * @param upwards how far the torso's own z axis looks upwards, from -1 to 1
+     * @return degrees from the vertical, 0 to 180
+     */
+    public static double tiltDegrees(double upwards) {
+        return PortableMath.toDegrees(PortableMath.acos(Math.max(-1, Math.min(1, upwards))));
     }
 
     /**

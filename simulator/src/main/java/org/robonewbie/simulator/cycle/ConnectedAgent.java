@@ -3,6 +3,7 @@ package org.robonewbie.simulator.cycle;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.state.StateReader;
@@ -32,6 +33,7 @@ public final class ConnectedAgent {
     private Optional<JoinTeam> wantedTeam = Optional.empty();
     private Optional<Beam> wantedBeam = Optional.empty();
     private Optional<Beam> lastBeam = Optional.empty();
+    private @Nullable Participant lastParticipant;
     private boolean isNewborn;
     private boolean teamToBeTold;
     private long cycles;
@@ -132,6 +134,7 @@ public final class ConnectedAgent {
     void loseRobot() {
         robot = Optional.empty();
         player = Optional.empty();
+        lastParticipant = null;
     }
 
     void want(CreateRobot command) {
@@ -220,7 +223,17 @@ public final class ConnectedAgent {
 
     /** The agent with its robot as one of those that are recorded. */
     Participant participant(Robot body) {
-        return new Participant(id, player, body, connection.executedCommands(), connection.unansweredMessages());
+        Participant now = lastParticipant;
+        if (now == null
+                || now.id() != id
+                || now.robot() != body
+                || now.commands() != connection.executedCommands()
+                || now.unansweredMessages() != connection.unansweredMessages()
+                || !now.player().equals(player)) {
+            now = new Participant(id, player, body, connection.executedCommands(), connection.unansweredMessages());
+            lastParticipant = now;
+        }
+        return now;
     }
 
     /** {@return whether nobody is at the other end, so that the next state that is restored needs no such agent} */

@@ -26,9 +26,9 @@ public interface RigidBody {
         return rotation().axisY();
     }
 
-    /** {@return the direction of the body's own z axis in the world} */
-    default Vector3 axisZ() {
-        return rotation().axisZ();
+    /** {@return how far the body's own z axis looks upwards: 1 if upright, -1 if upside down} */
+    default double upwards() {
+        return rotation().zz();
     }
 
     /**
@@ -41,6 +41,12 @@ public interface RigidBody {
      */
     default Vector3 directionToLocal(double x, double y, double z) {
         return rotation().applyInverse(new Vector3(x, y, z));
+    }
+
+    /** {@return the angular velocity in radians per second about the body's own axes} */
+    default Vector3 ownAngularVelocity() {
+        Vector3 spin = angularVelocity();
+        return directionToLocal(spin.x(), spin.y(), spin.z());
     }
 
     /**

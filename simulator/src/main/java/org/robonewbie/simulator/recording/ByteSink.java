@@ -52,8 +52,24 @@ final class ByteSink {
     }
 
     void putText(String text) {
+        if (isAscii(text)) {
+            putUnsigned(text.length());
+            for (int i = 0; i < text.length(); i++) {
+                putByte(text.charAt(i));
+            }
+            return;
+        }
         byte[] encoded = text.getBytes(StandardCharsets.UTF_8);
         putUnsigned(encoded.length);
         putBytes(encoded, encoded.length);
+    }
+
+    private static boolean isAscii(String text) {
+        for (int i = 0; i < text.length(); i++) {
+            if (text.charAt(i) > 0x7F) {
+                return false;
+            }
+        }
+        return true;
     }
 }

@@ -124,10 +124,10 @@ public final class RecordingWriter implements AutoCloseable {
             payload.putUnsigned(robot.number());
             payload.putText(robot.team());
         }
-        byte[] now = Arrays.copyOf(payload.bytes(), payload.length());
         boolean nobodyYet = robots.isEmpty() && lastRobots.length == 0;
-        if (!nobodyYet && !Arrays.equals(now, lastRobots)) {
-            lastRobots = now;
+        boolean same = Arrays.equals(payload.bytes(), 0, payload.length(), lastRobots, 0, lastRobots.length);
+        if (!nobodyYet && !same) {
+            lastRobots = Arrays.copyOf(payload.bytes(), payload.length());
             sink.put(RecordingFormat.ROBOTS);
         }
     }

@@ -55,9 +55,10 @@ final class RobotStatistics {
         position = robot.linkPosition(0);
         leanDegrees = robot.tiltDegrees();
         countFalls();
-        Vector3 way = position.minus(start);
-        if (leanDegrees < BodyState.FALLEN_DEGREES && PortableMath.hypot(way.x(), way.y()) < BEAMED_WAY) {
-            walk(way);
+        double x = position.x() - start.x();
+        double y = position.y() - start.y();
+        if (leanDegrees < BodyState.FALLEN_DEGREES && PortableMath.hypot(x, y) < BEAMED_WAY) {
+            walk(x, y);
         }
     }
 
@@ -110,9 +111,9 @@ final class RobotStatistics {
     }
 
     /** Adds a piece of way; positions are counted from the robot's first place without jumps. */
-    private void walk(Vector3 way) {
-        walkedX += way.x();
-        walkedY += way.y();
+    private void walk(double x, double y) {
+        walkedX += x;
+        walkedY += y;
         smoothX += SMOOTHING * (walkedX - smoothX);
         smoothY += SMOOTHING * (walkedY - smoothY);
         double length = PortableMath.hypot(smoothX - milestoneX, smoothY - milestoneY);

@@ -139,7 +139,7 @@ public final class Robot {
 
     /** {@return how far the torso leans to any side in degrees: 0 upright, 180 upside down} */
     public double tiltDegrees() {
-        return BodyState.tiltDegrees(bodies.get(0).axisZ());
+        return BodyState.tiltDegrees(bodies.get(0).upwards());
     }
 
     /** {@return whether the torso is tilted by more than 60 degrees or its centre is lower than 0.2 m} */
@@ -184,9 +184,7 @@ public final class Robot {
 
     /** {@return the gyro: the torso's angular velocity about its own axes in degrees per second} */
     public Vector3 gyroDegreesPerSecond() {
-        RigidBody torso = bodies.get(0);
-        Vector3 spin = torso.angularVelocity();
-        return torso.directionToLocal(spin.x(), spin.y(), spin.z()).times(PortableMath.toDegrees(1));
+        return bodies.get(0).ownAngularVelocity().times(PortableMath.toDegrees(1));
     }
 
     /**

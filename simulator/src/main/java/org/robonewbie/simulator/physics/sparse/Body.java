@@ -56,6 +56,9 @@ final class Body implements RigidBody, Restorable {
     private Vector3 seenPosition = Vector3.ZERO;
 
     private boolean hasMoved = true;
+    /** The velocity as it was asked for last. */
+    private Vector3 seenVelocity = Vector3.ZERO;
+
     private final double[] quaternion = {1, 0, 0, 0};
     private final MoveOrder order;
     private final List<CollisionShape> shapes = new ArrayList<>();
@@ -200,8 +203,8 @@ final class Body implements RigidBody, Restorable {
     }
 
     @Override
-    public Vector3 axisZ() {
-        return new Vector3(rotation[2], rotation[5], rotation[8]);
+    public double upwards() {
+        return rotation[8];
     }
 
     @Override
@@ -212,13 +215,28 @@ final class Body implements RigidBody, Restorable {
     }
 
     @Override
+    public Vector3 ownAngularVelocity() {
+        return directionToLocal(velocity[3], velocity[4], velocity[5]);
+    }
+
+    @Override
     public boolean isWithin(double metres) {
         return Math.abs(position[0]) < metres && Math.abs(position[1]) < metres && Math.abs(position[2]) < metres;
     }
 
     @Override
     public Vector3 velocity() {
-        return new Vector3(velocity[0], velocity[1], velocity[2]);
+        if (!isVelocity(seenVelocity)) {
+            seenVelocity = new Vector3(velocity[0], velocity[1], velocity[2]);
+        }
+        return seenVelocity;
+    }
+
+    /** Compares bit by bit, so that 0 and -0 differ. */
+    private boolean isVelocity(Vector3 vector) {
+        return Double.compare(vector.x(), velocity[0]) == 0
+                && Double.compare(vector.y(), velocity[1]) == 0
+                && Double.compare(vector.z(), velocity[2]) == 0;
     }
 
     @Override
