@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -43,7 +44,7 @@ import org.robonewbie.trial.SensorReadings;
 import org.robonewbie.trial.Trial;
 
 /**
- * Takes the picture of a pass in {@code docs/team/passing.md}, from a real match that stops when the ball rolls to its receiver: to
+ * Takes the picture of a pass in {@code docs/team/passing.md}, from a real match that stops when the ball begins to roll to its receiver: to
  * {@code target/pictures}, or where {@code -Dstudio.pictures=../docs/team/images} says.
  */
 @Tag("slow")
@@ -55,6 +56,8 @@ class TeamPictureTest {
     private static final double LONGEST_SECONDS = 300;
     private static final double LEAST_SPEED = 3;
     private static final double READY_METRES = 1.3;
+    private static final double ALONE_METRES = 0.9;
+    private static final double SHARE_OF_WAY = 0.47;
     private static final int LEFT = 0;
     private static final int WIDTH = 720;
     private static final int HEIGHT = 300;
@@ -90,8 +93,7 @@ class TeamPictureTest {
 
             browser.evaluate(PITCH_ALONE);
             BufferedImage whole = ImageIO.read(new ByteArrayInputStream(browser.screenshot()));
-            BufferedImage middle =
-                    whole.getSubimage((whole.getWidth() - WIDTH) / 2, (whole.getHeight() - HEIGHT) / 2, WIDTH, HEIGHT);
+            BufferedImage part = whole.getSubimage(LEFT, (whole.getHeight() - HEIGHT) / 2, WIDTH, HEIGHT);
 
             Path folder = Path.of(System.getProperty("studio.pictures", "target/pictures"));
             Path file = Files.createDirectories(folder).resolve("studio-pass.png");
@@ -124,8 +126,13 @@ class TeamPictureTest {
         }
         double rolled = trial.now().place(player).distance(trial.now().ball());
         Vector3 end = new Vector3(said.passTarget().x(), said.passTarget().y(), 0);
-        return rolled > 0.3
-                && rolled < 0.5
+        boolean alone = IntStream.range(0, 2 * PLAYERS)
+                .filter(other -> other != player)
+                .noneMatch(
+                        other -> trial.now().place(other).distance(trial.now().ball()) < ALONE_METRES);
+        return alone
+                && rolled > 0.4
+                && rolled < 0.6
                 && trial.now().place(said.receiver() - 1).distance(end) < READY_METRES;
     }
 
@@ -133,10 +140,10 @@ class TeamPictureTest {
     private static String view(Vector3 ball, Vector3 end) {
         return String.format(
                 Locale.ROOT,
-                "studio.desk.jumpTo({target: [%.2f, %.2f, 0], azimuthDegrees: %.0f, elevationDegrees: 35, distance: 8});"
+                "studio.desk.jumpTo({target: [%.2f, %.2f, 0], azimuthDegrees: %.0f, elevationDegrees: 35, distance: 8.5});"
                         + " studio.touch()",
-                (ball.x() + end.x()) / 2,
-                (ball.y() + end.y()) / 2,
+                ball.x() + SHARE_OF_WAY * (end.x() - ball.x()),
+                ball.y() + SHARE_OF_WAY * (end.y() - ball.y()),
                 Math.toDegrees(Math.atan2(end.y() - ball.y(), end.x() - ball.x())) - 90);
     }
 
