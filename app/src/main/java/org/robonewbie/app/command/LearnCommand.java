@@ -90,7 +90,7 @@ final class LearnCommand implements Callable<Integer> {
             names = "--option",
             paramLabel = "NAME=VALUE",
             description =
-                    "What is different in the episodes of a task, such as noise=0.5 or push=10; docs/gym-protocol.md has all. In walk and run forward=LOW..HIGH: the speeds straight ahead, in m/s.")
+                    "What is different in the episodes of a task, such as noise=0.5 or push=10; docs/gym-protocol.md has all. In walk and run forward=LOW..HIGH: the speeds straight ahead, in m/s; step=MILLISECONDS; tolerance=X: the error that leaves no reward, in m/s; slow=SHARE: how often a run is slowed down.")
     private List<String> options = List.of();
 
     @Option(

@@ -67,10 +67,17 @@ class LearnCommandTest {
                 .isEqualTo(1.1);
         assertThat(PolicyFile.read(file).about().get(0))
                 .contains(" --push 6.0 --option forward=0.7..1.1 --generations");
-        for (String wrong : List.of("noise=1", "forward=1.1", "forward=1.1..0.7", "forward=0..1", "forward=1..9")) {
+        for (String unknown : List.of("noise=1", "forward=1.1", "step=fast", "slow=")) {
+            assertThatThrownBy(() -> command("run", "--option", unknown).call())
+                    .isInstanceOf(CalledWronglyException.class)
+                    .hasMessageContaining("have no option " + unknown + ". There are forward=LOW..HIGH");
+        }
+        for (String wrong : List.of(
+                "forward=1.1..0.7", "forward=0..1", "forward=1..9", "step=130", "step=0", "slow=2", "tolerance=0")) {
             assertThatThrownBy(() -> command("run", "--option", wrong).call())
                     .isInstanceOf(CalledWronglyException.class)
-                    .hasMessageContaining("have no option " + wrong + ". There is one: forward=LOW..HIGH");
+                    .hasMessageContaining("Lessons take " + wrong.replaceAll("=.*", "="))
+                    .hasMessageContaining("; " + wrong + " is not possible.");
         }
     }
 

@@ -1,6 +1,7 @@
 package org.robonewbie.learning.measure;
 
 import java.util.function.LongFunction;
+import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.learning.rehearsal.Rehearsal;
 import org.robonewbie.nao.model.RobotType;
@@ -41,6 +42,15 @@ record CheckStart(String suffix, String words, LongFunction<Rehearsal> opening) 
                 "an agent on an own simulator with noise and the league's pitch, in the stance, reached from a posture"
                         + " beside it; pushed by a hand each second",
                 seed -> Rehearsal.onLeaguePitch(seed, type, style));
+    }
+
+    /** An agent that runs as it has learned and steers by what it sees and feels, else as {@link #onLeaguePitch(RobotType, WalkStyle)}. */
+    static CheckStart onLeaguePitch(RobotType type, PolicyWalk learned) {
+        return new CheckStart(
+                suffix(type),
+                "an agent on an own simulator with noise and the league's pitch, in the stance, reached from a posture"
+                        + " beside it; pushed by a hand each second; it steers by its own sensors",
+                seed -> Rehearsal.onLeaguePitch(seed, type, learned));
     }
 
     /** What the names of checks end with if the robot is not the usual one. */

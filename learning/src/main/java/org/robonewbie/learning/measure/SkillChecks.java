@@ -37,7 +37,9 @@ final class SkillChecks {
         SkillChecks usual = new SkillChecks(type, "walk", WalkStyle.STANDARD);
         SkillChecks fast = new SkillChecks(type, "fast walk", WalkStyle.FAST);
         Stream<MotionCheck> walks = Stream.of(usual, fast).flatMap(skill -> skill.walks().stream());
-        return Stream.concat(walks, usual.localisations().stream()).toList();
+        return Stream.of(walks, RunChecks.all(type).stream(), usual.localisations().stream())
+                .flatMap(checks -> checks)
+                .toList();
     }
 
     private List<MotionCheck> walks() {

@@ -4,8 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robonewbie.agent.policy.Network;
@@ -26,8 +24,9 @@ import org.robonewbie.trial.Trial;
  * @param most the largest speeds
  * @param backward the largest speed backward, metres per second
  * @param stepMillis time of one step
- * @param straightShare which part of the commands leads straight ahead with at least {@code leastAhead}
- * @param leastAhead which part of the largest speed forward that is at least
+ * @param commands what kinds of velocities are commanded
+ * @param leastAhead which part of the largest speed forward is commanded at least on the way straight ahead
+ * @param slowShare which part of the later commands of a run slows it down
  * @param toleratedMetresPerSecond which error of the velocity leaves nothing of the reward
  */
 public record WalkCourse(
@@ -35,23 +34,23 @@ public record WalkCourse(
         WalkVelocity most,
         double backward,
         int stepMillis,
-        double straightShare,
+        WalkCommands commands,
         double leastAhead,
+        double slowShare,
         double toleratedMetresPerSecond)
         implements Course {
 
     /** Walks into any direction: forward with up to 0.8 m/s. */
     public static final WalkCourse WALK =
-            new WalkCourse("walk", new WalkVelocity(0.8, 0.2, 90), 0.3, 200, 0.35, 0.3, 0.3);
+            new WalkCourse("walk", new WalkVelocity(0.8, 0.2, 90), 0.3, 200, WalkCommands.ANYWHERE, 0.3, 0, 0.3);
 
-    /** Runs straight ahead with 0.9 to 1.3 m/s, with short steps. */
-    public static final WalkCourse RUN = new WalkCourse("run", new WalkVelocity(1.3, 0.2, 60), 0.3, 160, 1, 0.7, 0.6);
+    /** Runs ahead with 0.9 to 1.3 m/s, with short steps, bends a little to both sides, slows down and stops. */
+    public static final WalkCourse RUN =
+            new WalkCourse("run", new WalkVelocity(1.3, 0.2, 60), 0.3, 140, WalkCommands.AHEAD, 0.7, 0.3, 0.9);
 
     /** In which part of the lessons of a training the command stays the same. */
     private static final double LONG_SHARE = 0.4;
 
-    private static final Pattern FORWARD = Pattern.compile("forward=(\\d(?:\\.\\d+)?)\\.\\.(\\d(?:\\.\\d+)?)");
-    private static final double FASTEST = 3;
     private static final int HIDDEN = 16;
     private static final int[] LAYERS = {LearnedReflex.INPUTS.size(), HIDDEN, LearnedReflex.OUTPUTS.size()};
     private static final int WEIGHTS = Network.size(LAYERS);
@@ -70,26 +69,16 @@ public record WalkCourse(
     }
 
     /**
-     * Makes the same course with other speeds straight ahead.
+     * Makes the same course with other lessons.
      *
-     * @param options {@code forward=LOW..HIGH} in metres per second, or nothing
+     * @param options such as {@code forward=0.7..1.1}, see {@link WalkOption}
      * @return the course
-     * @throws IllegalArgumentException if there is another option, or if the speeds are not possible
+     * @throws IllegalArgumentException if there is another option, or if a value is not possible
      */
     public WalkCourse with(List<String> options) {
         WalkCourse course = this;
         for (String option : options) {
-            Matcher range = FORWARD.matcher(option);
-            double low = range.matches() ? Double.parseDouble(range.group(1)) : 0;
-            double high = range.matches() ? Double.parseDouble(range.group(2)) : 0;
-            if (!(low > 0 && low <= high && high <= FASTEST)) {
-                throw new IllegalArgumentException("Lessons in " + task + " have no option " + option
-                        + ". There is one: forward=LOW..HIGH, such as forward=0.7..1.1, with up to " + FASTEST
-                        + " m/s.");
-            }
-            WalkVelocity faster = new WalkVelocity(high, most.left(), most.turn());
-            course = new WalkCourse(
-                    task, faster, backward, stepMillis, straightShare, low / high, toleratedMetresPerSecond);
+            course = WalkOption.change(course, option);
         }
         return course;
     }
@@ -170,28 +159,8 @@ public record WalkCourse(
         return Network.of(LAYERS, Arrays.copyOfRange(numbers, GAIT, GAIT + WEIGHTS));
     }
 
-    /** Draws a velocity: ahead, back, aside, around, nothing, or all at once within what is possible. */
-    WalkVelocity command(Random random) {
-        double kind = random.nextDouble();
-        double forward = random.nextDouble();
-        double left = most.left() * (2 * random.nextDouble() - 1);
-        double turn = most.turn() * (2 * random.nextDouble() - 1);
-        if (kind < straightShare) {
-            return new WalkVelocity(most.forward() * (leastAhead + (1 - leastAhead) * forward), 0, 0);
-        } else if (kind < 0.5) {
-            return new WalkVelocity(-backward * forward, 0, 0);
-        } else if (kind < 0.62) {
-            return new WalkVelocity(0, left, 0);
-        } else if (kind < 0.74) {
-            return new WalkVelocity(0, 0, turn);
-        } else if (kind < 0.78) {
-            return WalkVelocity.ZERO;
-        }
-        return new WalkVelocity(-backward + (most.forward() + backward) * forward, left, turn).within(most, backward);
-    }
-
     /** Draws a velocity for a whole lesson: in half of them straight ahead as fast as possible. */
     WalkVelocity longCommand(Random random) {
-        return random.nextDouble() < 0.5 ? new WalkVelocity(most.forward(), 0, 0) : command(random);
+        return random.nextDouble() < 0.5 ? new WalkVelocity(most.forward(), 0, 0) : commands.first(this, random);
     }
 }

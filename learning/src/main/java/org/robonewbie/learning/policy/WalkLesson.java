@@ -21,7 +21,7 @@ import org.robonewbie.trial.Trial;
 
 /**
  * One lesson: from the stance a robot follows velocities that change every 3 s, with noise, while a hand pushes it once per second
- * into any direction. Each 0.4 s pay 1, less the error of the velocity (1 for 0.3 m/s, 0.6 m/s of a run, or 30°/s, together 1.5 at most) and a
+ * into any direction. Each 0.4 s pay 1, less the error of the velocity (1 for 0.3 m/s, 0.9 m/s of a run, or 30°/s, together 1.5 at most) and a
  * little for a torso that leans. A fall ends the lesson; it costs 4, and 1 for each 0.4 s that are lost, so it never pays.
  */
 final class WalkLesson {
@@ -44,6 +44,7 @@ final class WalkLesson {
     private final HandPushes pushes;
     private final boolean isLong;
     private final LessonFigures figures = new LessonFigures();
+    private WalkVelocity aim = WalkVelocity.ZERO;
     private WalkVelocity wanted = WalkVelocity.ZERO;
 
     private WalkLesson(WalkCourse course, long seed, double newtons, double longShare) {
@@ -71,9 +72,10 @@ final class WalkLesson {
         Moment before = room.now();
         for (int cycle = 0; cycle < most; cycle++) {
             if (cycle == 0 || (cycle % COMMAND_CYCLES == 0 && !isLong)) {
-                wanted = isLong ? course.longCommand(random) : course.command(random);
-                student.walk(wanted);
+                aim = nextAim(cycle == 0);
             }
+            wanted = course.commands().onTheWay(wanted, aim);
+            student.walk(wanted);
             pushes.act(room, cycle);
             Moment now = room.step();
             if (now.robot().isFallen()) {
@@ -87,6 +89,15 @@ final class WalkLesson {
         }
         figures.end(most);
         return figures;
+    }
+
+    private WalkVelocity nextAim(boolean isFirst) {
+        if (isLong) {
+            return course.longCommand(random);
+        }
+        return isFirst
+                ? course.commands().first(course, random)
+                : course.commands().later(course, random);
     }
 
     /** Compares how the robot has moved with what was wanted, seen from half-way between its headings. */

@@ -183,7 +183,7 @@ public final class Rehearsal implements AutoCloseable {
      */
     public static Rehearsal served(long seed, RobotType type) {
         Scene scene = Scene.of(ROBOT.withType(type).after("stand")).withBall(BALL_ASIDE);
-        return served(scene, seed, WalkStyle.STANDARD);
+        return served(scene, seed, new AgentPuppet(WalkStyle.STANDARD));
     }
 
     /**
@@ -196,13 +196,28 @@ public final class Rehearsal implements AutoCloseable {
      * @return the robot on its feet, 14 m before the centre line, facing the other half
      */
     public static Rehearsal onLeaguePitch(long seed, RobotType type, WalkStyle style) {
-        RobotStart robot = RobotStart.at(FAR_END).withType(type).after("stand");
-        Scene scene = Scene.of(robot).withParameters(SoccerParameters.league()).withBall(BALL_FAR_ASIDE);
-        return served(scene, seed, style).intoStance(seed, PUSH_NEWTONS);
+        return served(leaguePitch(type), seed, new AgentPuppet(style)).intoStance(seed, PUSH_NEWTONS);
     }
 
-    private static Rehearsal served(Scene scene, long seed, WalkStyle style) {
-        AgentPuppet puppet = new AgentPuppet(style);
+    /**
+     * Lets an agent run as it has learned, else as {@link #onLeaguePitch(long, RobotType, WalkStyle)}. It keeps to the line ahead of
+     * where it begins to walk, by what it sees and feels itself.
+     *
+     * @param seed chooses noise and disturbances
+     * @param type how the robot is built
+     * @param learned how it runs
+     * @return the robot on its feet, 14 m before the centre line, facing the other half
+     */
+    public static Rehearsal onLeaguePitch(long seed, RobotType type, PolicyWalk learned) {
+        return served(leaguePitch(type), seed, new RunnerPuppet(learned)).intoStance(seed, PUSH_NEWTONS);
+    }
+
+    private static Scene leaguePitch(RobotType type) {
+        RobotStart robot = RobotStart.at(FAR_END).withType(type).after("stand");
+        return Scene.of(robot).withParameters(SoccerParameters.league()).withBall(BALL_FAR_ASIDE);
+    }
+
+    private static Rehearsal served(Scene scene, long seed, Puppet puppet) {
         Rehearsal rehearsal = new Rehearsal(Trial.served(scene, seed, puppet.performer()), puppet, Trial::close);
         rehearsal.begin(true);
         return rehearsal;

@@ -1,0 +1,151 @@
+package org.robonewbie.learning.policy;
+
+import java.util.Arrays;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.robonewbie.agent.walk.WalkVelocity;
+
+/** What can be different in lessons of walking; each is written {@code name=value}. */
+public enum WalkOption {
+    /** The speeds straight ahead, metres per second. */
+    FORWARD(
+            "forward=LOW..HIGH, such as forward=0.7..1.1, with up to 3 m/s",
+            "(\\d(?:\\.\\d+)?)\\.\\.(\\d(?:\\.\\d+)?)") {
+
+        @Override
+        boolean isPossible(double low, double high) {
+            return low > 0 && low <= high && high <= FASTEST;
+        }
+
+        @Override
+        WalkCourse changed(WalkCourse course, double low, double high) {
+            WalkVelocity most = course.most();
+            return of(
+                    course,
+                    new WalkVelocity(high, most.left(), most.turn()),
+                    course.stepMillis(),
+                    low / high,
+                    course.slowShare(),
+                    course.toleratedMetresPerSecond());
+        }
+    },
+    /** Time of one step, milliseconds. */
+    STEP("step=MILLISECONDS, a multiple of 20", "(\\d+)()") {
+
+        @Override
+        boolean isPossible(double millis, double none) {
+            return millis > 0 && millis % 20 == 0;
+        }
+
+        @Override
+        WalkCourse changed(WalkCourse course, double millis, double none) {
+            return of(
+                    course,
+                    course.most(),
+                    (int) millis,
+                    course.leastAhead(),
+                    course.slowShare(),
+                    course.toleratedMetresPerSecond());
+        }
+    },
+    /** Which part of the later commands of a run slows it down. */
+    SLOW("slow=SHARE, 0 to 1", "(\\d(?:\\.\\d+)?)()") {
+
+        @Override
+        boolean isPossible(double share, double none) {
+            return share <= 1;
+        }
+
+        @Override
+        WalkCourse changed(WalkCourse course, double share, double none) {
+            return of(
+                    course,
+                    course.most(),
+                    course.stepMillis(),
+                    course.leastAhead(),
+                    share,
+                    course.toleratedMetresPerSecond());
+        }
+    },
+    /** Which error of the velocity leaves nothing of the reward, metres per second. */
+    TOLERANCE("tolerance=X, in m/s", "(\\d(?:\\.\\d+)?)()") {
+
+        @Override
+        boolean isPossible(double metresPerSecond, double none) {
+            return metresPerSecond > 0;
+        }
+
+        @Override
+        WalkCourse changed(WalkCourse course, double metresPerSecond, double none) {
+            return of(
+                    course,
+                    course.most(),
+                    course.stepMillis(),
+                    course.leastAhead(),
+                    course.slowShare(),
+                    metresPerSecond);
+        }
+    };
+
+    private static final double FASTEST = 3;
+
+    private final String words;
+    private final Pattern pattern;
+
+    WalkOption(String words, String value) {
+        this.words = words;
+        this.pattern = Pattern.compile(words.replaceAll("=.*", "=") + value);
+    }
+
+    /** Whether a value is possible; only a range has a second one. */
+    abstract boolean isPossible(double first, double second);
+
+    /** Changes a course. */
+    abstract WalkCourse changed(WalkCourse course, double first, double second);
+
+    /**
+     * Changes a course.
+     *
+     * @throws IllegalArgumentException if there is no such option, or if its value is not possible
+     */
+    static WalkCourse change(WalkCourse course, String text) {
+        for (WalkOption option : values()) {
+            Matcher matcher = option.pattern.matcher(text);
+            if (matcher.matches()) {
+                return option.change(course, text, number(matcher.group(1)), number(matcher.group(2)));
+            }
+        }
+        throw new IllegalArgumentException("Lessons in " + course.task() + " have no option " + text + ". There are "
+                + Arrays.stream(values()).map(option -> option.words).collect(Collectors.joining("; ")) + ".");
+    }
+
+    private WalkCourse change(WalkCourse course, String text, double first, double second) {
+        if (!isPossible(first, second)) {
+            throw new IllegalArgumentException("Lessons take " + words + "; " + text + " is not possible.");
+        }
+        return changed(course, first, second);
+    }
+
+    private static double number(String text) {
+        return text.isEmpty() ? 0 : Double.parseDouble(text);
+    }
+
+    private static WalkCourse of(
+            WalkCourse course,
+            WalkVelocity most,
+            int stepMillis,
+            double leastAhead,
+            double slowShare,
+            double toleratedMetresPerSecond) {
+        return new WalkCourse(
+                course.task(),
+                most,
+                course.backward(),
+                stepMillis,
+                course.commands(),
+                leastAhead,
+                slowShare,
+                toleratedMetresPerSecond);
+    }
+}
