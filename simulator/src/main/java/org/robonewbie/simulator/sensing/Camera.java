@@ -50,6 +50,9 @@ public final class Camera implements Restorable {
     private final ViewCone cone;
     private final List<Segment> lines;
     private final Optional<VisionNoise> noise;
+    private final List<SeenLandmark> seenLandmarks = new ArrayList<>();
+    private final List<SeenPlayer> seenPlayers = new ArrayList<>();
+    private final List<SeenLine> seenLines = new ArrayList<>();
     private final List<SeenBodyPart> parts = new ArrayList<>();
     private final double[] local = new double[3];
     private final double[] ends = new double[6];
@@ -92,25 +95,25 @@ public final class Camera implements Restorable {
     }
 
     private List<SeenLandmark> landmarks(BodyPose head) {
-        List<SeenLandmark> seen = new ArrayList<>(landmarks.size());
+        seenLandmarks.clear();
         for (int i = 0; i < landmarks.size(); i++) {
             if (sees(head, landmarks.get(i))) {
-                seen.add(new SeenLandmark(LANDMARKS.get(i), measure()));
+                seenLandmarks.add(new SeenLandmark(LANDMARKS.get(i), measure()));
             }
         }
-        return seen;
+        return seenLandmarks;
     }
 
     private List<SeenPlayer> players(BodyPose head, List<VisiblePlayer> players) {
-        List<SeenPlayer> seen = new ArrayList<>();
+        seenPlayers.clear();
         for (int i = 0; i < players.size(); i++) {
             VisiblePlayer player = players.get(i);
             measureParts(head, player);
             if (!parts.isEmpty()) {
-                seen.add(new SeenPlayer(player.team(), player.number(), parts, Optional.empty()));
+                seenPlayers.add(new SeenPlayer(player.team(), player.number(), parts, Optional.empty()));
             }
         }
-        return seen;
+        return seenPlayers;
     }
 
     private void measureParts(BodyPose head, VisiblePlayer player) {
@@ -123,14 +126,14 @@ public final class Camera implements Restorable {
     }
 
     private List<SeenLine> lines(BodyPose head) {
-        List<SeenLine> seen = new ArrayList<>();
+        seenLines.clear();
         for (int i = 0; i < lines.size(); i++) {
             if (isVisible(head, lines.get(i))) {
                 PolarPosition start = measure(ends[0], ends[1], ends[2]);
-                seen.add(new SeenLine(start, measure(ends[3], ends[4], ends[5])));
+                seenLines.add(new SeenLine(start, measure(ends[3], ends[4], ends[5])));
             }
         }
-        return seen;
+        return seenLines;
     }
 
     /** Leaves in {@link #ends} what is seen of a line. */
