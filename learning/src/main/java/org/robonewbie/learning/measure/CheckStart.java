@@ -53,6 +53,11 @@ record CheckStart(String suffix, String words, LongFunction<Rehearsal> opening) 
                 seed -> Rehearsal.onLeaguePitch(seed, type, learned));
     }
 
+    /** The name of a motion for a robot of some build, which has a motion of its own if its legs are long. */
+    static String motionFor(RobotType type, String name) {
+        return type.hasLongLegs() ? name + "-long-legs" : name;
+    }
+
     /** What the names of checks end with if the robot is not the usual one. */
     static String suffix(RobotType type) {
         return type == RobotType.TYPE_0 ? "" : ", type " + type.ordinal();

@@ -49,6 +49,11 @@ public enum RobotType {
         return toeLength > 0;
     }
 
+    /** {@return whether the legs are longer than those of the standard robot; true for types 1 and 3} */
+    public boolean hasLongLegs() {
+        return thighZ < TYPE_0.thighZ;
+    }
+
     double toeLength() {
         return toeLength;
     }

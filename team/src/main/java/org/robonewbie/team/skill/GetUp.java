@@ -1,8 +1,8 @@
 package org.robonewbie.team.skill;
 
 /**
- * Gets up: the quick way first, and if the robot still lies after it, the slow and sure way of {@code motions.startGetUp()}. From a side,
- * which is rare, there is only the slow way.
+ * Gets up: the quick way first, and if the robot still lies after it, the slow and sure way of {@code motions.startGetUp()}. Robots with
+ * long legs have quick ways of their own. From a side, which is rare, there is only the slow way.
  */
 public final class GetUp {
 
@@ -39,7 +39,8 @@ public final class GetUp {
 
     private void start(String quickWay) {
         if (quickly) {
-            body.motions().start(quickWay);
+            boolean isLong = body.nao().getType().hasLongLegs();
+            body.motions().start(isLong ? quickWay + "-long-legs" : quickWay);
         } else {
             body.motions().startGetUp();
         }
