@@ -171,6 +171,17 @@ public final class SelfLocalisation {
         return BodyState.tiltDegrees(filter.torso().rotation().apply(new Vector3(0, 0, 1)));
     }
 
+    /**
+     * Turns what is seen as if the torso were upright: a robot that bows forward sees the ball higher than it lies.
+     *
+     * @param seen x forward, y left and z up along the torso's own axes, from anywhere in it, in metres
+     * @return x forward, y left on the level ground and z straight up, from the same place
+     */
+    public Vector3 levelled(Vector3 seen) {
+        Rotation heading = Rotation.about(new Vector3(0, 0, 1), -pose().headingDegrees());
+        return heading.apply(filter.torso().rotation().apply(seen));
+    }
+
     /** {@return the movement alone, kept up to date by this class} */
     public Odometry odometry() {
         return odometry;

@@ -9,8 +9,12 @@ import org.robonewbie.team.world.WorldModel;
  * Brings the ball forward. The robot gets behind the ball, seen from where the ball has to go, and walks on: the feet push the ball
  * along. As long as the ball does not leave the way, the robot never stops.
  *
- * <p>Ahead of the robot is a cone that begins between the feet. While the ball is in it, the robot walks with full speed and only
- * corrects its way; else it walks around the ball. With an opponent near and the ball ahead it does neither: it runs through the ball.
+ * <p>Ahead of the robot is a cone that begins between the feet. While the ball is in it, the robot walks on and only corrects its way;
+ * else it walks around the ball. With an opponent near and the ball ahead it does neither: it runs through the ball.
+ *
+ * <p>How fast? A foot that swings is twice as fast as the robot, and a ball that it meets with more than 0.8 m/s bounces off and rolls
+ * up to a metre ahead. So the robot brakes before it touches the ball: with the distance that is left it walks just as fast as it can
+ * still brake to a speed at which the ball stays near. A ball that rolls away may be met with more speed.
  */
 public final class Dribble {
 
@@ -19,10 +23,15 @@ public final class Dribble {
     private static final double CHARGE_METRES = 0.5;
     private static final double BEHIND_METRES = 0.25;
     private static final double AROUND_METRES = 0.35;
-    private static final double CONE_METRES = 0.07;
-    private static final double CONE_SLOPE = 0.22;
+    private static final double CONE_METRES = 0.15;
+    private static final double CONE_SLOPE = 0.4;
     private static final double MOST_TURN = 25;
-    private static final double CALM_METRES = 0.02;
+    private static final double CALM_METRES = 0.015;
+    private static final double BEFORE_FOOT_METRES = 0.03;
+    private static final double TOUCH_METRES = 0.2;
+    private static final double TOUCH_SPEED = 0.3;
+    private static final double ROLLING_SHARE = 0.3;
+    private static final double BRAKING = 0.4;
     private static final double CALM_DEGREES = 3;
     private static final double AHEAD_SECONDS = 0.25;
 
@@ -82,10 +91,19 @@ public final class Dribble {
                 || Math.abs(turn) > MOST_TURN) {
             feet.step(world, ball.minus(direction.times(BEHIND_METRES)), turn);
         } else {
-            double speed = Footwork.speed(world);
+            double heading = world.pose().headingDegrees() + turn;
+            double rolling = Math.max(0, world.ballVelocity().dot(Spot.polar(heading, 1)));
+            double speed = Math.min(Footwork.speed(world), speed(ahead, rolling));
             double seconds = Math.max(0.5, (ahead - BEHIND_METRES) / speed);
-            walk.towards(speed, -beyond(left, CALM_METRES) / seconds, 1.5 * beyond(turn, CALM_DEGREES));
+            double aim = Math.signum(left) * BEFORE_FOOT_METRES;
+            walk.towards(speed, -beyond(left - aim, CALM_METRES) / seconds, 1.5 * beyond(turn, CALM_DEGREES));
         }
+    }
+
+    /** The speed from which the robot can still brake before it touches the ball. */
+    private static double speed(double ahead, double rolling) {
+        double touch = TOUCH_SPEED + ROLLING_SHARE * rolling;
+        return Math.sqrt(touch * touch + 2 * BRAKING * Math.max(0, ahead - TOUCH_METRES));
     }
 
     /** What is left of a deviation after a part that does not matter: each correction makes the robot slower. */

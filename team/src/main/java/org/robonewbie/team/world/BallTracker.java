@@ -4,15 +4,20 @@ import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.Vector3;
 
 /**
- * Follows the ball with a {@link BallFilter}. The filter lives in the frame of the odometry: there the ball keeps its place while the
- * robot walks, and does not jump when the robot corrects its belief of where it is on the pitch.
+ * Follows the ball with a {@link BallFilter}. The filter lives in the frame of the pitch as the robot sees its team at the beginning: there
+ * the ball keeps its place while the robot walks, falls and gets up. A robot that leans sees the ball aside of where it lies, so what
+ * it sees is levelled first.
  */
 final class BallTracker {
 
     private static final double NEAR_DEVIATION = 0.015;
     private static final double DEVIATION_PER_METRE = 0.012;
+
+    /** The camera is above the torso's centre, of which the robot knows the place. */
+    private static final Vector3 CAMERA = new Vector3(0, 0, 0.155);
 
     private final BallFilter filter = new BallFilter();
     private GroundPose here = GroundPose.ORIGIN;
@@ -25,11 +30,16 @@ final class BallTracker {
         }
     }
 
+    /** Moves with the robot. */
+    void move(SelfLocalisation self) {
+        here = self.pose();
+    }
+
     /** Looks at the ball if there is a new picture. */
     void look(SelfLocalisation self, FieldItem ball, double seconds) {
-        here = self.odometry().pose();
         if (ball.isKnown() && ball.ageSeconds() == 0) {
-            filter.see(Spot.of(ball.position()).onMap(here), NEAR_DEVIATION + DEVIATION_PER_METRE * ball.distance());
+            Spot seen = Spot.of(self.levelled(ball.position().plus(CAMERA)));
+            filter.see(seen.onMap(here), NEAR_DEVIATION + DEVIATION_PER_METRE * ball.distance());
             seenSeconds = seconds;
         }
     }

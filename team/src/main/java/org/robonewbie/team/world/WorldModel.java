@@ -72,6 +72,7 @@ public final class WorldModel {
         fallen = nao.isFallen();
         if (seconds - beamedSeconds > BEAM_SECONDS) {
             self.update(nao, view);
+            tracker.move(self);
         }
         boolean upright = self.tiltDegrees() < UPRIGHT_DEGREES && !fallen;
         if (upright && seconds - beamedSeconds > BEAM_SECONDS) {
