@@ -47,7 +47,7 @@ final class BallPlayer extends Agent {
             return;
         }
         if (dribbles) {
-            dribble.bring(world, new Spot(world.place().x() + FAR_METRES, 0));
+            dribble.bringClosely(world, new Spot(world.place().x() + FAR_METRES, 0));
         } else {
             kick.kick(world, 0);
         }
