@@ -34,6 +34,15 @@ class MeasureCommandTest {
                         + " or: measure team, or: measure server");
     }
 
+    @Test
+    void saysWhoTheOthersCanBe() {
+        MeasureCommand command = command("team", "--against", "Agent_Nobody");
+
+        assertThatThrownBy(command::call)
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessage("--against Agent_Nobody: write Agent_BetterSoccer or Agent_Team.");
+    }
+
     @Tag("slow")
     @Test
     void letsTheExampleAgentsPlayAndPrintsHowWellTheyDo() throws IOException {
