@@ -15,10 +15,10 @@ import org.robonewbie.trial.Performer;
  */
 final class RunnerPuppet extends Agent implements Puppet {
 
-    private static final double TURN_FOR_A_DEGREE = 2;
+    private static final double TURN_FOR_A_DEGREE = 1;
     private static final double DEGREES_FOR_A_METRE = 20;
     private static final double MOST_DEGREES = 10;
-    private static final double MOST_TURN = 20;
+    private static final double MOST_TURN = 10;
 
     private final SelfLocalisation self = new SelfLocalisation();
     private WalkVelocity wanted = WalkVelocity.ZERO;
