@@ -46,7 +46,7 @@ public record WalkCourse(
 
     /** Runs ahead with 0.9 to 1.3 m/s, with short steps, bends a little to both sides, slows down and stops. */
     public static final WalkCourse RUN =
-            new WalkCourse("run", new WalkVelocity(1.3, 0.2, 300), 0.3, 140, WalkCommands.AHEAD, 0.7, 0.3, 0.9);
+            new WalkCourse("run", new WalkVelocity(1.3, 0.2, 60), 0.3, 140, WalkCommands.AHEAD, 0.7, 0.3, 0.9);
 
     /** In which part of the lessons of a training the command stays the same. */
     private static final double LONG_SHARE = 0.4;
