@@ -75,7 +75,7 @@ public interface Performer extends AutoCloseable {
     }
 
     /**
-     * Tells how the robot is built that it moves, before anything else.
+     * Sets the build of the robot that it moves, before anything else.
      *
      * @param type the robot type
      */

@@ -51,7 +51,6 @@ public final class Trial implements AutoCloseable {
     private static final int CYCLES_TO_JOIN = 3;
 
     private static final int CYCLES_TO_WAKE = 14;
-
     private static final int CYCLES_TO_REST = 5;
 
     private final Scene scene;
@@ -229,7 +228,7 @@ public final class Trial implements AutoCloseable {
         return now();
     }
 
-    /** Makes the present moment the beginning, to which {@link #reset} returns from now on; performers begin anew there. */
+    /** Makes the present moment the beginning, to which {@link #reset} returns. */
     public void keep() {
         cycles = 0;
         world.keep();

@@ -61,16 +61,16 @@ public final class FallenRobot {
      * @param motion how
      * @param seed chooses how friction, mass and pushes differ from the usual
      * @param hardness 0 for the usual world, 1 for up to 30 % more or less friction, 10 % of mass and a hand that pushes with 3 N
+     * @param settlingSeconds how long it has to stand afterwards, seconds
      * @return what happened
      */
     public synchronized GetUpTrial getUp(Motion motion, long seed, double hardness, double settlingSeconds) {
-        Rehearsal robot = fallen.again();
         Random random = new Random(13 * seed + 5);
         random.nextLong();
+        double grip = 1 + hardness * GRIP_RANGE * (2 * random.nextDouble() - 1);
+        double mass = 1 + hardness * MASS_RANGE * (2 * random.nextDouble() - 1);
+        Rehearsal robot = fallen.again(grip, mass);
         if (hardness > 0) {
-            double grip = 1 + hardness * GRIP_RANGE * (2 * random.nextDouble() - 1);
-            double mass = 1 + hardness * MASS_RANGE * (2 * random.nextDouble() - 1);
-            robot.change(grip, mass);
             robot.with(new Disturbance(seed, hardness * PUSH_NEWTONS));
         }
         robot.begin(false);
@@ -84,6 +84,6 @@ public final class FallenRobot {
      * @return whether it lies on that side
      */
     public boolean lies(Lying side) {
-        return side.isTrueOf(fallen.again().body());
+        return side.isTrueOf(fallen.again(1, 1).body());
     }
 }

@@ -82,7 +82,7 @@ public final class Rehearsal implements AutoCloseable {
 
     /** A robot without noise that stands with all joints at 0. */
     static Rehearsal standing(RobotType type, WalkStyle style) {
-        MotorPuppet puppet = newPuppet(style);
+        MotorPuppet puppet = new MotorPuppet(new PolicyWalk(style, WalkReflex.NONE));
         Queue<Trial> idle = IDLE.computeIfAbsent(type, key -> new ConcurrentLinkedQueue<>());
         Trial trial = idle.poll();
         if (trial == null) {
@@ -93,37 +93,29 @@ public final class Rehearsal implements AutoCloseable {
         return new Rehearsal(trial, puppet, idle::add);
     }
 
-    private static MotorPuppet newPuppet(WalkStyle style) {
-        return new MotorPuppet(new PolicyWalk(style, WalkReflex.NONE));
-    }
-
     /** Makes the present moment the one to which {@link #again} returns. The robot must rest, and this rehearsal stays open. */
     void keep() {
         trial.keep();
     }
 
-    /** Returns to the moment that was kept, with motors that hold their joints; what was measured before is over. */
-    Rehearsal again() {
-        MotorPuppet rested = newPuppet(WalkStyle.STANDARD);
+    /** Returns to the moment that was kept, with motors that hold their joints, and with friction and mass times these factors. */
+    Rehearsal again(double grip, double mass) {
+        MotorPuppet rested = new MotorPuppet(new PolicyWalk(WalkStyle.STANDARD, WalkReflex.NONE));
         trial.reset(0, rested.performer());
+        trial.setGrip(grip);
+        trial.robot(0).setMassFactor(mass);
         return new Rehearsal(trial, rested, kept -> {});
     }
 
-    /** Makes surfaces more or less slippery and the robot heavier or lighter than usual, until the end. */
-    void change(double gripFactor, double massFactor) {
-        trial.setGrip(gripFactor);
-        trial.robot(0).setMassFactor(massFactor);
-    }
-
     /**
-     * Brings a robot into the stance by way of a nearby posture.
+     * Brings a standard robot into the stance by way of a nearby posture.
      *
      * @param seed chooses the disturbances
      * @param newtons strength of the pushes
      * @return the robot on its feet
      */
     public static Rehearsal inStance(long seed, double newtons) {
-        return inStance(WalkStyle.STANDARD, seed, newtons);
+        return inStance(RobotType.TYPE_0, seed, newtons);
     }
 
     /**
@@ -335,11 +327,7 @@ public final class Rehearsal implements AutoCloseable {
         return endsWithFall && poise.hasFallen();
     }
 
-    /**
-     * Waits a moment and looks whether the robot stands as it began.
-     *
-     * @return whether it has kept on its feet and stands upright, at rest and in the stance
-     */
+    /** {@return whether the robot has kept on its feet and, a moment later, stands upright, at rest and in the stance} */
     public boolean endsInStance() {
         return hold(SETTLING_SECONDS) && isInStance();
     }
