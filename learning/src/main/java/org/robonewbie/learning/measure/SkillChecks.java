@@ -67,11 +67,11 @@ final class SkillChecks {
                         0.05,
                         most(LocalisationTrial::cameraMetres)),
                 localisation(
-                        "camera's tilt",
-                        "95 % are at most 2°",
-                        "degrees, 95 %",
+                        "camera\'s tilt",
+                        "the median is at most 2°",
+                        "degrees, median",
                         2,
-                        most(LocalisationTrial::tiltDegrees)));
+                        middle(LocalisationTrial::tiltDegrees)));
     }
 
     private static ToDoubleFunction<LocalisationTrial> middle(Function<LocalisationTrial, double[]> errors) {

@@ -28,6 +28,7 @@ public final class Dribble {
     private static final double TOUCH_METRES = 0.2;
     private static final double TOUCH_SPEED = 0.3;
     private static final double ROLLING_SHARE = 0.3;
+    private static final double ROLLING_SECONDS = 0.05;
     private static final double BRAKING = 0.4;
     private static final double CALM_DEGREES = 3;
     private static final double AHEAD_SECONDS = 0.25;
@@ -99,8 +100,11 @@ public final class Dribble {
     }
 
     private void bring(WorldModel world, Spot target, Manner manner) {
-        Spot ball = world.ballIn(AHEAD_SECONDS).seenFrom(world.pose());
-        Spot way = target.minus(world.ball());
+        Spot ball = manner.brakes()
+                ? world.ballAtFeetIn(AHEAD_SECONDS)
+                : world.ballIn(AHEAD_SECONDS).seenFrom(world.pose());
+        Spot now = manner.brakes() ? world.ballAtFeetIn(0).onMap(world.pose()) : world.ball();
+        Spot way = target.minus(now);
         double turn = PortableMath.IEEEremainder(way.degrees() - world.pose().headingDegrees(), 360);
         if (isContested(world) && isAhead(ball) && Math.abs(turn) < CHARGE_DEGREES) {
             charge(world, ball, turn);
@@ -133,8 +137,8 @@ public final class Dribble {
         } else if (!manner.holds(ahead, left) || Math.abs(turn) > MOST_TURN) {
             feet.step(world, ball.minus(direction.times(BEHIND_METRES)), turn);
         } else {
-            double heading = world.pose().headingDegrees() + turn;
-            double rolling = Math.max(0, world.ballVelocity().dot(Spot.polar(heading, 1)));
+            Spot rolled = world.ballAtFeetIn(ROLLING_SECONDS).minus(world.ballAtFeetIn(0));
+            double rolling = Math.max(0, rolled.dot(direction)) / ROLLING_SECONDS;
             double speed = Math.min(Footwork.speed(world), manner.speed(ahead, rolling));
             double seconds = Math.max(0.5, (ahead - BEHIND_METRES) / speed);
             walk.towards(speed, -manner.miss(left) / seconds, 1.5 * beyond(turn, CALM_DEGREES));

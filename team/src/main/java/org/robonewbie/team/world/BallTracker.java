@@ -7,9 +7,9 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Follows the ball with a {@link BallFilter}. The filter lives in the frame of the pitch as the robot sees its team at the beginning: there
- * the ball keeps its place while the robot walks, falls and gets up. A robot that leans sees the ball aside of where it lies, so what
- * it sees is levelled first.
+ * Follows the ball with a {@link BallFilter}. The filter lives in a frame in which the ball keeps its place while the robot walks. There are
+ * two of them. The usual one is that of the odometry, and the torso is taken for upright: kick and tactics are tuned for that. The exact one
+ * is the pitch, and what is seen is levelled first, since a robot that leans sees the ball aside of where it lies.
  */
 final class BallTracker {
 
@@ -19,9 +19,15 @@ final class BallTracker {
     /** The camera is above the torso's centre, of which the robot knows the place. */
     private static final Vector3 CAMERA = new Vector3(0, 0, 0.155);
 
+    private final boolean exact;
     private final BallFilter filter = new BallFilter();
     private GroundPose here = GroundPose.ORIGIN;
     private double seenSeconds = Double.NEGATIVE_INFINITY;
+
+    /** Knows no ball yet. */
+    BallTracker(boolean exact) {
+        this.exact = exact;
+    }
 
     /** Lets the ball roll on by a cycle. */
     void roll() {
@@ -30,16 +36,12 @@ final class BallTracker {
         }
     }
 
-    /** Moves with the robot. */
-    void move(SelfLocalisation self) {
-        here = self.pose();
-    }
-
     /** Looks at the ball if there is a new picture. */
     void look(SelfLocalisation self, FieldItem ball, double seconds) {
+        here = exact ? self.pose() : self.odometry().pose();
         if (ball.isKnown() && ball.ageSeconds() == 0) {
-            Spot seen = Spot.of(self.levelled(ball.position().plus(CAMERA)));
-            filter.see(seen.onMap(here), NEAR_DEVIATION + DEVIATION_PER_METRE * ball.distance());
+            Vector3 seen = exact ? self.levelled(ball.position().plus(CAMERA)) : ball.position();
+            filter.see(Spot.of(seen).onMap(here), NEAR_DEVIATION + DEVIATION_PER_METRE * ball.distance());
             seenSeconds = seconds;
         }
     }

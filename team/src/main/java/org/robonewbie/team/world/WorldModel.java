@@ -38,7 +38,8 @@ public final class WorldModel {
     private static final double UPRIGHT_DEGREES = 15;
 
     private final SelfLocalisation self = new SelfLocalisation();
-    private final BallTracker tracker = new BallTracker();
+    private final BallTracker tracker = new BallTracker(false);
+    private final BallTracker exactTracker = new BallTracker(true);
     private final SideWatch sides = new SideWatch();
     private final SortedMap<Integer, Mate> mates = new TreeMap<>();
     private GroundPose pose = GroundPose.ORIGIN;
@@ -72,16 +73,17 @@ public final class WorldModel {
         fallen = nao.isFallen();
         if (seconds - beamedSeconds > BEAM_SECONDS) {
             self.update(nao, view);
-            tracker.move(self);
         }
         boolean upright = self.tiltDegrees() < UPRIGHT_DEGREES && !fallen;
         if (upright && seconds - beamedSeconds > BEAM_SECONDS) {
             tracker.look(self, view.ball(), seconds);
+            exactTracker.look(self, view.ball(), seconds);
         }
         sides.look(sides.convert(self.pose()), seconds);
         pose = sides.convert(self.pose());
         rememberBegin();
         tracker.roll();
+        exactTracker.roll();
         updateSituation(nao);
         mates.values().removeIf(mate -> seconds - mate.heardSeconds() > MATE_SECONDS);
         believeBall();
@@ -167,6 +169,7 @@ public final class WorldModel {
         self.setPose(sides.convert(place));
         sides.beamed(place, seconds);
         tracker.reset();
+        exactTracker.reset();
         beamedSeconds = seconds;
         pose = place;
     }
@@ -269,6 +272,16 @@ public final class WorldModel {
      */
     public Spot ballIn(double later) {
         return BallFilter.foresee(ball, ballVelocity, later);
+    }
+
+    /**
+     * Foresees the ball as the robot sees it itself, with regard to how the torso leans: for the ball at its feet.
+     *
+     * @param later how many seconds from now
+     * @return where it will be, seen from the robot
+     */
+    public Spot ballAtFeetIn(double later) {
+        return BallFilter.foresee(exactTracker.position(), exactTracker.velocity(), later);
     }
 
     /** {@return the team mates that were heard lately, by their numbers} */
