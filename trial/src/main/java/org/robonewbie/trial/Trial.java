@@ -44,7 +44,6 @@ public final class Trial implements AutoCloseable {
 
     /** A robot appears in the first cycle and gets a message after the third. */
     private static final int CYCLES_TO_APPEAR = 3;
-
     private static final int CYCLES_TO_SETTLE = 25;
 
     /** A program needs 17 messages to begin: these in which it learns its number, and others in which it settles. */
