@@ -221,8 +221,14 @@ public final class ConnectedAgent {
                 connection.executedMessage().toString());
     }
 
-    /** The agent with its robot as one of those that are recorded. */
-    Participant participant(Robot body) {
+    /** Adds the agent with its robot to those that are recorded; nothing is added without robot. */
+    void addParticipantTo(List<Participant> participants) {
+        if (robot.isPresent()) {
+            participants.add(participant(robot.get()));
+        }
+    }
+
+    private Participant participant(Robot body) {
         Participant now = lastParticipant;
         if (now == null
                 || now.id() != id

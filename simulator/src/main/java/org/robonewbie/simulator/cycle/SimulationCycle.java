@@ -309,11 +309,7 @@ public final class SimulationCycle implements Restorable {
 
     private List<Participant> participants() {
         List<Participant> all = new ArrayList<>(agents.size());
-        for (int i = 0; i < agents.size(); i++) {
-            if (agents.get(i).robot().isPresent()) {
-                all.add(agents.get(i).participant(agents.get(i).robot().get()));
-            }
-        }
+        agents.forEach(agent -> agent.addParticipantTo(all));
         return all;
     }
 

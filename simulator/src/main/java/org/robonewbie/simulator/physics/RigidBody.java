@@ -50,7 +50,7 @@ public interface RigidBody {
     }
 
     /**
-     * Tells whether the body is not too far away.
+     * Checks that the body is not too far away.
      *
      * @param metres a limit for the absolute value of each coordinate
      * @return whether each coordinate of the centre is below the limit; false if one is not a number

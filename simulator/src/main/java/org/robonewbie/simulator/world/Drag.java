@@ -1,5 +1,6 @@
 package org.robonewbie.simulator.world;
 
+import java.util.List;
 import org.robonewbie.simulator.physics.RigidBody;
 
 /**
@@ -10,6 +11,12 @@ import org.robonewbie.simulator.physics.RigidBody;
  * @param angular newton metres per radian per second
  */
 record Drag(double linear, double angular) {
+
+    void applyTo(List<RigidBody> bodies) {
+        for (int i = 0; i < bodies.size(); i++) {
+            applyTo(bodies.get(i));
+        }
+    }
 
     void applyTo(RigidBody body) {
         body.resist(linear, angular);

@@ -40,9 +40,11 @@ final class FootPlate implements Restorable {
         touching = false;
     }
 
-    void add(Contact contact) {
-        contacts.add(contact);
-        touching = true;
+    void feel(int touchedLink, Contact contact) {
+        if (touchedLink == link) {
+            contacts.add(contact);
+            touching = true;
+        }
     }
 
     void update(RigidBody foot) {

@@ -319,43 +319,28 @@ public final class Robot {
 
     void prepareStep() {
         accelerometer.measure(bodies.get(0));
-        for (int i = 0; i < allPlates.size(); i++) {
-            allPlates.get(i).clear();
-        }
+        allPlates.forEach(FootPlate::clear);
         if (beam.isPresent()) {
             moveUpright(beam.get().position(), beam.get().yawDegrees());
             beam = Optional.empty();
         }
-        for (int i = 0; i < bodies.size(); i++) {
-            DRAG.applyTo(bodies.get(i));
-        }
+        DRAG.applyTo(bodies);
     }
 
     void feel(int linkIndex, Contact contact) {
         for (int i = 0; i < allPlates.size(); i++) {
-            if (allPlates.get(i).link() == linkIndex) {
-                allPlates.get(i).add(contact);
-            }
+            allPlates.get(i).feel(linkIndex, contact);
         }
     }
 
     void finishStep() {
-        if (isTornApart()) {
+        if (!WorldLimits.areWithin(bodies)) {
             rebuild();
         }
         for (int i = 0; i < allPlates.size(); i++) {
             FootPlate plate = allPlates.get(i);
             plate.update(bodies.get(plate.link()));
         }
-    }
-
-    private boolean isTornApart() {
-        for (int i = 0; i < bodies.size(); i++) {
-            if (!WorldLimits.isWithin(bodies.get(i))) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** Puts a robot that was torn apart into the pose of a new one. */

@@ -1,5 +1,6 @@
 package org.robonewbie.simulator.world;
 
+import java.util.List;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.physics.RigidBody;
 
@@ -34,6 +35,16 @@ final class WorldLimits {
     /** Whether a body may stay where it is. */
     static boolean isWithin(RigidBody body) {
         return body.isWithin(FARTHEST);
+    }
+
+    /** Whether all bodies of a robot may stay where they are; if not, it was torn apart. */
+    static boolean areWithin(List<RigidBody> bodies) {
+        for (int i = 0; i < bodies.size(); i++) {
+            if (!isWithin(bodies.get(i))) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private static Vector3 cut(Vector3 vector, double limit) {
