@@ -14,9 +14,11 @@ final class RunChecks {
     private static final double SECONDS_TO_SLOW_DOWN = 3;
     private static final double MOST_DRIFT = 10;
 
+    /** What is commanded, metres per second: less than the run can do, so that it is steady for long. */
+    private static final double COMMANDED = 1.35;
+
     private final RobotType type;
     private final PolicyWalk learned = new PolicyWalk(PolicyFile.shipped("run"));
-    private final double fastest = learned.style().most().forward();
 
     private RunChecks(RobotType type) {
         this.type = type;
@@ -67,6 +69,6 @@ final class RunChecks {
     }
 
     private WalkVelocity ahead(double share) {
-        return new WalkVelocity(fastest * Math.max(0, share), 0, 0);
+        return new WalkVelocity(COMMANDED * Math.max(0, share), 0, 0);
     }
 }
