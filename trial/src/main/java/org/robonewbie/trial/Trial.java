@@ -41,16 +41,15 @@ import org.robonewbie.simulator.world.Robot;
 public final class Trial implements AutoCloseable {
 
     private static final double TORSO_METRES = 0.39;
+    private static final int CYCLES_TO_SETTLE = 25;
+    private static final int CYCLES_TO_WAKE = 14;
+    private static final int CYCLES_TO_REST = 5;
 
     /** A robot appears in the first cycle and gets a message after the third. */
     private static final int CYCLES_TO_APPEAR = 3;
-    private static final int CYCLES_TO_SETTLE = 25;
 
     /** A program needs 17 messages to begin: these in which it learns its number, and others in which it settles. */
     private static final int CYCLES_TO_JOIN = 3;
-
-    private static final int CYCLES_TO_WAKE = 14;
-    private static final int CYCLES_TO_REST = 5;
 
     private final Scene scene;
     private final SteppedSimulator simulator;

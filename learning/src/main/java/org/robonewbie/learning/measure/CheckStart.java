@@ -3,6 +3,7 @@ package org.robonewbie.learning.measure;
 import java.util.function.LongFunction;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkStyle;
+import org.robonewbie.learning.rehearsal.LongWay;
 import org.robonewbie.learning.rehearsal.Rehearsal;
 import org.robonewbie.nao.model.RobotType;
 
@@ -41,7 +42,7 @@ record CheckStart(String suffix, String words, LongFunction<Rehearsal> opening) 
                 suffix(type),
                 "an agent on an own simulator with noise and the league's pitch, in the stance, reached from a posture"
                         + " beside it; pushed by a hand each second",
-                seed -> Rehearsal.onLeaguePitch(seed, type, style));
+                seed -> LongWay.walking(seed, type, style));
     }
 
     /** An agent that runs as it has learned and steers by what it sees and feels, else as {@link #onLeaguePitch(RobotType, WalkStyle)}. */
@@ -50,7 +51,7 @@ record CheckStart(String suffix, String words, LongFunction<Rehearsal> opening) 
                 suffix(type),
                 "an agent on an own simulator with noise and the league's pitch, in the stance, reached from a posture"
                         + " beside it; pushed by a hand each second; it steers by its own sensors",
-                seed -> Rehearsal.onLeaguePitch(seed, type, learned));
+                seed -> LongWay.running(seed, type, learned));
     }
 
     /** The name of a motion for a robot of some build, which has a motion of its own if its legs are long. */

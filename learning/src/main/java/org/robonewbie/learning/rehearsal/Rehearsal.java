@@ -23,7 +23,6 @@ import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
-import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
@@ -49,9 +48,6 @@ public final class Rehearsal implements AutoCloseable {
     private static final Place START = new Place(-4.5, 1.5, 0);
     private static final RobotStart ROBOT = RobotStart.at(START);
     private static final Vector3 BALL_ASIDE = new Vector3(0, -3.5, 0);
-    private static final Place FAR_END = new Place(-14, 0, 0);
-    private static final Vector3 BALL_FAR_ASIDE = new Vector3(0, -9, 0);
-    private static final double PUSH_NEWTONS = 3;
     private static final double NOISE_DEGREES = 1;
     private static final double SETTLING_SECONDS = 0.6;
     private static final double SECONDS_TO_STOP = 3;
@@ -156,7 +152,7 @@ public final class Rehearsal implements AutoCloseable {
         return standing(type, WalkStyle.STANDARD).intoStance(seed, newtons);
     }
 
-    private Rehearsal intoStance(long seed, double newtons) {
+    Rehearsal intoStance(long seed, double newtons) {
         Disturbance disturbance = new Disturbance(seed, newtons);
         moveTo(disturbance.near(Stance.POSTURE, NOISE_DEGREES), 600);
         moveTo(Stance.POSTURE, 400);
@@ -178,38 +174,8 @@ public final class Rehearsal implements AutoCloseable {
         return served(scene, seed, new AgentPuppet(WalkStyle.STANDARD));
     }
 
-    /**
-     * Lets an agent in the stance do what it is told, on a whole simulator with noise and the league's pitch, which has room for
-     * long ways. It reaches the stance by way of a nearby posture, and a hand pushes it.
-     *
-     * @param seed chooses noise and disturbances
-     * @param type how the robot is built
-     * @param style how it walks
-     * @return the robot on its feet, 14 m before the centre line, facing the other half
-     */
-    public static Rehearsal onLeaguePitch(long seed, RobotType type, WalkStyle style) {
-        return served(leaguePitch(type), seed, new AgentPuppet(style)).intoStance(seed, PUSH_NEWTONS);
-    }
-
-    /**
-     * Lets an agent run as it has learned, else as {@link #onLeaguePitch(long, RobotType, WalkStyle)}. It keeps to the line ahead of
-     * where it begins to walk, by what it sees and feels itself.
-     *
-     * @param seed chooses noise and disturbances
-     * @param type how the robot is built
-     * @param learned how it runs
-     * @return the robot on its feet, 14 m before the centre line, facing the other half
-     */
-    public static Rehearsal onLeaguePitch(long seed, RobotType type, PolicyWalk learned) {
-        return served(leaguePitch(type), seed, new RunnerPuppet(learned)).intoStance(seed, PUSH_NEWTONS);
-    }
-
-    private static Scene leaguePitch(RobotType type) {
-        RobotStart robot = RobotStart.at(FAR_END).withType(type).after("stand");
-        return Scene.of(robot).withParameters(SoccerParameters.league()).withBall(BALL_FAR_ASIDE);
-    }
-
-    private static Rehearsal served(Scene scene, long seed, Puppet puppet) {
+    /** Lets an agent do what it is told, on a whole simulator with noise and a referee. */
+    static Rehearsal served(Scene scene, long seed, Puppet puppet) {
         Rehearsal rehearsal = new Rehearsal(Trial.served(scene, seed, puppet.performer()), puppet, Trial::close);
         rehearsal.begin(true);
         return rehearsal;
