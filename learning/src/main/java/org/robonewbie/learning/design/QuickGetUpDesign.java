@@ -98,7 +98,7 @@ public final class QuickGetUpDesign {
         List<FallenRobot> some = falls.draw();
         List<FallenRobot> others = falls.draw();
         double[] once = candidates.stream()
-                .mapToDouble(x -> cost(x, some, 2 * generation))
+                .mapToDouble(x -> cost(x, some, 2L * generation))
                 .toArray();
         double median = DoubleStream.of(once).sorted().toArray()[once.length / 2];
         return IntStream.range(0, once.length)
