@@ -166,8 +166,8 @@ class SimulationControlTest {
 
     @Test
     void refereeCanBeOverruled() throws InterruptedException {
-        control.order(new Order.ChangePlayMode(PlayMode.GOAL_KICK_LEFT));
-        await(snapshot -> snapshot.playMode() == PlayMode.GOAL_KICK_LEFT);
+        control.order(new Order.ChangePlayMode(PlayMode.FREE_KICK_LEFT));
+        await(snapshot -> snapshot.playMode() == PlayMode.FREE_KICK_LEFT);
         control.order(new Order.DropBall());
         await(snapshot -> snapshot.playMode() == PlayMode.PLAY_ON);
         control.order(new Order.KickOff(TeamSide.RIGHT));
