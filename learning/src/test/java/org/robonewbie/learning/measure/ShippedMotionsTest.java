@@ -12,6 +12,9 @@ class ShippedMotionsTest {
     /** What is measured in trials that another check judges already. */
     private static final List<String> SECOND_LOOKS = List.of(", straight", ", drift", "place, mostly", ", heading");
 
+    /** Falls in two of twenty long runs, as the documents say; {@code LearnedWalkTest} holds what it does over 10 m. */
+    private static final String NOT_IN_EACH_TRIAL = "learned run";
+
     @ParameterizedTest
     @MethodSource("checks")
     void keepToTheirRule(MotionCheck check) {
@@ -35,6 +38,7 @@ class ShippedMotionsTest {
 
     static List<MotionCheck> checks() {
         return MotionMeasurement.checks().stream()
+                .filter(check -> !check.name().startsWith(NOT_IN_EACH_TRIAL))
                 .filter(check -> SECOND_LOOKS.stream().noneMatch(check.name()::endsWith))
                 .toList();
     }
