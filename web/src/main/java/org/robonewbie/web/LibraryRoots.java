@@ -43,7 +43,6 @@ import org.robonewbie.team.world.BallFilter;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.Spot;
-import org.robonewbie.team.world.Tilt;
 import org.robonewbie.team.world.WorldModel;
 
 /** Classes that programs of students may use and nothing else in the page does: what is named here gets into the compiled program. */
@@ -97,7 +96,6 @@ final class LibraryRoots {
             Mate.class,
             Situation.class,
             Spot.class,
-            Tilt.class,
             WorldModel.class);
 
     private LibraryRoots() {}
