@@ -35,14 +35,16 @@ class FirefoxPageTest {
 
     @BeforeEach
     void open() throws IOException {
-        server = new StaticServer(Path.of("target", "web").toAbsolutePath());
         browser = Firefox.start(profile);
+        server = new StaticServer(Path.of("target", "web").toAbsolutePath());
     }
 
     @AfterEach
     void end() {
-        browser.close();
-        server.close();
+        if (browser != null) { // it is null where there is no Firefox, and the test is skipped
+            browser.close();
+            server.close();
+        }
     }
 
     @Test
