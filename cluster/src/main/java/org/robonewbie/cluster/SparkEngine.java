@@ -5,9 +5,11 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
 import org.jspecify.annotations.Nullable;
@@ -63,7 +65,7 @@ public final class SparkEngine implements ExperimentEngine {
                             spark.parallelize(new ArrayList<>(trials), slices).rdd(),
                             new Slice(experiment),
                             new Results(trials, progress, sink),
-                            ClassTag$.MODULE$.apply(ArrayList.class));
+                            ClassTag$.MODULE$.apply(List.class));
         } catch (Exception failed) {
             throw unchecked(failed);
         }
@@ -103,10 +105,10 @@ public final class SparkEngine implements ExperimentEngine {
     }
 
     /** What came of a trial: its numbers, or why there are none. */
-    private record Outcome(int number, double[] numbers, String failure) implements Serializable {}
+    private record Outcome(int number, List<Double> numbers, String failure) implements Serializable {}
 
     /** What a worker does. */
-    private static final class Slice extends AbstractFunction1<Iterator<PlannedTrial>, ArrayList<Outcome>>
+    private static final class Slice extends AbstractFunction1<Iterator<PlannedTrial>, List<Outcome>>
             implements Serializable {
 
         private static final long serialVersionUID = 1;
@@ -118,8 +120,8 @@ public final class SparkEngine implements ExperimentEngine {
         }
 
         @Override
-        public ArrayList<Outcome> apply(Iterator<PlannedTrial> trials) {
-            ArrayList<Outcome> outcomes = new ArrayList<>();
+        public List<Outcome> apply(Iterator<PlannedTrial> trials) {
+            List<Outcome> outcomes = new ArrayList<>();
             while (trials.hasNext()) {
                 outcomes.add(outcome(trials.next()));
             }
@@ -129,15 +131,18 @@ public final class SparkEngine implements ExperimentEngine {
         private Outcome outcome(PlannedTrial trial) {
             Experiment carriedOut = Experiment.of(experiment);
             try {
-                return new Outcome(trial.number(), trial.run(carriedOut), "");
+                return new Outcome(
+                        trial.number(),
+                        DoubleStream.of(trial.run(carriedOut)).boxed().toList(),
+                        "");
             } catch (IllegalStateException failed) {
-                return new Outcome(trial.number(), new double[0], String.valueOf(failed.getMessage()));
+                return new Outcome(trial.number(), List.of(), String.valueOf(failed.getMessage()));
             }
         }
     }
 
     /** Passes on what comes back, one slice after the other. */
-    private static final class Results extends AbstractFunction2<Object, ArrayList<Outcome>, BoxedUnit> {
+    private static final class Results extends AbstractFunction2<Object, List<Outcome>, BoxedUnit> {
 
         private final Map<Integer, PlannedTrial> trials;
         private final IntConsumer progress;
@@ -151,11 +156,15 @@ public final class SparkEngine implements ExperimentEngine {
         }
 
         @Override
-        public synchronized BoxedUnit apply(Object slice, ArrayList<Outcome> outcomes) {
+        public synchronized BoxedUnit apply(Object slice, List<Outcome> outcomes) {
             for (Outcome outcome : outcomes) {
-                PlannedTrial trial = trials.get(outcome.number());
+                PlannedTrial trial = Objects.requireNonNull(trials.get(outcome.number()));
                 if (outcome.failure().isEmpty()) {
-                    sink.measured(trial, outcome.numbers());
+                    sink.measured(
+                            trial,
+                            outcome.numbers().stream()
+                                    .mapToDouble(Double::doubleValue)
+                                    .toArray());
                 } else {
                     sink.failed(trial, outcome.failure());
                 }
