@@ -16,6 +16,10 @@ import org.robonewbie.nao.model.RobotType;
  */
 record CheckStart(String suffix, String words, LongFunction<Rehearsal> opening) {
 
+    private static final String ON_LEAGUE_PITCH =
+            "an agent on an own simulator with noise and the league's pitch, in the stance, reached from a posture"
+                    + " beside it; pushed by a hand each second";
+
     /** A robot in a bare world, pushed by a hand. */
     static final CheckStart BARE =
             new CheckStart("", "stance, reached from a posture beside it", seed -> Rehearsal.inStance(seed, 3));
@@ -38,25 +42,15 @@ record CheckStart(String suffix, String words, LongFunction<Rehearsal> opening) 
 
     /** An agent on a whole simulator, with room for long ways. */
     static CheckStart onLeaguePitch(RobotType type, WalkStyle style) {
-        return new CheckStart(
-                suffix(type),
-                "an agent on an own simulator with noise and the league's pitch, in the stance, reached from a posture"
-                        + " beside it; pushed by a hand each second",
-                seed -> LongWay.walking(seed, type, style));
+        return new CheckStart(suffix(type), ON_LEAGUE_PITCH, seed -> LongWay.walking(seed, type, style));
     }
 
     /** An agent that runs as it has learned and steers by what it sees and feels, else as {@link #onLeaguePitch(RobotType, WalkStyle)}. */
     static CheckStart onLeaguePitch(RobotType type, PolicyWalk learned) {
         return new CheckStart(
                 suffix(type),
-                "an agent on an own simulator with noise and the league's pitch, in the stance, reached from a posture"
-                        + " beside it; pushed by a hand each second; it steers by its own sensors",
+                ON_LEAGUE_PITCH + "; it steers by its own sensors",
                 seed -> LongWay.running(seed, type, learned));
-    }
-
-    /** The name of a motion for a robot of some build, which has a motion of its own if its legs are long. */
-    static String motionFor(RobotType type, String name) {
-        return type.hasLongLegs() ? name + "-long-legs" : name;
     }
 
     /** What the names of checks end with if the robot is not the usual one. */

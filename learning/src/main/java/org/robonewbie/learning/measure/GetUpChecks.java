@@ -22,8 +22,8 @@ record GetUpChecks(RobotType type) {
         return List.of(
                 getUp("stand-up-from-back", Lying.ON_BACK),
                 getUp("stand-up-from-front", Lying.ON_FRONT),
-                getUp(CheckStart.motionFor(type, "quick-stand-up-from-back"), Lying.ON_BACK),
-                getUp(CheckStart.motionFor(type, "quick-stand-up-from-front"), Lying.ON_FRONT),
+                getUp(type.ownMotion("quick-stand-up-from-back"), Lying.ON_BACK),
+                getUp(type.ownMotion("quick-stand-up-from-front"), Lying.ON_FRONT),
                 getUp("stand-up-from-left-side", Lying.ON_LEFT),
                 getUp("stand-up-from-right-side", Lying.ON_RIGHT));
     }

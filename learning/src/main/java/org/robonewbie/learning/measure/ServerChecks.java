@@ -18,8 +18,8 @@ final class ServerChecks {
                 EngineChecks.turn(start),
                 getUp(start, "stand-up-from-back", "fall-back"),
                 getUp(start, "stand-up-from-front", "fall-forward"),
-                getUp(start, CheckStart.motionFor(type, "quick-stand-up-from-back"), "fall-back"),
-                getUp(start, CheckStart.motionFor(type, "quick-stand-up-from-front"), "fall-forward"),
+                getUp(start, type.ownMotion("quick-stand-up-from-back"), "fall-back"),
+                getUp(start, type.ownMotion("quick-stand-up-from-front"), "fall-forward"),
                 KickChecks.kick(start, "kick-right"),
                 KickChecks.pass(start, "pass-right"));
     }

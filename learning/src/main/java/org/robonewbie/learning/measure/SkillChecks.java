@@ -67,7 +67,7 @@ final class SkillChecks {
                         0.05,
                         most(LocalisationTrial::cameraMetres)),
                 localisation(
-                        "camera\'s tilt",
+                        "camera's tilt",
                         "the median is at most 2°",
                         "degrees, median",
                         2,

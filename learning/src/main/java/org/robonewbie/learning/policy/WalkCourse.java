@@ -83,6 +83,24 @@ public record WalkCourse(
         return course;
     }
 
+    WalkCourse withForward(double low, double high) {
+        WalkVelocity faster = new WalkVelocity(high, most.left(), most.turn());
+        return new WalkCourse(
+                task, faster, backward, stepMillis, commands, low / high, slowShare, toleratedMetresPerSecond);
+    }
+
+    WalkCourse withStepMillis(int millis) {
+        return new WalkCourse(task, most, backward, millis, commands, leastAhead, slowShare, toleratedMetresPerSecond);
+    }
+
+    WalkCourse withSlowShare(double share) {
+        return new WalkCourse(task, most, backward, stepMillis, commands, leastAhead, share, toleratedMetresPerSecond);
+    }
+
+    WalkCourse withToleratedMetresPerSecond(double metresPerSecond) {
+        return new WalkCourse(task, most, backward, stepMillis, commands, leastAhead, slowShare, metresPerSecond);
+    }
+
     @Override
     public String words(TrainingPlan plan) {
         String options =

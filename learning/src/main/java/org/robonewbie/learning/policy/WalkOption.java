@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import org.robonewbie.agent.walk.WalkVelocity;
 
 /** What can be different in lessons of walking; each is written {@code name=value}. */
 public enum WalkOption {
@@ -20,14 +19,7 @@ public enum WalkOption {
 
         @Override
         WalkCourse changed(WalkCourse course, double low, double high) {
-            WalkVelocity most = course.most();
-            return of(
-                    course,
-                    new WalkVelocity(high, most.left(), most.turn()),
-                    course.stepMillis(),
-                    low / high,
-                    course.slowShare(),
-                    course.toleratedMetresPerSecond());
+            return course.withForward(low, high);
         }
     },
     /** Time of one step, milliseconds. */
@@ -40,13 +32,7 @@ public enum WalkOption {
 
         @Override
         WalkCourse changed(WalkCourse course, double millis, double none) {
-            return of(
-                    course,
-                    course.most(),
-                    (int) millis,
-                    course.leastAhead(),
-                    course.slowShare(),
-                    course.toleratedMetresPerSecond());
+            return course.withStepMillis((int) millis);
         }
     },
     /** Which part of the later commands of a run slows it down. */
@@ -59,13 +45,7 @@ public enum WalkOption {
 
         @Override
         WalkCourse changed(WalkCourse course, double share, double none) {
-            return of(
-                    course,
-                    course.most(),
-                    course.stepMillis(),
-                    course.leastAhead(),
-                    share,
-                    course.toleratedMetresPerSecond());
+            return course.withSlowShare(share);
         }
     },
     /** Which error of the velocity leaves nothing of the reward, metres per second. */
@@ -78,13 +58,7 @@ public enum WalkOption {
 
         @Override
         WalkCourse changed(WalkCourse course, double metresPerSecond, double none) {
-            return of(
-                    course,
-                    course.most(),
-                    course.stepMillis(),
-                    course.leastAhead(),
-                    course.slowShare(),
-                    metresPerSecond);
+            return course.withToleratedMetresPerSecond(metresPerSecond);
         }
     };
 
@@ -129,23 +103,5 @@ public enum WalkOption {
 
     private static double number(String text) {
         return text.isEmpty() ? 0 : Double.parseDouble(text);
-    }
-
-    private static WalkCourse of(
-            WalkCourse course,
-            WalkVelocity most,
-            int stepMillis,
-            double leastAhead,
-            double slowShare,
-            double toleratedMetresPerSecond) {
-        return new WalkCourse(
-                course.task(),
-                most,
-                course.backward(),
-                stepMillis,
-                course.commands(),
-                leastAhead,
-                slowShare,
-                toleratedMetresPerSecond);
     }
 }

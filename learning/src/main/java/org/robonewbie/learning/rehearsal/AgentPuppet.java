@@ -7,7 +7,7 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Performer;
 
 /** An agent as puppet, with all that lies between an agent and its motors. */
-final class AgentPuppet extends Agent implements Puppet {
+class AgentPuppet extends Agent implements Puppet {
 
     AgentPuppet(WalkStyle style) {
         walk.setStyle(style);

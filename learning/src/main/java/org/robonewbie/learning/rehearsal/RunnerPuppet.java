@@ -1,19 +1,17 @@
 package org.robonewbie.learning.rehearsal;
 
-import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.walk.PolicyWalk;
+import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.motion.Motion;
-import org.robonewbie.trial.Performer;
 
 /**
  * An agent that walks as it has learned and keeps to the line ahead of the place where it began to walk. Where it is it knows from
  * its own messages: {@link SelfLocalisation}.
  */
-final class RunnerPuppet extends Agent implements Puppet {
+final class RunnerPuppet extends AgentPuppet {
 
     private static final double TURN_FOR_A_DEGREE = 1;
     private static final double DEGREES_FOR_A_METRE = 20;
@@ -25,17 +23,8 @@ final class RunnerPuppet extends Agent implements Puppet {
     private GroundPose start = GroundPose.ORIGIN;
 
     RunnerPuppet(PolicyWalk learned) {
+        super(WalkStyle.STANDARD);
         walk.setPolicy(learned);
-    }
-
-    @Override
-    public Performer performer() {
-        return Performer.ofAgent(this);
-    }
-
-    @Override
-    public void play(Motion motion) {
-        motions.start(motion);
     }
 
     @Override
@@ -44,11 +33,6 @@ final class RunnerPuppet extends Agent implements Puppet {
             start = self.pose();
         }
         wanted = velocity;
-    }
-
-    @Override
-    public boolean isBusy() {
-        return walk.isWalking() || !motions.isFinished();
     }
 
     @Override

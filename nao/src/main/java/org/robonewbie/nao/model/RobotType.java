@@ -54,6 +54,16 @@ public enum RobotType {
         return thighZ < TYPE_0.thighZ;
     }
 
+    /**
+     * Names the motion for robots of this build, where the library has different ones: that for long legs ends with {@code -long-legs}.
+     *
+     * @param motion the name of the motion for the standard robot, such as {@code quick-stand-up-from-back}
+     * @return the name of the motion for this robot
+     */
+    public String ownMotion(String motion) {
+        return hasLongLegs() ? motion + "-long-legs" : motion;
+    }
+
     double toeLength() {
         return toeLength;
     }

@@ -59,10 +59,10 @@ final class Percepts {
     }
 
     private Optional<Vision> picture(ConnectedAgent agent, List<VisiblePlayer> players) {
-        if (!agent.seesInThisCycle() || agent.robot().isEmpty() || isStillNobody(agent)) {
-            return Optional.empty();
-        }
-        if (agent.camera().isEmpty()) {
+        if (!agent.seesInThisCycle()
+                || agent.robot().isEmpty()
+                || agent.camera().isEmpty()
+                || isStillNobody(agent)) {
             return Optional.empty();
         }
         Optional<TeamSide> side = agent.player().map(Player::side);

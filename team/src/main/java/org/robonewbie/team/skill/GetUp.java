@@ -39,8 +39,7 @@ public final class GetUp {
 
     private void start(String quickWay) {
         if (quickly) {
-            boolean isLong = body.nao().getType().hasLongLegs();
-            body.motions().start(isLong ? quickWay + "-long-legs" : quickWay);
+            body.motions().start(body.nao().getType().ownMotion(quickWay));
         } else {
             body.motions().startGetUp();
         }
