@@ -9,7 +9,7 @@ public interface Assembly {
     /**
      * Adds a body at rest that is parallel to the world's axes.
      *
-     * @param mass how heavy it is and how hard to moveNumber
+     * @param mass how heavy it is and how hard to turn
      * @param position its centre of mass in metres
      * @return the new body
      */

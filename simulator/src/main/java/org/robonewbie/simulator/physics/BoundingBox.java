@@ -41,19 +41,19 @@ public record BoundingBox(Vector3 min, Vector3 max) {
                         Math.max(max.z(), other.max.z())));
     }
 
-    private static Vector3 halfExtents(Shape shape, RotationMatrix moveNumber) {
+    private static Vector3 halfExtents(Shape shape, RotationMatrix turn) {
         if (shape instanceof Shape.Box box) {
             Vector3 half = box.size().times(0.5);
             return new Vector3(
-                    Math.abs(moveNumber.xx()) * half.x()
-                            + Math.abs(moveNumber.xy()) * half.y()
-                            + Math.abs(moveNumber.xz()) * half.z(),
-                    Math.abs(moveNumber.yx()) * half.x()
-                            + Math.abs(moveNumber.yy()) * half.y()
-                            + Math.abs(moveNumber.yz()) * half.z(),
-                    Math.abs(moveNumber.zx()) * half.x()
-                            + Math.abs(moveNumber.zy()) * half.y()
-                            + Math.abs(moveNumber.zz()) * half.z());
+                    Math.abs(turn.xx()) * half.x()
+                            + Math.abs(turn.xy()) * half.y()
+                            + Math.abs(turn.xz()) * half.z(),
+                    Math.abs(turn.yx()) * half.x()
+                            + Math.abs(turn.yy()) * half.y()
+                            + Math.abs(turn.yz()) * half.z(),
+                    Math.abs(turn.zx()) * half.x()
+                            + Math.abs(turn.zy()) * half.y()
+                            + Math.abs(turn.zz()) * half.z());
         }
         if (shape instanceof Shape.Sphere sphere) {
             return new Vector3(sphere.radius(), sphere.radius(), sphere.radius());
@@ -61,8 +61,8 @@ public record BoundingBox(Vector3 min, Vector3 max) {
         Shape.Capsule capsule = (Shape.Capsule) shape;
         double half = capsule.length() / 2;
         return new Vector3(
-                capsule.radius() + Math.abs(moveNumber.xz()) * half,
-                capsule.radius() + Math.abs(moveNumber.yz()) * half,
-                capsule.radius() + Math.abs(moveNumber.zz()) * half);
+                capsule.radius() + Math.abs(turn.xz()) * half,
+                capsule.radius() + Math.abs(turn.yz()) * half,
+                capsule.radius() + Math.abs(turn.zz()) * half);
     }
 }

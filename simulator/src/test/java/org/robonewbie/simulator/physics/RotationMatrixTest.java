@@ -10,7 +10,7 @@ import org.robonewbie.nao.Vector3;
 
 class RotationMatrixTest {
 
-    /** Turns x to y, y to z, z to x: a third of a full moveNumber about (1, 1, 1). */
+    /** Turns x to y, y to z, z to x: a third of a full turn about (1, 1, 1). */
     private static final RotationMatrix CYCLE = new RotationMatrix(0, 0, 1, 1, 0, 0, 0, 1, 0);
 
     @Test

@@ -42,9 +42,9 @@ class RedirectedMathematicsTest {
     @Test
     void quaternionOfATurnHoldsThePortableSine() {
         assertThat(IntStream.range(1, 10_000).mapToDouble(i -> 0.0003 * i)).allMatch(angle -> {
-            DQuaternion moveNumber = new DQuaternion();
-            DRotation.dQFromAxisAndAngle(moveNumber, 1, 0, 0, angle);
-            return moveNumber.get1() == PortableMath.sin(0.5 * angle);
+            DQuaternion turn = new DQuaternion();
+            DRotation.dQFromAxisAndAngle(turn, 1, 0, 0, angle);
+            return turn.get1() == PortableMath.sin(0.5 * angle);
         });
     }
 }
