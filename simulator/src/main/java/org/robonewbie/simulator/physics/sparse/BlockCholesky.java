@@ -11,7 +11,7 @@ import java.util.Arrays;
  */
 final class BlockCholesky {
 
-    private EliminationPlan plan = EliminationPlan.EMPTY;
+    private EliminationPlan plan = new EliminationPlan();
     private final ScratchCapacity capacity = new ScratchCapacity(1 << 14);
     private double[] matrix = {};
     private double[] factor = {};
@@ -21,7 +21,7 @@ final class BlockCholesky {
     /** Builds the matrix: J M⁻¹ Jᵀ and the softness on the diagonal. */
     void assemble(EliminationPlan newPlan, ConstraintRows rows) {
         plan = newPlan;
-        int length = capacity.fit(factor.length, plan.size);
+        int length = capacity.fit(factor.length, plan.size());
         if (length != factor.length) {
             matrix = new double[length];
             factor = new double[length];
@@ -30,9 +30,9 @@ final class BlockCholesky {
             inverseDiagonal = new double[2 * plan.rows()];
             changed = new boolean[inverseDiagonal.length];
         }
-        Arrays.fill(matrix, 0, plan.size, 0);
+        Arrays.fill(matrix, 0, plan.size(), 0);
         int[] overlaps = plan.overlaps;
-        for (int i = 0; i < overlaps.length; i += EliminationPlan.OVERLAP_NUMBERS) {
+        for (int i = 0; i < plan.overlapsEnd; i += EliminationPlan.OVERLAP_NUMBERS) {
             double[] response = overlaps[i + 1] == 0 ? rows.firstResponse : rows.secondResponse;
             double[] jacobian = overlaps[i + 3] == 0 ? rows.first : rows.second;
             addOverlap(overlaps[i], response, overlaps[i + 2], jacobian, overlaps[i + 4]);
@@ -91,34 +91,31 @@ final class BlockCholesky {
         changed[joint] = true;
     }
 
-    /** Computes all columns that are not valid any more. */
+    /**
+     * Computes all columns that are not valid any more. A column changes with every earlier one that has a block in it; it is enough to
+     * tell the first below a block, since that one has blocks at all others.
+     */
     void factorise(byte[] state) {
         for (int k = 0; k < plan.joints(); k++) {
-            if (changed[k] || anySourceChanged(k)) {
-                changed[k] = true;
+            if (changed[k]) {
                 computeColumn(k, state);
+                if (plan.belowStart[k] < plan.belowStart[k + 1]) {
+                    changed[plan.below[plan.belowStart[k]]] = true;
+                }
             }
         }
         Arrays.fill(changed, 0, plan.joints(), false);
     }
 
-    private boolean anySourceChanged(int column) {
-        int[] updates = plan.updates[column];
-        for (int i = 0; i < updates.length; i += EliminationPlan.UPDATE_NUMBERS) {
-            if (changed[updates[i]]) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     private void computeColumn(int column, byte[] state) {
         int start = plan.diagonalOffset[column];
-        int end = column + 1 < plan.joints() ? plan.diagonalOffset[column + 1] : plan.size;
+        int end = plan.diagonalOffset[column + 1];
         System.arraycopy(matrix, start, factor, start, end - start);
         int width = plan.rows(column);
-        int[] updates = plan.updates[column];
-        for (int i = 0; i < updates.length; i += EliminationPlan.UPDATE_NUMBERS) {
+        int[] updates = plan.updates;
+        for (int i = plan.updatesStart[column];
+                i < plan.updatesStart[column + 1];
+                i += EliminationPlan.UPDATE_NUMBERS) {
             int inner = plan.rows(updates[i]);
             DenseBlocks.subtractProduct(
                     factor, updates[i + 1], updates[i + 2], updates[i + 3], updates[i + 4], width, inner);
@@ -143,19 +140,19 @@ final class BlockCholesky {
             int at = plan.firstRow[k];
             int width = plan.rows(k);
             DenseBlocks.solveForwards(factor, plan.diagonalOffset[k], width, inverseDiagonal, x, at);
-            int[] below = plan.below[k];
-            for (int i = 0; i < below.length; i++) {
+            int[] below = plan.below;
+            for (int i = plan.belowStart[k]; i < plan.belowStart[k + 1]; i++) {
                 DenseBlocks.subtractTimes(
-                        factor, plan.belowOffset[k][i], plan.rows(below[i]), width, x, at, plan.firstRow[below[i]]);
+                        factor, plan.belowOffset[i], plan.rows(below[i]), width, x, at, plan.firstRow[below[i]]);
             }
         }
         for (int k = plan.joints() - 1; k >= 0; k--) {
             int at = plan.firstRow[k];
             int width = plan.rows(k);
-            int[] below = plan.below[k];
-            for (int i = 0; i < below.length; i++) {
+            int[] below = plan.below;
+            for (int i = plan.belowStart[k]; i < plan.belowStart[k + 1]; i++) {
                 DenseBlocks.subtractTransposedTimes(
-                        factor, plan.belowOffset[k][i], plan.rows(below[i]), width, x, plan.firstRow[below[i]], at);
+                        factor, plan.belowOffset[i], plan.rows(below[i]), width, x, plan.firstRow[below[i]], at);
             }
             DenseBlocks.solveBackwards(factor, plan.diagonalOffset[k], width, inverseDiagonal, x, at);
         }

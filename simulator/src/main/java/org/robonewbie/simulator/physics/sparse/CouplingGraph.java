@@ -8,6 +8,8 @@ import java.util.Arrays;
  * <p>Eliminating a joint couples all its remaining neighbours with one another. Always taking the joint whose neighbours
  * have the fewest rows (minimum degree; of equals the first) starts at contacts with the ground, hands and feet and ends
  * in the torso; on a tree nothing is coupled then that was not before.
+ *
+ * <p>One graph serves for one island after the other, since piles of robots need another one in nearly every step.
  */
 final class CouplingGraph {
 
@@ -17,30 +19,50 @@ final class CouplingGraph {
     /** How many numbers describe a joint: first body, second body or {@link #FIXED}, rows. */
     static final int NUMBERS_PER_JOINT = 3;
 
-    private final int[] joints;
-    private final int size;
-    private final int[][] endsOnBody;
-    private final long[][] neighbours;
-    private final int[] neighbourRows;
+    private int size;
+    private int bodies;
+    /** How many numbers hold a set of joints, a bit for each. */
+    private int words;
+
+    private int[] rows = {};
+    /** Where the ends on each body begin; one more entry for the end. */
+    private int[] endsStart = {};
+
+    private int[] ends = {};
+    private long[] neighbours = {};
+    private final IntegerList members = new IntegerList();
+    private final Tournament fewestRows = new Tournament();
 
     /**
      * Builds the graph.
      *
      * @param joints {@link #NUMBERS_PER_JOINT} numbers for each joint
-     * @param bodies how many bodies there are
+     * @param length how many numbers there are
+     * @param bodyCount how many bodies there are
      */
-    CouplingGraph(int[] joints, int bodies) {
-        this.joints = joints;
-        this.size = joints.length / NUMBERS_PER_JOINT;
-        this.endsOnBody = findEnds(bodies);
-        this.neighbours = new long[size][(size + 63) / 64];
-        this.neighbourRows = new int[size];
+    void build(int[] joints, int length, int bodyCount) {
+        size = length / NUMBERS_PER_JOINT;
+        bodies = bodyCount;
+        words = (size + 63) / 64;
+        makeRoom();
+        for (int joint = 0; joint < size; joint++) {
+            rows[joint] = joints[NUMBERS_PER_JOINT * joint + 2];
+        }
+        findEnds(joints);
         couple();
     }
 
-    /** The joints on each body, each as twice its number, plus one if the body is at its second end. */
-    int[][] endsOnBody() {
-        return endsOnBody;
+    private void makeRoom() {
+        if (rows.length < size) {
+            rows = new int[size + size / 2];
+            ends = new int[2 * rows.length];
+        }
+        if (endsStart.length <= bodies + 1) {
+            endsStart = new int[bodies + bodies / 2 + 2];
+        }
+        if (neighbours.length < size * words) {
+            neighbours = new long[size * words * 3 / 2];
+        }
     }
 
     int size() {
@@ -48,100 +70,115 @@ final class CouplingGraph {
     }
 
     int rows(int joint) {
-        return joints[NUMBERS_PER_JOINT * joint + 2];
+        return rows[joint];
     }
 
-    private int[][] findEnds(int bodies) {
-        IntegerList[] lists = new IntegerList[bodies];
-        Arrays.setAll(lists, body -> new IntegerList());
+    int bodies() {
+        return bodies;
+    }
+
+    /** Where the ends of joints on a body begin in {@link #end}; those of the next body follow. */
+    int firstEnd(int body) {
+        return endsStart[body];
+    }
+
+    /** An end: twice the number of its joint, plus one if the body is at the joint's second end. */
+    int end(int index) {
+        return ends[index];
+    }
+
+    /** Counts the ends on each body, then puts each in the next free place of its body. */
+    private void findEnds(int[] joints) {
+        Arrays.fill(endsStart, 0, bodies + 2, 0);
+        for (int joint = 0; joint < size; joint++) {
+            for (int side = 0; side < 2; side++) {
+                endsStart[joints[NUMBERS_PER_JOINT * joint + side] + 2]++;
+            }
+        }
+        endsStart[1] = 0;
+        for (int body = 0; body < bodies; body++) {
+            endsStart[body + 2] += endsStart[body + 1];
+        }
         for (int joint = 0; joint < size; joint++) {
             for (int side = 0; side < 2; side++) {
                 int body = joints[NUMBERS_PER_JOINT * joint + side];
                 if (body != FIXED) {
-                    lists[body].add(2 * joint + side);
+                    ends[endsStart[body + 1]++] = 2 * joint + side;
                 }
             }
         }
-        return Arrays.stream(lists).map(IntegerList::toArray).toArray(int[][]::new);
+        endsStart[0] = 0;
     }
 
     private void couple() {
-        for (int[] ends : endsOnBody) {
-            for (int one : ends) {
-                for (int other : ends) {
-                    if (one != other) {
-                        add(neighbours[one / 2], other / 2);
+        Arrays.fill(neighbours, 0, size * words, 0);
+        for (int body = 0; body < bodies; body++) {
+            for (int i = endsStart[body]; i < endsStart[body + 1]; i++) {
+                for (int j = endsStart[body]; j < endsStart[body + 1]; j++) {
+                    if (i != j) {
+                        int other = ends[j] / 2;
+                        neighbours[ends[i] / 2 * words + other / 64] |= 1L << (other % 64);
                     }
                 }
             }
         }
+        fewestRows.begin(size);
         for (int joint = 0; joint < size; joint++) {
-            neighbourRows[joint] = rowsOf(neighbours[joint]);
+            fewestRows.enter(joint, rowsOfNeighbours(joint));
         }
+        fewestRows.play();
     }
 
     /**
      * Eliminates all joints.
      *
      * @param order receives the joints in the order in which they went
-     * @return for each place in the order, the joints that were coupled with the one that went, unsorted
+     * @param coupled receives, for each place in the order, the joints that were coupled with the one that went
+     * @param coupledStart receives where those of each place begin in {@code coupled}; one more entry for the end
      */
-    int[][] eliminate(int[] order) {
-        int[][] coupled = new int[size][];
-        boolean[] gone = new boolean[size];
+    void eliminate(int[] order, IntegerList coupled, int[] coupledStart) {
+        coupled.clear();
         for (int place = 0; place < size; place++) {
-            int joint = leastCoupled(gone);
-            gone[joint] = true;
+            int joint = fewestRows.winner();
+            fewestRows.leave(joint);
             order[place] = joint;
-            coupled[place] = members(neighbours[joint]);
-            for (int other : coupled[place]) {
-                long[] set = neighbours[other];
-                for (int word = 0; word < set.length; word++) {
-                    set[word] |= neighbours[joint][word];
-                }
-                remove(set, other);
-                remove(set, joint);
-                neighbourRows[other] = rowsOf(set);
+            coupledStart[place] = coupled.size();
+            findMembers(joint * words);
+            for (int i = 0; i < members.size(); i++) {
+                int other = members.numbers[i];
+                coupled.add(other);
+                join(other, joint);
+                fewestRows.change(other, rowsOfNeighbours(other));
             }
         }
-        return coupled;
+        coupledStart[size] = coupled.size();
     }
 
-    private int leastCoupled(boolean[] gone) {
-        int best = -1;
-        for (int joint = 0; joint < size; joint++) {
-            if (!gone[joint] && (best < 0 || neighbourRows[joint] < neighbourRows[best])) {
-                best = joint;
-            }
+    /** Couples a joint with all neighbours of the one that goes, and no more with that one. */
+    private void join(int other, int joint) {
+        for (int word = 0; word < words; word++) {
+            neighbours[other * words + word] |= neighbours[joint * words + word];
         }
-        return best;
+        neighbours[other * words + other / 64] &= ~(1L << (other % 64));
+        neighbours[other * words + joint / 64] &= ~(1L << (joint % 64));
     }
 
-    private int rowsOf(long[] set) {
+    private int rowsOfNeighbours(int joint) {
         int sum = 0;
-        for (int word = 0; word < set.length; word++) {
-            for (long bits = set[word]; bits != 0; bits &= bits - 1) {
-                sum += rows(64 * word + Long.numberOfTrailingZeros(bits));
+        for (int word = 0; word < words; word++) {
+            for (long bits = neighbours[joint * words + word]; bits != 0; bits &= bits - 1) {
+                sum += rows[64 * word + Long.numberOfTrailingZeros(bits)];
             }
         }
         return sum;
     }
 
-    private static int[] members(long[] set) {
-        IntegerList list = new IntegerList();
-        for (int word = 0; word < set.length; word++) {
-            for (long bits = set[word]; bits != 0; bits &= bits - 1) {
-                list.add(64 * word + Long.numberOfTrailingZeros(bits));
+    private void findMembers(int set) {
+        members.clear();
+        for (int word = 0; word < words; word++) {
+            for (long bits = neighbours[set + word]; bits != 0; bits &= bits - 1) {
+                members.add(64 * word + Long.numberOfTrailingZeros(bits));
             }
         }
-        return list.toArray();
-    }
-
-    private static void add(long[] set, int member) {
-        set[member / 64] |= 1L << (member % 64);
-    }
-
-    private static void remove(long[] set, int member) {
-        set[member / 64] &= ~(1L << (member % 64));
     }
 }

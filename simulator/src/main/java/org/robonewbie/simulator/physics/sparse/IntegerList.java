@@ -2,20 +2,26 @@ package org.robonewbie.simulator.physics.sparse;
 
 import java.util.Arrays;
 
-/** Integers in a row, for building plans. */
+/** Integers in a row, for building plans; its array is used again. */
 final class IntegerList {
 
-    private int[] numbers = new int[16];
+    /** The integers, and room for more. */
+    int[] numbers = {};
+
     private int size;
+
+    int size() {
+        return size;
+    }
 
     void add(int number) {
         if (size == numbers.length) {
-            numbers = Arrays.copyOf(numbers, 2 * size);
+            numbers = Arrays.copyOf(numbers, 16 + 2 * size);
         }
         numbers[size++] = number;
     }
 
-    int[] toArray() {
-        return Arrays.copyOf(numbers, size);
+    void clear() {
+        size = 0;
     }
 }

@@ -1,7 +1,6 @@
 package org.robonewbie.simulator.physics.sparse;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -17,20 +16,25 @@ final class PlanCache {
     private static final int LARGE = 1 << 15;
     private static final int PATIENCE = 2_000;
 
+    private static final int MOST_SPENT = 16;
+
     /** The plan that was used last comes first. */
     private final List<EliminationPlan> plans = new ArrayList<>();
+    /** Plans that made room for others and can be made anew; the one that went last comes last. */
+    private final List<EliminationPlan> spent = new ArrayList<>();
 
-    private EliminationPlan large = EliminationPlan.EMPTY;
+    private CouplingGraph graph = new CouplingGraph();
+    private EliminationPlan large = new EliminationPlan();
     private int useless;
     private int[] key = {};
     private int numbers;
+    private long made;
 
     EliminationPlan planFor(List<ConstraintJoint> joints, int bodies) {
         int length = writeKey(joints);
         useless++;
         if (useless > PATIENCE) {
-            large = EliminationPlan.EMPTY;
-            useless = 0;
+            forgetPile();
         }
         for (int i = 0; i < plans.size(); i++) {
             if (plans.get(i).suits(key, length)) {
@@ -42,9 +46,40 @@ final class PlanCache {
             useless = 0;
             return large;
         }
-        EliminationPlan plan = new EliminationPlan(Arrays.copyOf(key, length), bodies);
+        made++;
+        EliminationPlan plan = takeSpent(joints.size());
+        plan.make(key, length, bodies, graph);
         remember(plan);
         return plan;
+    }
+
+    /** How many plans have been made. */
+    long made() {
+        return made;
+    }
+
+    private void forgetPile() {
+        large = new EliminationPlan();
+        graph = new CouplingGraph();
+        spent.clear();
+        useless = 0;
+    }
+
+    /** Returns a plan that nobody needs any more and that is about as large as wanted, or else a new one. */
+    private EliminationPlan takeSpent(int joints) {
+        for (int i = spent.size() - 1; i >= 0; i--) {
+            if (spent.get(i).hasRoomFor(joints)) {
+                return spent.remove(i);
+            }
+        }
+        return new EliminationPlan();
+    }
+
+    private void addSpent(EliminationPlan plan) {
+        if (spent.size() == MOST_SPENT) {
+            spent.remove(0);
+        }
+        spent.add(plan);
     }
 
     /** The memory that all plans but the large one take, in integers. */
@@ -69,6 +104,7 @@ final class PlanCache {
 
     private void remember(EliminationPlan plan) {
         if (plan.numbers() > LARGE) {
+            addSpent(large);
             large = plan;
             useless = 0;
             return;
@@ -76,7 +112,9 @@ final class PlanCache {
         plans.add(0, plan);
         numbers += plan.numbers();
         while (plans.size() > MOST_PLANS || numbers > MOST_NUMBERS) {
-            numbers -= plans.remove(plans.size() - 1).numbers();
+            EliminationPlan last = plans.remove(plans.size() - 1);
+            numbers -= last.numbers();
+            addSpent(last);
         }
     }
 }

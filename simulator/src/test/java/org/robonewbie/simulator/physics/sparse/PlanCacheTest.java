@@ -3,6 +3,7 @@ package org.robonewbie.simulator.physics.sparse;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Vector3;
@@ -54,24 +55,43 @@ class PlanCacheTest {
 
         EliminationPlan pile = cache.planFor(star(80), 81);
         EliminationPlan pileAtRest = cache.planFor(star(80), 81);
-        EliminationPlan next = cache.planFor(star(81), 82);
+        long made = cache.made();
+        cache.planFor(star(81), 82);
+        cache.planFor(star(80), 81);
 
         assertThat(pileAtRest).isSameAs(pile);
-        assertThat(next).isNotSameAs(pile);
-        assertThat(cache.planFor(star(80), 81)).isNotSameAs(pile);
+        assertThat(cache.made()).isEqualTo(made + 2);
         assertThat(cache.planFor(chain(20, 6), 21)).isSameAs(small);
     }
 
     @Test
     void theLargePlanIsForgottenWhenThePileIsGone() {
-        EliminationPlan pile = cache.planFor(star(80), 81);
+        cache.planFor(star(80), 81);
         List<ConstraintJoint> single = chain(20, 6);
 
         for (int i = 0; i < 60_000; i++) {
             cache.planFor(single, 21);
         }
 
-        assertThat(cache.planFor(star(80), 81)).isNotSameAs(pile);
+        long made = cache.made();
+        cache.planFor(star(80), 81);
+        assertThat(cache.made()).isEqualTo(made + 1);
+    }
+
+    @Test
+    void aPlanThatIsMadeAnewIsAsGoodAsANewOne() {
+        for (int length = 300; length > 250; length--) {
+            cache.planFor(star(length % 7 + 80), 87);
+            EliminationPlan again = cache.planFor(chain(length, 3), length + 1);
+            EliminationPlan fresh = new PlanCache().planFor(chain(length, 3), length + 1);
+
+            assertThat(again.rows()).isEqualTo(fresh.rows());
+            assertThat(again.size()).isEqualTo(fresh.size());
+            assertThat(again.overlapsEnd).isEqualTo(fresh.overlapsEnd);
+            assertThat(again.order).startsWith(Arrays.copyOf(fresh.order, length));
+            assertThat(again.updates).startsWith(Arrays.copyOf(fresh.updates, fresh.updatesStart[length]));
+            assertThat(again.overlaps).startsWith(Arrays.copyOf(fresh.overlaps, fresh.overlapsEnd));
+        }
     }
 
     private static List<ConstraintJoint> chain(int length, int rows) {
