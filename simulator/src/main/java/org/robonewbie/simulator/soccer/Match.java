@@ -244,7 +244,12 @@ public final class Match implements Restorable {
     }
 
     Optional<Player> playerOf(Robot robot) {
-        return players().stream().filter(player -> player.robot() == robot).findFirst();
+        for (Player player : players()) {
+            if (player.robot() == robot) {
+                return Optional.of(player);
+            }
+        }
+        return Optional.empty();
     }
 
     Vector3 ballVelocity() {

@@ -46,7 +46,14 @@ final class TouchingRule implements FoulRule {
         return groups;
     }
 
+    /** Joins the groups of two players; the group that was touched last is the last of all. */
     private static void join(List<Set<Player>> groups, Player first, Player second) {
+        for (int i = groups.size() - 1; i >= 0; i--) {
+            if (groups.get(i).contains(first) && groups.get(i).contains(second)) {
+                groups.add(groups.remove(i));
+                return;
+            }
+        }
         Set<Player> joined = new LinkedHashSet<>();
         for (Set<Player> group : groups) {
             if (group.contains(first) || group.contains(second)) {

@@ -4,8 +4,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import org.ode4j.math.DMatrix3;
+import org.ode4j.math.DVector3;
 import org.ode4j.ode.DContactBuffer;
 import org.ode4j.ode.DContactGeom;
+import org.ode4j.ode.DContactGeomBuffer;
 import org.ode4j.ode.DGeom;
 import org.ode4j.ode.DHashSpace;
 import org.ode4j.ode.DSpace;
@@ -37,8 +40,11 @@ public final class OdeCollisions implements Restorable {
     private final DHashSpace space = OdeHelper.createHashSpace();
     private final Group scenery = new Group(space);
     private final List<Group> groups = new ArrayList<>();
+    private final Place place = new Place();
     private int searches;
     private final DContactBuffer buffer = new DContactBuffer(MAX_CONTACTS_PER_PAIR);
+    private final DContactGeomBuffer found = buffer.getGeomBuffer();
+    private final DGeom.DNearCallback collision = this::collide;
     private final double[] points = new double[MAX_CONTACTS_PER_PAIR * NUMBERS_PER_POINT];
 
     /** Receives every pair of shapes that touch. */
@@ -59,10 +65,12 @@ public final class OdeCollisions implements Restorable {
     public static final class Geometry {
 
         private final DGeom geometry;
+        private final Place place;
         private int firstSearch;
 
-        private Geometry(DGeom geometry, int firstSearch) {
+        private Geometry(DGeom geometry, Place place, int firstSearch) {
             this.geometry = geometry;
+            this.place = place;
             this.firstSearch = firstSearch;
         }
 
@@ -73,9 +81,18 @@ public final class OdeCollisions implements Restorable {
          * @param rotation the nine elements of its rotation matrix in row-major order
          */
         public void place(double[] position, double[] rotation) {
-            geometry.setPosition(position[0], position[1], position[2]);
-            geometry.setRotation(OdeVectors.rotation(rotation));
+            place.position.set(position[0], position[1], position[2]);
+            OdeVectors.copy(rotation, place.rotation);
+            geometry.setPosition(place.position);
+            geometry.setRotation(place.rotation);
         }
+    }
+
+    /** A place on its way into ODE, which copies it. */
+    private static final class Place {
+
+        private final DVector3 position = new DVector3();
+        private final DMatrix3 rotation = new DMatrix3();
     }
 
     /** Shapes that never touch each other, but for those of the scenery. */
@@ -101,7 +118,7 @@ public final class OdeCollisions implements Restorable {
             geometry.setCategoryBits(movable ? MOVABLE : FIXED);
             geometry.setCollideBits(movable ? MOVABLE | FIXED : MOVABLE);
             geometry.setData(collider);
-            Geometry added = new Geometry(geometry, searches);
+            Geometry added = new Geometry(geometry, place, searches);
             shapes.add(added);
             return added;
         }
@@ -166,18 +183,18 @@ public final class OdeCollisions implements Restorable {
      */
     public void find(Listener listener) {
         searches++;
-        OdeHelper.spaceCollide(space, listener, (data, first, second) -> collide(listener, first, second));
+        OdeHelper.spaceCollide(space, listener, collision);
     }
 
-    private void collide(Listener listener, DGeom first, DGeom second) {
+    private void collide(Object listener, DGeom first, DGeom second) {
         if (first instanceof DSpace || second instanceof DSpace) {
-            OdeHelper.spaceCollide2(first, second, listener, (data, one, two) -> collide(listener, one, two));
+            OdeHelper.spaceCollide2(first, second, listener, collision);
             return;
         }
-        int count = OdeHelper.collide(first, second, MAX_CONTACTS_PER_PAIR, buffer.getGeomBuffer());
+        int count = OdeHelper.collide(first, second, MAX_CONTACTS_PER_PAIR, found);
         if (count > 0) {
             copyPoints(count);
-            listener.touch((Collider) first.getData(), (Collider) second.getData(), points, count);
+            ((Listener) listener).touch((Collider) first.getData(), (Collider) second.getData(), points, count);
         }
     }
 

@@ -24,7 +24,8 @@ final class OdeVectors {
         return new DMatrix3(r.xx(), r.xy(), r.xz(), r.yx(), r.yy(), r.yz(), r.zx(), r.zy(), r.zz());
     }
 
-    static DMatrix3 rotation(double[] r) {
-        return new DMatrix3(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]);
+    /** Copies nine numbers, row by row. */
+    static void copy(double[] from, DMatrix3 to) {
+        to.set(from[0], from[1], from[2], from[3], from[4], from[5], from[6], from[7], from[8]);
     }
 }
