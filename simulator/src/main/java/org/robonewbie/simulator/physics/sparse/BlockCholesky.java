@@ -35,7 +35,11 @@ final class BlockCholesky {
         for (int i = 0; i < plan.overlapsEnd; i += EliminationPlan.OVERLAP_NUMBERS) {
             double[] response = overlaps[i + 1] == 0 ? rows.firstResponse : rows.secondResponse;
             double[] jacobian = overlaps[i + 3] == 0 ? rows.first : rows.second;
-            addOverlap(overlaps[i], response, overlaps[i + 2], jacobian, overlaps[i + 4]);
+            if (rows.hinge[overlaps[i + 2]]) {
+                addOverlapOfHinge(overlaps[i], response, overlaps[i + 2], jacobian, overlaps[i + 4]);
+            } else {
+                addOverlap(overlaps[i], response, overlaps[i + 2], jacobian, overlaps[i + 4]);
+            }
         }
         for (int k = 0; k < plan.joints(); k++) {
             int width = plan.rows(k);
@@ -51,7 +55,6 @@ final class BlockCholesky {
         Arrays.fill(changed, 0, plan.joints(), true);
     }
 
-    /** Half of a hinge's rows have no linear part, which saves half of their work. */
     private void addOverlap(int column, double[] response, int row, double[] jacobian, int offset) {
         int width = plan.rows(column);
         int height = plan.rows(row);
@@ -67,13 +70,6 @@ final class BlockCholesky {
             double j5 = jacobian[a + 5];
             int end = row == column ? r + 1 : width;
             int to = offset + r * width;
-            if (j0 == 0 && j1 == 0 && j2 == 0) {
-                for (int c = 0; c < end; c++) {
-                    int b = columnStart + 6 * c;
-                    matrix[to + c] += j3 * response[b + 3] + j4 * response[b + 4] + j5 * response[b + 5];
-                }
-                continue;
-            }
             for (int c = 0; c < end; c++) {
                 int b = columnStart + 6 * c;
                 matrix[to + c] += j0 * response[b]
@@ -84,6 +80,19 @@ final class BlockCholesky {
                         + j5 * response[b + 5];
             }
         }
+    }
+
+    /**
+     * The same where the rows are those of a hinge, without the half of the products that are zero. Of a diagonal block's upper half
+     * nothing is used, so that it may hold anything.
+     */
+    private void addOverlapOfHinge(int column, double[] response, int row, double[] jacobian, int offset) {
+        int width = plan.rows(column);
+        int columnStart = 6 * plan.firstRow[column];
+        int rowStart = 6 * plan.firstRow[row];
+        int held = row == column ? 3 : width;
+        DenseBlocks.addPointTimes(matrix, offset, width, held, jacobian, rowStart, response, columnStart);
+        DenseBlocks.addTurnTimes(matrix, offset + 3 * width, width, jacobian, rowStart + 18, response, columnStart);
     }
 
     /** Marks a row as changed, so that the joint's column is recomputed. */

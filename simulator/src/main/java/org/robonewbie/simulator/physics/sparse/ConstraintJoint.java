@@ -17,9 +17,13 @@ abstract class ConstraintJoint {
     /** Whether a row at its limit pushes, while the island is solved. */
     boolean pushes;
 
-    ConstraintJoint(Body first, @Nullable Body second) {
+    /** Whether its rows are those of a hinge: three along the axes of the world that hold a point, and three that only turn. */
+    final boolean hinge;
+
+    ConstraintJoint(Body first, @Nullable Body second, boolean hinge) {
         this.first = first;
         this.second = second;
+        this.hinge = hinge;
     }
 
     /** Adds this joint to its bodies. */

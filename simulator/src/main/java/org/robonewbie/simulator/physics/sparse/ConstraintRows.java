@@ -20,6 +20,8 @@ final class ConstraintRows {
     private final ScratchCapacity capacity = new ScratchCapacity(1 << 9);
 
     int count;
+    /** For each joint in the order of elimination, whether it is a {@link ConstraintJoint#hinge}. */
+    boolean[] hinge = {};
     /** Jacobian against the first body. */
     double[] first = {};
     /** Jacobian against the second body. */
@@ -45,15 +47,16 @@ final class ConstraintRows {
     /** ScratchCapacity for the solution of the linear system. */
     double[] solution = {};
 
-    /** Makes room for rows and clears them: unlimited, at speed 0, with the world's softness. */
-    void reset(int rows, double worldSoftness) {
+    /** Makes room for rows: unlimited, at speed 0, with the world's softness. Each joint writes all of its Jacobians. */
+    void reset(int rows, int joints, double worldSoftness) {
         count = rows;
+        if (hinge.length < joints) {
+            hinge = new boolean[2 * joints];
+        }
         int length = capacity.fit(state.length, rows);
         if (length != state.length) {
             resize(length);
         }
-        Arrays.fill(first, 0, 6 * rows, 0);
-        Arrays.fill(second, 0, 6 * rows, 0);
         Arrays.fill(wanted, 0, rows, 0);
         Arrays.fill(softness, 0, rows, worldSoftness);
         Arrays.fill(lower, 0, rows, Double.NEGATIVE_INFINITY);
@@ -91,15 +94,23 @@ final class ConstraintRows {
 
     /** Computes the right-hand side and the responses of a joint's rows; the bodies are prepared. */
     void prepare(ConstraintJoint joint, double rate) {
-        int from = joint.firstRow;
-        int to = from + joint.rowCount();
         Body one = joint.first;
         Body two = joint.second;
-        for (int row = from; row < to; row++) {
-            respond(one, first, firstResponse, row);
+        if (joint.hinge) {
+            respondHinge(one, first, firstResponse, joint.firstRow);
+            if (two != null) {
+                respondHinge(two, second, secondResponse, joint.firstRow);
+            }
+        } else {
+            respond(one, first, firstResponse, joint);
+            if (two != null) {
+                respond(two, second, secondResponse, joint);
+            }
+        }
+        int to = joint.firstRow + joint.rowCount();
+        for (int row = joint.firstRow; row < to; row++) {
             double free = dot6(first, 6 * row, one.unconstrained);
             if (two != null) {
-                respond(two, second, secondResponse, row);
                 free += dot6(second, 6 * row, two.unconstrained);
             }
             wanted[row] = wanted[row] * rate - free;
@@ -107,12 +118,47 @@ final class ConstraintRows {
         }
     }
 
-    private static void respond(Body body, double[] jacobian, double[] response, int row) {
+    private static void respond(Body body, double[] jacobian, double[] response, ConstraintJoint joint) {
+        double mass = body.inverseMass;
+        int end = 6 * (joint.firstRow + joint.rowCount());
+        for (int at = 6 * joint.firstRow; at < end; at += 6) {
+            response[at] = jacobian[at] * mass;
+            response[at + 1] = jacobian[at + 1] * mass;
+            response[at + 2] = jacobian[at + 2] * mass;
+        }
+        turn(body.inverseInertia, jacobian, response, 6 * joint.firstRow, end);
+    }
+
+    /** A hinge moves bodies along one axis of the world in each of its first rows, and not at all in the others. */
+    private static void respondHinge(Body body, double[] jacobian, double[] response, int row) {
         int at = 6 * row;
-        double[] inverse = body.inverseInertia;
-        for (int axis = 0; axis < 3; axis++) {
-            response[at + axis] = jacobian[at + axis] * body.inverseMass;
-            response[at + 3 + axis] = Rotations.dot(inverse, 3 * axis, jacobian, at + 3);
+        double move = jacobian[at] * body.inverseMass;
+        setLinear(response, row, move, 0, 0);
+        setLinear(response, row + 1, 0, move, 0);
+        setLinear(response, row + 2, 0, 0, move);
+        setLinear(response, row + 3, 0, 0, 0);
+        setLinear(response, row + 4, 0, 0, 0);
+        setLinear(response, row + 5, 0, 0, 0);
+        turn(body.inverseInertia, jacobian, response, at, at + 36);
+    }
+
+    private static void turn(double[] inverse, double[] jacobian, double[] response, int from, int to) {
+        double xx = inverse[0];
+        double xy = inverse[1];
+        double xz = inverse[2];
+        double yx = inverse[3];
+        double yy = inverse[4];
+        double yz = inverse[5];
+        double zx = inverse[6];
+        double zy = inverse[7];
+        double zz = inverse[8];
+        for (int at = from; at < to; at += 6) {
+            double x = jacobian[at + 3];
+            double y = jacobian[at + 4];
+            double z = jacobian[at + 5];
+            response[at + 3] = xx * x + xy * y + xz * z;
+            response[at + 4] = yx * x + yy * y + yz * z;
+            response[at + 5] = zx * x + zy * y + zz * z;
         }
     }
 
@@ -125,22 +171,34 @@ final class ConstraintRows {
     }
 
     private void add(double[] response, ConstraintJoint joint, double[] acceleration) {
-        int end = joint.firstRow + joint.rowCount();
-        for (int half = 0; half < 6; half += 3) {
-            double x = acceleration[half];
-            double y = acceleration[half + 1];
-            double z = acceleration[half + 2];
-            for (int row = joint.firstRow; row < end; row++) {
-                int at = 6 * row + half;
-                double factor = force[row];
-                x += response[at] * factor;
-                y += response[at + 1] * factor;
-                z += response[at + 2] * factor;
-            }
-            acceleration[half] = x;
-            acceleration[half + 1] = y;
-            acceleration[half + 2] = z;
+        int from = joint.firstRow;
+        int end = from + joint.rowCount();
+        if (joint.hinge) {
+            int at = 6 * from;
+            acceleration[0] += response[at] * force[from];
+            acceleration[1] += response[at + 7] * force[from + 1];
+            acceleration[2] += response[at + 14] * force[from + 2];
+        } else {
+            add(response, from, end, acceleration, 0);
         }
+        add(response, from, end, acceleration, 3);
+    }
+
+    /** Adds the linear or the angular half. */
+    private void add(double[] response, int from, int end, double[] acceleration, int half) {
+        double x = acceleration[half];
+        double y = acceleration[half + 1];
+        double z = acceleration[half + 2];
+        for (int row = from; row < end; row++) {
+            int at = 6 * row + half;
+            double factor = force[row];
+            x += response[at] * factor;
+            y += response[at + 1] * factor;
+            z += response[at + 2] * factor;
+        }
+        acceleration[half] = x;
+        acceleration[half + 1] = y;
+        acceleration[half + 2] = z;
     }
 
     /** The residual of a row: (A λ - b), with the accelerations of the present forces. */

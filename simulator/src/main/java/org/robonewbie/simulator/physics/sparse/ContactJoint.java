@@ -19,13 +19,12 @@ final class ContactJoint extends ConstraintJoint {
     private double sign;
     private LastTouch lastTouch = new LastTouch();
 
-    private final double[] normal = new double[3];
-    private final double[] across = new double[3];
-    private final double[] along = new double[3];
+    /** The normal of a point and two directions across it. */
+    private final double[] directions = new double[9];
 
     /** Creates an unused joint. */
     ContactJoint() {
-        super(Body.NONE, null);
+        super(Body.NONE, null, false);
     }
 
     /**
@@ -74,12 +73,12 @@ final class ContactJoint extends ConstraintJoint {
 
     private void writeRows(ConstraintRows rows, int row, double[] numbers, double rate) {
         for (int axis = 0; axis < 3; axis++) {
-            normal[axis] = sign * numbers[3 + axis];
+            directions[axis] = sign * numbers[3 + axis];
         }
-        Rotations.squareTo(normal, across, along);
-        writeDirection(rows, row, numbers, normal);
-        writeDirection(rows, row + 1, numbers, across);
-        writeDirection(rows, row + 2, numbers, along);
+        Rotations.squareTo(directions, 0, 3, 6);
+        writeDirection(rows, row, numbers, 0);
+        writeDirection(rows, row + 1, numbers, 3);
+        writeDirection(rows, row + 2, numbers, 6);
         double depth = Math.max(0, numbers[6] - PhysicsConstants.CONTACT_SURFACE_LAYER);
         double approach = surface.bounces() ? -openingSpeed(rows, row) : 0;
         rows.wanted[row] = Math.max(rate * surface.errorReduction() * depth, surface.thrownBack(approach));
@@ -89,21 +88,22 @@ final class ContactJoint extends ConstraintJoint {
         rows.lower[row] = 0;
     }
 
-    private void writeDirection(ConstraintRows rows, int row, double[] numbers, double[] direction) {
-        write(rows.first, row, first, numbers, direction, 1);
+    private void writeDirection(ConstraintRows rows, int row, double[] numbers, int direction) {
+        write(rows.first, row, first, numbers, directions, direction, 1);
         if (second != null) {
-            write(rows.second, row, second, numbers, direction, -1);
+            write(rows.second, row, second, numbers, directions, direction, -1);
         }
     }
 
-    private static void write(double[] jacobian, int row, Body body, double[] point, double[] direction, double sign) {
+    private static void write(
+            double[] jacobian, int row, Body body, double[] point, double[] directions, int at, double sign) {
         double[] centre = body.place();
         double armX = point[0] - centre[0];
         double armY = point[1] - centre[1];
         double armZ = point[2] - centre[2];
-        double x = sign * direction[0];
-        double y = sign * direction[1];
-        double z = sign * direction[2];
+        double x = sign * directions[at];
+        double y = sign * directions[at + 1];
+        double z = sign * directions[at + 2];
         ConstraintRows.setLinear(jacobian, row, x, y, z);
         ConstraintRows.setAngular(jacobian, row, armY * z - armZ * y, armZ * x - armX * z, armX * y - armY * x);
     }

@@ -10,7 +10,7 @@ final class DenseBlocks {
 
     /**
      * target -= left · rightᵀ, where left is height × inner, right width × inner and target height × width. If left and
-     * right are the same, the result is symmetric and only its lower half is computed.
+     * right are the same, the result is symmetric and of its upper half nothing is used; it may hold anything then.
      */
     static void subtractProduct(double[] m, int left, int right, int target, int height, int width, int inner) {
         if (inner == 6) {
@@ -29,9 +29,9 @@ final class DenseBlocks {
         }
     }
 
-    /** The same for hinges, which have six rows. */
+    /** The same for hinges, which have six rows; the numbers of three rows stay in the processor. */
     private static void subtractProductOfSix(double[] m, int left, int right, int target, int height, int width) {
-        for (int r = 0; r < height; r++) {
+        for (int r = 0; r < height; r += 3) {
             int a = left + 6 * r;
             double a0 = m[a];
             double a1 = m[a + 1];
@@ -39,12 +39,85 @@ final class DenseBlocks {
             double a3 = m[a + 3];
             double a4 = m[a + 4];
             double a5 = m[a + 5];
-            int end = left == right ? r + 1 : width;
+            double b0 = m[a + 6];
+            double b1 = m[a + 7];
+            double b2 = m[a + 8];
+            double b3 = m[a + 9];
+            double b4 = m[a + 10];
+            double b5 = m[a + 11];
+            double c0 = m[a + 12];
+            double c1 = m[a + 13];
+            double c2 = m[a + 14];
+            double c3 = m[a + 15];
+            double c4 = m[a + 16];
+            double c5 = m[a + 17];
+            int end = left == right ? r + 3 : width;
+            int to = target + r * width;
+            int with = right;
             for (int c = 0; c < end; c++) {
-                int b = right + 6 * c;
-                m[target + r * width + c] -=
-                        a0 * m[b] + a1 * m[b + 1] + a2 * m[b + 2] + a3 * m[b + 3] + a4 * m[b + 4] + a5 * m[b + 5];
+                double d0 = m[with];
+                double d1 = m[with + 1];
+                double d2 = m[with + 2];
+                double d3 = m[with + 3];
+                double d4 = m[with + 4];
+                double d5 = m[with + 5];
+                m[to + c] -= a0 * d0 + a1 * d1 + a2 * d2 + a3 * d3 + a4 * d4 + a5 * d5;
+                m[to + width + c] -= b0 * d0 + b1 * d1 + b2 * d2 + b3 * d3 + b4 * d4 + b5 * d5;
+                m[to + 2 * width + c] -= c0 * d0 + c1 * d1 + c2 * d2 + c3 * d3 + c4 * d4 + c5 * d5;
+                with += 6;
             }
+        }
+    }
+
+    /**
+     * target += rows · responsesᵀ for the three rows of a hinge that hold a point: each has one number along an axis of the world and the
+     * two others of a cross product.
+     *
+     * @param columns how many columns of the target, from its first, are wanted
+     */
+    static void addPointTimes(
+            double[] m, int target, int width, int columns, double[] rows, int at, double[] responses, int from) {
+        double along = rows[at];
+        double yOfFirst = rows[at + 4];
+        double zOfFirst = rows[at + 5];
+        double xOfSecond = rows[at + 9];
+        double zOfSecond = rows[at + 11];
+        double xOfThird = rows[at + 15];
+        double yOfThird = rows[at + 16];
+        int second = target + width;
+        int third = second + width;
+        for (int c = 0; c < columns; c++) {
+            int b = from + 6 * c;
+            double x = responses[b + 3];
+            double y = responses[b + 4];
+            double z = responses[b + 5];
+            m[target + c] += along * responses[b] + yOfFirst * y + zOfFirst * z;
+            m[second + c] += along * responses[b + 1] + xOfSecond * x + zOfSecond * z;
+            m[third + c] += along * responses[b + 2] + xOfThird * x + yOfThird * y;
+        }
+    }
+
+    /** The same for the three rows of a hinge that only turn. */
+    static void addTurnTimes(double[] m, int target, int width, double[] rows, int at, double[] responses, int from) {
+        double xOfFirst = rows[at + 3];
+        double yOfFirst = rows[at + 4];
+        double zOfFirst = rows[at + 5];
+        double xOfSecond = rows[at + 9];
+        double yOfSecond = rows[at + 10];
+        double zOfSecond = rows[at + 11];
+        double xOfThird = rows[at + 15];
+        double yOfThird = rows[at + 16];
+        double zOfThird = rows[at + 17];
+        int second = target + width;
+        int third = second + width;
+        for (int c = 0; c < width; c++) {
+            int b = from + 6 * c;
+            double x = responses[b + 3];
+            double y = responses[b + 4];
+            double z = responses[b + 5];
+            m[target + c] += xOfFirst * x + yOfFirst * y + zOfFirst * z;
+            m[second + c] += xOfSecond * x + yOfSecond * y + zOfSecond * z;
+            m[third + c] += xOfThird * x + yOfThird * y + zOfThird * z;
         }
     }
 

@@ -33,10 +33,11 @@ final class IslandStepper {
     private void findForces(List<Body> bodies, List<ConstraintJoint> joints, double seconds) {
         double rate = 1 / seconds;
         EliminationPlan plan = plans.planFor(joints, bodies.size());
-        rows.reset(plan.rows(), PhysicsConstants.SOFTNESS);
+        rows.reset(plan.rows(), plan.joints(), PhysicsConstants.SOFTNESS);
         for (int k = 0; k < plan.joints(); k++) {
             ConstraintJoint joint = joints.get(plan.order[k]);
             joint.firstRow = plan.firstRow[k];
+            rows.hinge[k] = joint.hinge;
             joint.writeRows(rows, rate);
         }
         for (int i = 0; i < bodies.size(); i++) {

@@ -19,17 +19,14 @@ final class Rotations {
         return a[aAt] * b[bAt] + a[aAt + 1] * b[bAt + 1] + a[aAt + 2] * b[bAt + 2];
     }
 
-    /** Turns a vector: {@code to = matrix · from}. */
-    static void apply(double[] matrix, double[] from, double[] to) {
-        for (int axis = 0; axis < 3; axis++) {
-            to[axis] = dot(matrix, 3 * axis, from, 0);
-        }
+    static double dot(double x, double y, double z, double[] b, int at) {
+        return x * b[at] + y * b[at + 1] + z * b[at + 2];
     }
 
-    /** Turns a vector back: {@code to = matrixᵀ · from}. */
-    static void applyInverse(double[] matrix, double[] from, double[] to) {
+    /** Turns a vector back: {@code to = matrixᵀ · from}, written from an index on. */
+    static void applyInverse(double[] matrix, double[] from, double[] to, int at) {
         for (int axis = 0; axis < 3; axis++) {
-            to[axis] = matrix[axis] * from[0] + matrix[3 + axis] * from[1] + matrix[6 + axis] * from[2];
+            to[at + axis] = matrix[axis] * from[0] + matrix[3 + axis] * from[1] + matrix[6 + axis] * from[2];
         }
     }
 
@@ -160,27 +157,31 @@ final class Rotations {
         to[8] = from.zz();
     }
 
-    /** Finds two directions perpendicular to a unit vector and to each other, the same ones as ODE. */
-    static void squareTo(double[] normal, double[] one, double[] two) {
-        double x = normal[0];
-        double y = normal[1];
-        double z = normal[2];
+    /** Finds two directions perpendicular to a unit vector and to each other, the same ones as ODE; each at an index of an array. */
+    static void squareTo(double[] vectors, int normal, int one, int two) {
+        double x = vectors[normal];
+        double y = vectors[normal + 1];
+        double z = vectors[normal + 2];
         if (Math.abs(z) > Math.sqrt(0.5)) {
             double square = y * y + z * z;
             double factor = 1 / Math.sqrt(square);
-            set(one, 0, -z * factor, y * factor);
-            set(two, square * factor, -x * one[2], x * one[1]);
+            double oneY = -z * factor;
+            double oneZ = y * factor;
+            set(vectors, one, 0, oneY, oneZ);
+            set(vectors, two, square * factor, -x * oneZ, x * oneY);
         } else {
             double square = x * x + y * y;
             double factor = 1 / Math.sqrt(square);
-            set(one, -y * factor, x * factor, 0);
-            set(two, -z * one[1], z * one[0], square * factor);
+            double oneX = -y * factor;
+            double oneY = x * factor;
+            set(vectors, one, oneX, oneY, 0);
+            set(vectors, two, -z * oneY, z * oneX, square * factor);
         }
     }
 
-    static void set(double[] vector, double x, double y, double z) {
-        vector[0] = x;
-        vector[1] = y;
-        vector[2] = z;
+    static void set(double[] vectors, int at, double x, double y, double z) {
+        vectors[at] = x;
+        vectors[at + 1] = y;
+        vectors[at + 2] = z;
     }
 }
