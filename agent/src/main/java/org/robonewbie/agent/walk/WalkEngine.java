@@ -46,11 +46,14 @@ public final class WalkEngine {
 
     private static final int CYCLE_MILLIS = 20;
 
+    /** A runner, too, takes this time for the step with which it comes to rest. */
+    private static final int LEAST_CYCLES_OF_LAST_STEP = 10;
+
     private final WalkStyle style;
     private final WalkReflex reflex;
     private final InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
     private final Balance balance = new Balance();
-    private final int cyclesPerStep;
+    private int cyclesPerStep;
     private WalkVelocity wanted = WalkVelocity.ZERO;
     private WalkVelocity velocity = WalkVelocity.ZERO;
     private FootPlace left = FootPlace.LEFT;
@@ -83,7 +86,6 @@ public final class WalkEngine {
     public WalkEngine(WalkStyle style, WalkReflex reflex) {
         this.style = style;
         this.reflex = reflex;
-        this.cyclesPerStep = style.gait().stepMillis() / CYCLE_MILLIS;
         this.torso = TorsoPosture.of(style.gait(), 0);
         this.step = stepTo(left, torso);
     }
@@ -184,7 +186,13 @@ public final class WalkEngine {
         WalkVelocity before = velocity;
         velocity = standing ? WalkVelocity.ZERO : velocity.towards(wanted, style.change());
         feetSideBySide = velocity.isZero();
+        cyclesPerStep = cyclesOfStep(stopping);
         return stepTo(target(), torsoAtEnd(stopping, velocity.forward() - before.forward()));
+    }
+
+    private int cyclesOfStep(boolean stopping) {
+        int usual = style.gait().stepMillis() / CYCLE_MILLIS;
+        return stopping ? Math.max(usual, LEAST_CYCLES_OF_LAST_STEP) : usual;
     }
 
     private Step stepTo(FootPlace target, TorsoPosture after) {

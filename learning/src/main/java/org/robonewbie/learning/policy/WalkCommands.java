@@ -54,13 +54,7 @@ public enum WalkCommands {
 
         @Override
         WalkVelocity later(WalkCourse course, Random random) {
-            double kind = random.nextDouble();
-            if (kind < course.slowShare() / 2) {
-                return WalkVelocity.ZERO;
-            }
-            return kind < course.slowShare()
-                    ? new WalkVelocity(course.most().forward() * course.leastAhead() * random.nextDouble(), 0, 0)
-                    : first(course, random);
+            return slowerOrFirst(course, random);
         }
 
         @Override
@@ -68,9 +62,47 @@ public enum WalkCommands {
             double least = now.forward() - SLOWING * Cycle.SECONDS;
             return wanted.forward() >= least ? wanted : new WalkVelocity(least, wanted.left(), wanted.turn());
         }
+    },
+
+    /** Ahead, in half of the cases straight, else in a bend; later also slower or a stop, as suddenly as a player changes its mind. */
+    BENDS {
+
+        @Override
+        WalkVelocity first(WalkCourse course, Random random) {
+            double forward = ahead(course, random.nextDouble());
+            double kind = random.nextDouble();
+            double turn = 2 * random.nextDouble() - 1;
+            if (kind < 0.5) {
+                return new WalkVelocity(forward, 0, 0);
+            }
+            return new WalkVelocity(forward, 0, turn * (kind < 0.8 ? STEERING : BEND));
+        }
+
+        @Override
+        WalkVelocity later(WalkCourse course, Random random) {
+            return slowerOrFirst(course, random);
+        }
+
+        @Override
+        WalkVelocity onTheWay(WalkVelocity now, WalkVelocity wanted) {
+            return wanted;
+        }
+
+        @Override
+        double forADegreeAtRest() {
+            return FOR_A_DEGREE_OF_ROCKING;
+        }
     };
 
     private static final double BEND_DEGREES_PER_SECOND = 20;
+
+    /** How fast who keeps to a line turns at most, and how fast who bends; degrees per second. */
+    private static final double STEERING = 15;
+
+    private static final double BEND = 45;
+
+    private static final double FOR_A_DEGREE = 0.002;
+    private static final double FOR_A_DEGREE_OF_ROCKING = 0.05;
 
     /** How fast a run is slowed down, metres per second in a second. */
     private static final double SLOWING = 0.6;
@@ -83,6 +115,22 @@ public enum WalkCommands {
 
     /** What is commanded in the next cycle on the way to a velocity. */
     abstract WalkVelocity onTheWay(WalkVelocity now, WalkVelocity wanted);
+
+    /** What a degree by which the torso leans costs in each window of a robot that is to stand. */
+    double forADegreeAtRest() {
+        return FOR_A_DEGREE;
+    }
+
+    /** Draws a stop, a velocity slower than usual, or one as at first. */
+    WalkVelocity slowerOrFirst(WalkCourse course, Random random) {
+        double kind = random.nextDouble();
+        if (kind < course.slowShare() / 2) {
+            return WalkVelocity.ZERO;
+        }
+        return kind < course.slowShare()
+                ? new WalkVelocity(course.most().forward() * course.leastAhead() * random.nextDouble(), 0, 0)
+                : first(course, random);
+    }
 
     private static double ahead(WalkCourse course, double share) {
         return course.most().forward() * (course.leastAhead() + (1 - course.leastAhead()) * share);

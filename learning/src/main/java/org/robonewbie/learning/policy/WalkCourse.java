@@ -14,6 +14,7 @@ import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.trial.Trial;
 
 /**
@@ -28,6 +29,7 @@ import org.robonewbie.trial.Trial;
  * @param leastAhead which part of the largest speed forward is commanded at least on the way straight ahead
  * @param slowShare which part of the later commands of a run slows it down
  * @param toleratedMetresPerSecond which error of the velocity leaves nothing of the reward
+ * @param builds how the robots are built that take the lessons, one after the other
  */
 public record WalkCourse(
         String task,
@@ -37,16 +39,28 @@ public record WalkCourse(
         WalkCommands commands,
         double leastAhead,
         double slowShare,
-        double toleratedMetresPerSecond)
+        double toleratedMetresPerSecond,
+        List<RobotType> builds)
         implements Course {
+
+    private static final List<RobotType> USUAL = List.of(RobotType.TYPE_0);
 
     /** Walks into any direction: forward with up to 0.8 m/s. */
     public static final WalkCourse WALK =
-            new WalkCourse("walk", new WalkVelocity(0.8, 0.2, 90), 0.3, 200, WalkCommands.ANYWHERE, 0.3, 0, 0.3);
+            new WalkCourse("walk", new WalkVelocity(0.8, 0.2, 90), 0.3, 200, WalkCommands.ANYWHERE, 0.3, 0, 0.3, USUAL);
 
     /** Runs ahead with 0.9 to 1.3 m/s, with short steps, bends a little to both sides, slows down and stops. */
     public static final WalkCourse RUN =
-            new WalkCourse("run", new WalkVelocity(1.3, 0.2, 60), 0.3, 140, WalkCommands.AHEAD, 0.7, 0.3, 0.9);
+            new WalkCourse("run", new WalkVelocity(1.3, 0.2, 60), 0.3, 140, WalkCommands.AHEAD, 0.7, 0.3, 0.9, USUAL);
+
+    /** Jogs ahead with 0.6 to 1.1 m/s, straight or in bends, slower or not at all as a player needs it. Turns cost little speed. */
+    public static final WalkCourse JOG =
+            new WalkCourse("jog", new WalkVelocity(1.1, 0.2, 300), 0.3, 140, WalkCommands.BENDS, 0.6, 0.3, 0.5, USUAL);
+
+    /** Copies the list. */
+    public WalkCourse {
+        builds = List.copyOf(builds);
+    }
 
     /** In which part of the lessons of a training the command stays the same. */
     private static final double LONG_SHARE = 0.4;
@@ -61,11 +75,11 @@ public record WalkCourse(
     /**
      * Looks a course up.
      *
-     * @param task {@code walk} or {@code run}
+     * @param task {@code walk}, {@code run} or {@code jog}
      * @return the course; empty if there is none of this name
      */
     public static Optional<WalkCourse> named(String task) {
-        return Stream.of(WALK, RUN).filter(course -> course.task().equals(task)).findAny();
+        return Stream.of(WALK, RUN, JOG).filter(course -> course.task().equals(task)).findAny();
     }
 
     /**
@@ -86,19 +100,27 @@ public record WalkCourse(
     WalkCourse withForward(double low, double high) {
         WalkVelocity faster = new WalkVelocity(high, most.left(), most.turn());
         return new WalkCourse(
-                task, faster, backward, stepMillis, commands, low / high, slowShare, toleratedMetresPerSecond);
+                task, faster, backward, stepMillis, commands, low / high, slowShare, toleratedMetresPerSecond, builds);
     }
 
     WalkCourse withStepMillis(int millis) {
-        return new WalkCourse(task, most, backward, millis, commands, leastAhead, slowShare, toleratedMetresPerSecond);
+        return new WalkCourse(
+                task, most, backward, millis, commands, leastAhead, slowShare, toleratedMetresPerSecond, builds);
     }
 
     WalkCourse withSlowShare(double share) {
-        return new WalkCourse(task, most, backward, stepMillis, commands, leastAhead, share, toleratedMetresPerSecond);
+        return new WalkCourse(
+                task, most, backward, stepMillis, commands, leastAhead, share, toleratedMetresPerSecond, builds);
     }
 
     WalkCourse withToleratedMetresPerSecond(double metresPerSecond) {
-        return new WalkCourse(task, most, backward, stepMillis, commands, leastAhead, slowShare, metresPerSecond);
+        return new WalkCourse(
+                task, most, backward, stepMillis, commands, leastAhead, slowShare, metresPerSecond, builds);
+    }
+
+    WalkCourse withBuilds(List<RobotType> others) {
+        return new WalkCourse(
+                task, most, backward, stepMillis, commands, leastAhead, slowShare, toleratedMetresPerSecond, others);
     }
 
     @Override
@@ -110,23 +132,28 @@ public record WalkCourse(
 
     @Override
     public Classroom open(TrainingPlan plan) {
-        Trial room = WalkLesson.room();
+        List<Trial> rooms = builds.stream().map(WalkLesson::room).toList();
         int cycles = (int) Math.round(plan.seconds() / Cycle.SECONDS);
         return new Classroom() {
 
             @Override
             public LessonFigures give(long seed, double... numbers) {
-                return WalkLesson.give(room, WalkCourse.this, walk(numbers), seed, plan.newtons(), LONG_SHARE, cycles);
+                return give(walk(numbers), seed, LONG_SHARE);
             }
 
             @Override
             public LessonFigures examine(long seed, Policy policy) {
-                return WalkLesson.give(room, WalkCourse.this, new PolicyWalk(policy), seed, plan.newtons(), 0, cycles);
+                return give(new PolicyWalk(policy), seed, 0);
+            }
+
+            private LessonFigures give(PolicyWalk walk, long seed, double longShare) {
+                Trial room = rooms.get((int) Math.floorMod(seed, (long) rooms.size()));
+                return WalkLesson.give(room, WalkCourse.this, walk, seed, plan.newtons(), longShare, cycles);
             }
 
             @Override
             public void close() {
-                room.close();
+                rooms.forEach(Trial::close);
             }
         };
     }

@@ -9,6 +9,7 @@ import org.robonewbie.learning.rehearsal.MotorPuppet;
 import org.robonewbie.learning.rehearsal.Puppet;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.simulator.soccer.SoccerParameters;
@@ -33,11 +34,8 @@ final class WalkLesson {
     private static final double MOST_ERROR = 1.5;
     private static final double FOR_A_DEGREE = 0.002;
     private static final double FOR_A_FALL = 4;
-    private static final Scene SCENE = Scene.of(RobotStart.at(0, 0)
-                    .after(new Motion(
-                            "stance", List.of(new Keyframe(600, Stance.POSTURE), new Keyframe(300, Stance.POSTURE)))))
-            .withParameters(SoccerParameters.league())
-            .withBall(0, -9);
+    private static final Motion STANCE =
+            new Motion("stance", List.of(new Keyframe(600, Stance.POSTURE), new Keyframe(300, Stance.POSTURE)));
 
     private final WalkCourse course;
     private final Random random;
@@ -55,9 +53,17 @@ final class WalkLesson {
         isLong = random.nextDouble() < longShare;
     }
 
-    /** A world for lessons, one after the other. */
+    /** A world for lessons of a standard robot, one after the other. */
     static Trial room() {
-        return Trial.direct(SCENE, 0, Performer.ofSpeeds());
+        return room(RobotType.TYPE_0);
+    }
+
+    /** A world for lessons of a robot of some build. */
+    static Trial room(RobotType type) {
+        Scene scene = Scene.of(RobotStart.at(0, 0).withType(type).after(STANCE))
+                .withParameters(SoccerParameters.league())
+                .withBall(0, -9);
+        return Trial.direct(scene, 0, Performer.ofSpeeds());
     }
 
     /** Gives a lesson and tells what came of it. */
@@ -111,7 +117,8 @@ final class WalkLesson {
                 middle.left(now.robot().position()) / seconds - wanted.left());
         double turnError = Math.abs(turned / seconds - wanted.turn());
         double lost = Math.min(MOST_ERROR, error / course.toleratedMetresPerSecond() + turnError / DEGREES_PER_SECOND);
-        figures.window(1 - lost - FOR_A_DEGREE * now.robot().tiltDegrees());
+        double forADegree = settled && wanted.isZero() ? course.commands().forADegreeAtRest() : FOR_A_DEGREE;
+        figures.window(1 - lost - forADegree * now.robot().tiltDegrees());
         if (settled) {
             figures.settled(error, turnError);
         }

@@ -1,9 +1,11 @@
 package org.robonewbie.learning.policy;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.robonewbie.nao.model.RobotType;
 
 /** What can be different in lessons of walking; each is written {@code name=value}. */
 public enum WalkOption {
@@ -59,6 +61,20 @@ public enum WalkOption {
         @Override
         WalkCourse changed(WalkCourse course, double metresPerSecond, double none) {
             return course.withToleratedMetresPerSecond(metresPerSecond);
+        }
+    },
+    /** How the robots are built: each lesson has another type. */
+    TYPES("types=FIRST..LAST, 0 to 4, such as types=0..4", "(\\d)\\.\\.(\\d)") {
+
+        @Override
+        boolean isPossible(double first, double last) {
+            return first <= last && last < RobotType.values().length;
+        }
+
+        @Override
+        WalkCourse changed(WalkCourse course, double first, double last) {
+            return course.withBuilds(
+                    List.of(RobotType.values()).subList((int) first, (int) last + 1));
         }
     };
 
