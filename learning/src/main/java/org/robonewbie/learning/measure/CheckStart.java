@@ -45,6 +45,14 @@ record CheckStart(String suffix, String words, LongFunction<Rehearsal> opening) 
         return new CheckStart(suffix(type), ON_LEAGUE_PITCH, seed -> LongWay.walking(seed, type, style));
     }
 
+    /** An agent on a whole simulator, with room for a ball that goes far. */
+    static CheckStart serverOnLeaguePitch(RobotType type) {
+        return new CheckStart(
+                ", on the server" + suffix(type),
+                ON_LEAGUE_PITCH,
+                seed -> LongWay.walking(seed, type, WalkStyle.STANDARD));
+    }
+
     /** An agent that runs as it has learned and steers by what it sees and feels, else as {@link #onLeaguePitch(RobotType, WalkStyle)}. */
     static CheckStart onLeaguePitch(RobotType type, PolicyWalk learned) {
         return new CheckStart(

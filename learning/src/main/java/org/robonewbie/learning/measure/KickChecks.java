@@ -13,6 +13,9 @@ import org.robonewbie.trial.measure.MeasureFromStart;
 final class KickChecks {
 
     private static final double STRONG_METRES = 4;
+    private static final double FAR_METRES = 8;
+    private static final double FAR_SECONDS = 2;
+    private static final double STRAIGHT_DEGREES = 5;
     private static final double QUICK_METRES = 3;
     private static final double QUICK_SECONDS = 0.8;
     private static final double ROLLING_METRES_PER_SECOND = 1;
@@ -28,7 +31,10 @@ final class KickChecks {
                         kick(start, "kick-" + side),
                         pass(start, "pass-" + side),
                         quickKick(start, "quick-kick-" + side),
-                        quickStart(start, "quick-kick-" + side)))
+                        soon(start, "quick-kick-" + side, QUICK_SECONDS),
+                        farKick(start, "far-kick-" + side),
+                        straight(start, "far-kick-" + side),
+                        soon(start, "far-kick-" + side, FAR_SECONDS)))
                 .toList();
     }
 
@@ -45,15 +51,30 @@ final class KickChecks {
         return kick(start, name, "the ball rolls at least 3 m, the robot ends in the stance", QUICK_METRES, 99);
     }
 
-    private static MotionCheck quickStart(CheckStart start, String name) {
-        String rule = "the ball is faster than 1 m/s after at most 0.8 s";
+    static MotionCheck farKick(CheckStart start, String name) {
+        return kick(start, name, "the ball rolls at least 8 m, the robot ends in the stance", FAR_METRES, 99);
+    }
+
+    private static MotionCheck straight(CheckStart start, String name) {
+        String rule = "the ball rolls at least 8 m, in a direction at most 5° beside the robot's";
+        return start.check(name + ", straight", rule, "degrees to either side", (robot, seed) -> {
+            MotionFile file = ShippedMotions.file(name);
+            KickTrial trial =
+                    KickTrial.toTheEnd(robot, file.motion(), file.ball().orElseThrow(), seed);
+            double degrees = Math.abs(trial.degreesAside());
+            return new Outcome(trial.metres() >= FAR_METRES && degrees <= STRAIGHT_DEGREES, degrees);
+        });
+    }
+
+    private static MotionCheck soon(CheckStart start, String name, double mostSeconds) {
+        String rule = "the ball is faster than 1 m/s after at most " + mostSeconds + " s";
         return start.check(name + ", soon", rule, "s until the ball is faster than 1 m/s", (robot, seed) -> {
             MotionFile file = ShippedMotions.file(name);
             robot.placeBall(file.ball().orElseThrow(), seed);
             FirstRoll roll = new FirstRoll();
             robot.watch(roll);
             robot.play(file.motion());
-            return new Outcome(roll.value() <= QUICK_SECONDS, roll.value());
+            return new Outcome(roll.value() <= mostSeconds, roll.value());
         });
     }
 

@@ -21,7 +21,8 @@ final class ServerChecks {
                 getUp(start, type.ownMotion("quick-stand-up-from-back"), "fall-back"),
                 getUp(start, type.ownMotion("quick-stand-up-from-front"), "fall-forward"),
                 KickChecks.kick(start, "kick-right"),
-                KickChecks.pass(start, "pass-right"));
+                KickChecks.pass(start, "pass-right"),
+                KickChecks.farKick(CheckStart.serverOnLeaguePitch(type), "far-kick-right"));
     }
 
     private static MotionCheck getUp(CheckStart start, String name, String fall) {

@@ -1,6 +1,7 @@
 package org.robonewbie.learning.rehearsal;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.measure.KickDistance;
@@ -29,7 +30,20 @@ public record KickTrial(double metres, double degreesAside, boolean standing, do
      * @return the outcome
      */
     public static KickTrial quick(Motion kick, BallPlace ball, long seed) {
-        try (Rehearsal robot = Rehearsal.inStance(seed, PUSH_NEWTONS)) {
+        return quick(RobotType.TYPE_0, kick, ball, seed);
+    }
+
+    /**
+     * Runs a trial with a robot of some build until it has come to rest, and estimates how far the ball rolls on.
+     *
+     * @param type how the robot is built
+     * @param kick the motion
+     * @param ball the nominal place of the ball
+     * @param seed chooses the ball's place and the disturbances
+     * @return the outcome
+     */
+    public static KickTrial quick(RobotType type, Motion kick, BallPlace ball, long seed) {
+        try (Rehearsal robot = Rehearsal.inStance(type, seed, PUSH_NEWTONS)) {
             return kicked(robot, kick, ball, seed, 0);
         }
     }

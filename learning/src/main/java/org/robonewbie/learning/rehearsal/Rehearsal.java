@@ -18,11 +18,14 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
@@ -318,6 +321,18 @@ public final class Rehearsal implements AutoCloseable {
     /** {@return the true state of the robot's body} */
     public BodyState body() {
         return trial.robot(0).body();
+    }
+
+    /**
+     * Tells where a link of the robot really is. A limb that swings fast is pulled out of its joints for some cycles, by up to a few
+     * centimetres; the kinematics of {@link #body} do not know that.
+     *
+     * @param name the link's name in {@link NaoModel}, such as {@code rfoot}
+     * @return its centre and orientation in the world frame
+     */
+    public Pose link(String name) {
+        Robot robot = trial.robot(0);
+        return robot.linkPose(robot.model().linkIndex(name)).toBodyAxes();
     }
 
     /** {@return seconds since the beginning} */
