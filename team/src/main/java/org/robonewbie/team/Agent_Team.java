@@ -42,6 +42,8 @@ public class Agent_Team extends Agent {
     private static final double STILL_SECONDS = 0.2;
     private static final double BEAM_AGAIN_SECONDS = 1;
     private static final double BEHIND_METRES = 0.45;
+    private static final double SEARCH_TURN = 40;
+    private static final double KEEPER_TURN = 90;
 
     private final int number;
     private final WorldModel world = new WorldModel();
@@ -180,7 +182,7 @@ public class Agent_Team extends Agent {
             case DRIBBLE -> dribble.bring(world, plan.target());
             case WAIT -> way = feet.go(world, behindBall(plan.headingDegrees()), plan.headingDegrees());
             case KICK -> kick.kick(world, plan.headingDegrees());
-            case SEARCH -> walk.towards(0, 0, 40);
+            case SEARCH -> walk.towards(0, 0, Roles.isKeeper(world, world.number()) ? KEEPER_TURN : SEARCH_TURN);
             case STAND -> walk.stop();
         }
     }
@@ -190,7 +192,12 @@ public class Agent_Team extends Agent {
     }
 
     private void keep(Plan plan) {
-        if (!keeping.dive(world)) {
+        if (keeping.dive(world)) {
+            return;
+        }
+        if (Goalkeeping.comesOut(world)) {
+            feet.shadow(world, plan.target(), plan.headingDegrees());
+        } else {
             way = feet.go(world, plan.target(), plan.headingDegrees());
         }
     }

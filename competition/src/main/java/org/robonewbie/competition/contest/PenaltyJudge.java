@@ -3,7 +3,10 @@ package org.robonewbie.competition.contest;
 import java.util.Map;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** Sees whether the attacker scores before its time is over, the ball is out, or it has left the pitch. */
+/**
+ * Sees whether the attacker scores before its time is over, the ball is out, or it has left the pitch. Who asks for pass mode wins no time by
+ * it: the attack goes on.
+ */
 final class PenaltyJudge implements Judge {
 
     private final String attacker;
@@ -20,7 +23,7 @@ final class PenaltyJudge implements Judge {
         }
         goals = Math.min(1, Judge.goals(world, attacker));
         return switch (world.playMode()) {
-            case PLAY_ON, KICK_OFF_LEFT, KICK_OFF_RIGHT -> goals > 0;
+            case PLAY_ON, KICK_OFF_LEFT, KICK_OFF_RIGHT, PASS_LEFT, PASS_RIGHT -> goals > 0;
             default -> true;
         };
     }

@@ -102,6 +102,15 @@ class PenaltyContestTest {
         assertThat(judge.figures("Red").get("goals")).isZero();
     }
 
+    @Test
+    void keeperThatAsksForPassModeDoesNotEndThePenalty() {
+        Judge judge = penaltyOfRed();
+
+        boolean over = watch(judge, PlayMode.PASS_RIGHT, 0, new Vector3(4, 0, 0.04));
+
+        assertThat(over).isFalse();
+    }
+
     private static Judge penaltyOfRed() {
         JudgedContest contest = Contests.penalties(Conditions.of(1), 3, 30);
         ContestTrial trial = contest.trials(List.of("Red", "Blue"), id -> Optional.empty()).stream()

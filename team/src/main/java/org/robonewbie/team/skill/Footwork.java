@@ -32,6 +32,8 @@ public final class Footwork {
     private static final double ARRIVED_METRES = 0.12;
     private static final double ARRIVED_DEGREES = 12;
     private static final double LEFT_METRES = 0.4;
+    private static final double EXACT_METRES = 0.05;
+    private static final double EXACT_DEGREES = 8;
     private static final double ROBOT_METRES = 0.5;
     private static final double AHEAD_DEGREES = 45;
     private static final double SIGHT_METRES = 3;
@@ -72,6 +74,24 @@ public final class Footwork {
             step(world, next, turn, way.size() == 1);
         }
         return way;
+    }
+
+    /**
+     * Keeps exactly to a place that moves: where {@link #go} would stand still, the robot makes small steps.
+     *
+     * @param world where the others are
+     * @param place where to, in the coordinates of the team
+     * @param headingDegrees which way to face there, in the coordinates of the team
+     */
+    public void shadow(WorldModel world, Spot place, double headingDegrees) {
+        Spot next = place.seenFrom(world.pose());
+        double turn = PortableMath.IEEEremainder(headingDegrees - world.pose().headingDegrees(), 360);
+        standing = next.length() < EXACT_METRES && Math.abs(turn) < EXACT_DEGREES;
+        if (standing) {
+            walk.stop();
+        } else {
+            step(world, next, turn);
+        }
     }
 
     /**

@@ -5,8 +5,10 @@ import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Keeps the goal: stands between ball and goal where the angle is smallest, and throws itself in the way of a ball that would roll over
- * the line.
+ * Keeps the goal: stands between ball and goal, and throws itself in the way of a ball that would roll over the line.
+ *
+ * <p>A dive takes a second, and a kick from a few metres half of one. So a keeper that is alone comes out: the nearer it stands to the
+ * ball, the less of the goal is left beside it. And it clears the ball itself if it is there well before the attacker.
  */
 public final class Goalkeeping {
 
@@ -15,6 +17,10 @@ public final class Goalkeeping {
     private static final double DANGER_SECONDS = 1.6;
     private static final double LEAST_SPEED = 0.8;
     private static final double OUT_METRES = 0.7;
+    private static final double COMES_OUT_METRES = 4;
+    private static final double BEFORE_BALL_METRES = 0.4;
+    private static final double MOST_OF_WAY = 0.8;
+    private static final double LEAD_METRES = 0.4;
 
     private final Limbs body;
 
@@ -35,9 +41,35 @@ public final class Goalkeeping {
      */
     public static Spot place(WorldModel world) {
         Spot goal = world.ourGoal();
+        if (comesOut(world)) {
+            double away =
+                    Math.min(BEFORE_BALL_METRES, MOST_OF_WAY * world.ball().distanceTo(goal));
+            return world.ball().towards(goal, away);
+        }
         Spot place =
                 goal.towards(world.ball(), Math.min(OUT_METRES, world.ball().distanceTo(goal) / 2));
         return new Spot(Math.max(place.x(), goal.x() + 0.25), place.y());
+    }
+
+    /**
+     * Looks whether the keeper leaves its line.
+     *
+     * @param world where the ball is
+     * @return whether it is alone and the ball is near
+     */
+    public static boolean comesOut(WorldModel world) {
+        return world.mates().isEmpty() && world.ball().distanceTo(world.ourGoal()) < COMES_OUT_METRES;
+    }
+
+    /**
+     * Looks whether a keeper that is alone should clear the ball.
+     *
+     * @param world where ball and attacker are
+     * @return whether it is clearly the first at the ball
+     */
+    public static boolean mayClear(WorldModel world) {
+        double own = world.place().distanceTo(world.ball());
+        return world.mates().isEmpty() && world.opponentDistance(world.ball()) > own + LEAD_METRES;
     }
 
     /**

@@ -3,6 +3,7 @@ package org.robonewbie.team.tactics;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.robonewbie.team.skill.Goalkeeping;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Spot;
@@ -47,7 +48,7 @@ public final class Roles {
     /** {@return the player's role} */
     public TeamRole own() {
         boolean keeper = isKeeper(world, world.number());
-        boolean leavesGoal = !keeper || !world.mates().isEmpty();
+        boolean leavesGoal = !keeper || !world.mates().isEmpty() || Goalkeeping.mayClear(world);
         if (leavesGoal && isStriker()) {
             return TeamRole.STRIKER;
         }
@@ -56,7 +57,7 @@ public final class Roles {
 
     /**
      * Looks whether a player keeps the goal. A team of less than eight has no keeper: in a small team each player is needed where the
-     * ball is. But a number 1 that begins alone in its goal is there for a penalty shoot-out, and stays.
+     * ball is. But a number 1 that begins alone in its goal is there for a penalty shoot-out.
      *
      * @param world the game
      * @param number the player's number

@@ -97,7 +97,7 @@ public final class SetPlay {
 
     /**
      * Looks whether the player should ask for pass mode, which keeps the opponents a metre away from the ball for four seconds: if it is
-     * about to pass, or to kick from where it cannot score, and an opponent is coming. The referee decides.
+     * about to pass, or to kick from where it cannot score, and an opponent is coming. Who is alone passes to nobody. The referee decides.
      *
      * @param world the game
      * @param plan what the player is about to do
@@ -105,6 +105,7 @@ public final class SetPlay {
      */
     public static boolean wantsPass(WorldModel world, Plan plan) {
         return plan.action() == Plan.Action.KICK
+                && !world.mates().isEmpty()
                 && (plan.receiver() > 0 || world.ball().distanceTo(world.theirGoal()) > FAR_METRES)
                 && world.situation() == Situation.OPEN_PLAY
                 && world.ballFromHere().length() < ASK_METRES

@@ -17,6 +17,7 @@ import org.robonewbie.team.world.WorldModel;
 public final class Strategy {
 
     private static final double LOST_SECONDS = 3;
+    private static final double KEEPER_LOST_SECONDS = 1;
     private static final double KEEPER_LEAVES_METRES = 3.5;
     private static final double NEVER_SECONDS = 25;
     private static final double GET_UP_SECONDS = 4;
@@ -75,7 +76,8 @@ public final class Strategy {
     }
 
     private Plan planOf(TeamRole role) {
-        if (world.ballAgeSeconds() > LOST_SECONDS) {
+        boolean keeps = Roles.isKeeper(world, world.number());
+        if (world.ballAgeSeconds() > (keeps ? KEEPER_LOST_SECONDS : LOST_SECONDS)) {
             return new Plan(role, Action.SEARCH, world.place(), 0, 0);
         }
         if (world.situation() == Situation.OVER) {
@@ -83,9 +85,14 @@ public final class Strategy {
         }
         return switch (role) {
             case STRIKER -> striker();
-            case KEEPER -> new Plan(role, Action.KEEP, Goalkeeping.place(world), facing(Goalkeeping.place(world)), 0);
+            case KEEPER -> keeper();
             default -> waiting(role);
         };
+    }
+
+    private Plan keeper() {
+        double toBall = world.ball().minus(world.place()).degrees();
+        return new Plan(TeamRole.KEEPER, Action.KEEP, Goalkeeping.place(world), toBall, 0);
     }
 
     private Plan striker() {
