@@ -33,6 +33,7 @@ public final class WorldModel {
     private static final double OPPONENT_SECONDS = 4;
     private static final double LYING_METRES = 0.25;
     private static final double IN_GOAL_METRES = 1;
+    private static final double BEGIN_SECONDS = 1;
 
     /** A robot that falls sees balls and players where they are not. */
     private static final double UPRIGHT_DEGREES = 15;
@@ -50,6 +51,7 @@ public final class WorldModel {
     private List<Spot> uprightOpponents = List.of();
     private Situation situation = Situation.LINE_UP;
     private double situationSeconds;
+    private double lineUpSeconds = Double.NEGATIVE_INFINITY;
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
     private double seconds;
     private int number;
@@ -93,10 +95,12 @@ public final class WorldModel {
         }
     }
 
+    /** Whoever begins in its goal, or is there when a game begins, has been put there. */
     private void rememberBegin() {
-        if (!placed && self.isKnown()) {
+        boolean begins = !placed || seconds - lineUpSeconds < BEGIN_SECONDS;
+        if (self.isKnown() && begins) {
             placed = true;
-            begunInGoal = place().distanceTo(ourGoal()) < IN_GOAL_METRES;
+            begunInGoal |= place().distanceTo(ourGoal()) < IN_GOAL_METRES;
         }
     }
 
@@ -105,6 +109,7 @@ public final class WorldModel {
         Situation now = Situation.of(nao.getPlayMode(), side);
         scored = nao.getPlayMode() == (side == TeamSide.LEFT ? PlayMode.GOAL_LEFT : PlayMode.GOAL_RIGHT);
         if (now != situation) {
+            lineUpSeconds = situation == Situation.LINE_UP ? seconds : lineUpSeconds;
             situation = now;
             situationSeconds = seconds;
         }
@@ -229,7 +234,7 @@ public final class WorldModel {
         return self.ageSeconds();
     }
 
-    /** {@return whether the robot stood in its goal when it first knew where it was} */
+    /** {@return whether the robot stood in its goal when it first knew where it was, or when a game began} */
     public boolean hasBegunInGoal() {
         return begunInGoal;
     }
