@@ -182,7 +182,7 @@ public class Agent_Team extends Agent {
             case DRIBBLE -> dribble.bring(world, plan.target());
             case WAIT -> way = feet.go(world, behindBall(plan.headingDegrees()), plan.headingDegrees());
             case KICK -> kick.kick(world, plan.headingDegrees());
-            case SEARCH -> walk.towards(0, 0, Roles.isKeeper(world, world.number()) ? KEEPER_TURN : SEARCH_TURN);
+            case SEARCH -> walk.towards(0, 0, Roles.keepsAlone(world) ? KEEPER_TURN : SEARCH_TURN);
             case STAND -> walk.stop();
         }
     }

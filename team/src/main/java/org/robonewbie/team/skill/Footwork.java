@@ -26,6 +26,7 @@ public final class Footwork {
     private static final double AROUND_DEGREES_PER_SECOND = 25;
     private static final double NEAR_METRES = 0.7;
     private static final double SLOW = 0.3;
+    private static final double CALM = 0.6;
     private static final double CLOSE_METRES = 0.8;
     private static final double CLOSE_DEGREES = 40;
     private static final double FAR_METRES = 0.55;
@@ -54,7 +55,8 @@ public final class Footwork {
     }
 
     /**
-     * Walks to a place around all other robots, and stops there.
+     * Walks to a place around all other robots, and stops there. At its largest speed a robot stumbles once in two minutes, with nobody near;
+     * in a small team nobody is there then to take its place, so there it walks more calmly.
      *
      * @param world where the others are
      * @param place where to, in the coordinates of the team
@@ -71,9 +73,13 @@ public final class Footwork {
         if (standing) {
             walk.stop();
         } else {
-            step(world, next, turn, way.size() == 1);
+            step(world, next, turn, way.size() == 1, pace(world));
         }
         return way;
+    }
+
+    private static double pace(WorldModel world) {
+        return world.isSmallTeam() ? Math.min(CALM, speed(world)) : speed(world);
     }
 
     /**
@@ -104,20 +110,19 @@ public final class Footwork {
     public void step(WorldModel world, Spot place, double turnDegrees) {
         if (place.length() > FAR_METRES) {
             List<Spot> way = PathPlanner.way(world.place(), place.onMap(world.pose()), others(world));
-            step(world, way.get(0).seenFrom(world.pose()), turnDegrees, false);
+            step(world, way.get(0).seenFrom(world.pose()), turnDegrees, false, speed(world));
         } else {
-            step(world, place, turnDegrees, true);
+            step(world, place, turnDegrees, true, speed(world));
         }
     }
 
-    private void step(WorldModel world, Spot place, double turnDegrees, boolean last) {
+    private void step(WorldModel world, Spot place, double turnDegrees, boolean last, double pace) {
         double bearing = place.degrees();
         if (!last || place.length() > FAR_METRES) {
             boolean ahead = Math.abs(bearing) < AHEAD_DEGREES;
-            walk.towards(ahead ? speed(world) : 0, 0, FAR_TURN * bearing);
+            walk.towards(ahead ? pace : 0, 0, FAR_TURN * bearing);
         } else {
-            walk.towards(
-                    Math.min(speed(world), NEAR_SPEED * place.x()), NEAR_SPEED * place.y(), NEAR_TURN * turnDegrees);
+            walk.towards(Math.min(pace, NEAR_SPEED * place.x()), NEAR_SPEED * place.y(), NEAR_TURN * turnDegrees);
         }
     }
 

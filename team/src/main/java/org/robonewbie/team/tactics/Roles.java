@@ -22,7 +22,6 @@ public final class Roles {
     static final double ROLE_LEAD_METRES = 1;
 
     private static final int KEEPER_NUMBER = 1;
-    private static final int MATES_OF_KEEPER = 7;
     private static final double SILENT_SECONDS = 2;
 
     private final WorldModel world;
@@ -65,7 +64,17 @@ public final class Roles {
      */
     public static boolean isKeeper(WorldModel world, int number) {
         boolean alone = world.mates().isEmpty() && world.hasBegunInGoal();
-        return number == KEEPER_NUMBER && (alone || world.mates().size() >= MATES_OF_KEEPER);
+        return number == KEEPER_NUMBER && (alone || !world.isSmallTeam());
+    }
+
+    /**
+     * Looks whether a player keeps the goal without team mates, as in a penalty shoot-out.
+     *
+     * @param world the game
+     * @return whether it does
+     */
+    public static boolean keepsAlone(WorldModel world) {
+        return world.mates().isEmpty() && isKeeper(world, world.number());
     }
 
     private boolean isStriker() {

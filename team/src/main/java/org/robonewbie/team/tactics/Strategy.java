@@ -76,8 +76,7 @@ public final class Strategy {
     }
 
     private Plan planOf(TeamRole role) {
-        boolean keeps = Roles.isKeeper(world, world.number());
-        if (world.ballAgeSeconds() > (keeps ? KEEPER_LOST_SECONDS : LOST_SECONDS)) {
+        if (world.ballAgeSeconds() > (Roles.keepsAlone(world) ? KEEPER_LOST_SECONDS : LOST_SECONDS)) {
             return new Plan(role, Action.SEARCH, world.place(), 0, 0);
         }
         if (world.situation() == Situation.OVER) {
@@ -91,8 +90,10 @@ public final class Strategy {
     }
 
     private Plan keeper() {
+        Spot place = Goalkeeping.place(world);
         double toBall = world.ball().minus(world.place()).degrees();
-        return new Plan(TeamRole.KEEPER, Action.KEEP, Goalkeeping.place(world), toBall, 0);
+        double heading = Roles.keepsAlone(world) ? toBall : facing(place);
+        return new Plan(TeamRole.KEEPER, Action.KEEP, place, heading, 0);
     }
 
     private Plan striker() {

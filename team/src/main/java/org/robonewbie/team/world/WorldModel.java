@@ -34,6 +34,7 @@ public final class WorldModel {
     private static final double LYING_METRES = 0.25;
     private static final double IN_GOAL_METRES = 1;
     private static final double BEGIN_SECONDS = 1;
+    private static final int SMALL_TEAM = 8;
 
     /** A robot that falls sees balls and players where they are not. */
     private static final double UPRIGHT_DEGREES = 15;
@@ -292,6 +293,11 @@ public final class WorldModel {
     /** {@return the team mates that were heard lately, by their numbers} */
     public List<Mate> mates() {
         return List.copyOf(mates.values());
+    }
+
+    /** {@return whether fewer than eight players are there: too few to spare one for the goal} */
+    public boolean isSmallTeam() {
+        return mates.size() < SMALL_TEAM - 1;
     }
 
     /** {@return where the opponents are that were seen lately} */
