@@ -180,12 +180,12 @@ final class SimulatorCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    /** Prepares for many robots on the clock; as soon as an agent has connected, all power of the computer is for the real world. */
+    /** Prepares for many robots on the clock; as soon as the world goes on with agents, all power of the computer is for it. */
     private void startWarmUp(Simulator simulator, Console console) {
         Thread warmUp = new Thread(
                 () -> {
                     try {
-                        MatchLoad.warmUp(physics, () -> simulator.connectedAgents() == 0);
+                        MatchLoad.warmUp(physics, () -> simulator.connectedAgents() < Math.max(1, awaitedAgents));
                     } catch (IOException e) {
                         console.say("The warm-up has failed, so the first seconds may be slow: " + e.getMessage());
                     }

@@ -15,12 +15,16 @@ import org.robonewbie.protocol.tcp.TcpAgentLink;
 
 /**
  * One player of a match under load: it takes its place before each kick-off, bends its knees again and again while it swings
- * arms and head, calls to its team, and reads every message. It never falls, so that each robot costs the same all the time.
+ * arms and head, calls to its team, and reads every message. A steady one never falls, so that each robot costs the same all the time; a
+ * clumsy one stands near others, swings its legs until it falls on them, and goes on while it lies.
  */
 final class LoadPlayer implements Runnable {
 
     private static final int TYPES = 4;
     private static final int PLAYERS_PER_ROW = 4;
+    private static final double APART_METRES = 4;
+    private static final double CROWDED_METRES = 0.45;
+    private static final double SWING_RADIANS_PER_SECOND = 2.5;
     private static final double BEND_RADIANS = Math.toRadians(10);
     private static final double RADIANS_PER_SECOND = 2 * Math.PI / 1.6;
     private static final int CYCLES_BETWEEN_CALLS = 3;
@@ -28,6 +32,7 @@ final class LoadPlayer implements Runnable {
     private final String team;
     private final int number;
     private final boolean isTimed;
+    private final boolean clumsy;
     private final AgentLink link;
     private final Arrivals arrivals = new Arrivals();
     private final MessageBuffer message = new MessageBuffer();
@@ -41,8 +46,10 @@ final class LoadPlayer implements Runnable {
      * Connects a player.
      *
      * @param isTimed whether it keeps the times at which messages come, which takes memory
+     * @param clumsy whether it falls
      */
-    LoadPlayer(int port, String team, int number, boolean isTimed) throws IOException {
+    LoadPlayer(int port, String team, int number, boolean isTimed, boolean clumsy) throws IOException {
+        this.clumsy = clumsy;
         this.isTimed = isTimed;
         this.team = team;
         this.number = number;
@@ -125,15 +132,21 @@ final class LoadPlayer implements Runnable {
         if (playMode.equals(PlayMode.BEFORE_KICK_OFF.simSparkName()) && cycle % PLAYERS_PER_ROW == 0) {
             int row = (number - 1) / PLAYERS_PER_ROW;
             int column = (number - 1) % PLAYERS_PER_ROW;
-            writer.beam(-3 - 4 * row, 4 * column - 6, 0);
+            double metres = clumsy ? CROWDED_METRES : APART_METRES;
+            writer.beam(-3 - metres * row, metres * (column - 1.5), 0);
         }
         double seconds = cycle * Cycle.SECONDS;
         double bend = BEND_RADIANS / 2 * RADIANS_PER_SECOND * Math.sin(RADIANS_PER_SECOND * seconds);
+        double swing = clumsy ? SWING_RADIANS_PER_SECOND * Math.sin(2 * RADIANS_PER_SECOND * seconds) : 0;
         for (String side : List.of("l", "r")) {
-            writer.hingeSpeed(side + "le3", bend)
+            double ahead = side.equals("l") ? swing : -swing;
+            writer.hingeSpeed(side + "le3", bend + ahead)
                     .hingeSpeed(side + "le4", -2 * bend)
                     .hingeSpeed(side + "le5", bend);
-            writer.hingeSpeed(side + "ae1", -bend);
+            writer.hingeSpeed(side + "ae1", -bend - ahead / 2);
+        }
+        if (clumsy) {
+            writer.hingeSpeed("lle2", swing / 3).hingeSpeed("rle2", swing / 3);
         }
         writer.hingeSpeed("he1", Math.cos(seconds));
         if (cycle % CYCLES_BETWEEN_CALLS == 0) {

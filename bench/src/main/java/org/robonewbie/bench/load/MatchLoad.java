@@ -46,6 +46,7 @@ public final class MatchLoad {
     private final LoadSettings load;
     private final PrintStream progress;
     private final BooleanSupplier isWanted;
+    private final boolean clumsy;
 
     /**
      * Creates a measurement.
@@ -54,10 +55,11 @@ public final class MatchLoad {
      * @param progress reports the progress
      */
     public MatchLoad(LoadSettings load, PrintStream progress) {
-        this(load, progress, () -> true);
+        this(load, progress, () -> true, false);
     }
 
-    private MatchLoad(LoadSettings load, PrintStream progress, BooleanSupplier isWanted) {
+    private MatchLoad(LoadSettings load, PrintStream progress, BooleanSupplier isWanted, boolean clumsy) {
+        this.clumsy = clumsy;
         this.load = load;
         this.progress = progress;
         this.isWanted = isWanted;
@@ -65,7 +67,8 @@ public final class MatchLoad {
 
     /**
      * Plays a short invisible match as fast as possible, which takes some seconds. Java compiles a program to machine code
-     * while it runs; this does it in advance for a world that has to keep up with the clock from its first cycle on.
+     * while it runs; this does it in advance for a world that has to keep up with the clock from its first cycle on. The players
+     * push each other and fall, as in a real match: what has not happened in the warm-up is compiled when it first happens.
      *
      * @param physics the physics engine that will be used
      * @param isWanted called several times a second; false ends the match
@@ -74,7 +77,7 @@ public final class MatchLoad {
     public static void warmUp(PhysicsEngine physics, BooleanSupplier isWanted) throws IOException {
         LoadSettings load = new LoadSettings(WARM_UP_ROBOTS, WARM_UP_SECONDS, 1, false, physics);
         PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
-        new MatchLoad(load, nowhere, isWanted).run();
+        new MatchLoad(load, nowhere, isWanted, true).run();
     }
 
     /**
@@ -127,7 +130,7 @@ public final class MatchLoad {
     private List<LoadPlayer> connect(int port) throws IOException {
         List<LoadPlayer> players = new ArrayList<>();
         for (int i = 0; i < load.robots(); i++) {
-            LoadPlayer player = new LoadPlayer(port, i % 2 == 0 ? "Left" : "Right", i / 2 + 1, i == 0);
+            LoadPlayer player = new LoadPlayer(port, i % 2 == 0 ? "Left" : "Right", i / 2 + 1, i == 0, clumsy);
             Thread thread = new Thread(player, "player " + (i + 1));
             thread.setDaemon(true);
             thread.start();
