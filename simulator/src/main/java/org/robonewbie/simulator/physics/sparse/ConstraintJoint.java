@@ -5,6 +5,11 @@ import org.jspecify.annotations.Nullable;
 /** Whatever holds two bodies, or a body and what never moves: a hinge or a place where they touch. */
 abstract class ConstraintJoint {
 
+    /** How far its rows with limits are apart. */
+    static final int ROWS_PER_LIMIT = 3;
+
+    private static final int LIMIT_OF_HINGE = 5;
+
     /** The body that moves along the rows' Jacobians. */
     Body first;
     /** The body against which it is held; none for ground and walls. */
@@ -16,7 +21,6 @@ abstract class ConstraintJoint {
     boolean visited;
     /** Whether a row at its limit pushes, while the island is solved. */
     boolean pushes;
-
     /** Whether its rows are those of a hinge: three along the axes of the world that hold a point, and three that only turn. */
     final boolean hinge;
 
@@ -36,6 +40,11 @@ abstract class ConstraintJoint {
 
     /** The number of rows that the joint needs in this step, a multiple of three as {@link DenseBlocks} wants it. */
     abstract int rowCount();
+
+    /** The first of its rows that may have limits; {@link #ROWS_PER_LIMIT} further comes the next one. */
+    final int firstLimit() {
+        return hinge ? LIMIT_OF_HINGE : 0;
+    }
 
     /**
      * Writes Jacobians, speeds, softness and limits.

@@ -209,6 +209,10 @@ final class DenseBlocks {
     }
 
     static void solveForwards(double[] m, int start, int width, double[] inverseDiagonal, double[] x, int at) {
+        if (width == 6) {
+            solveSixForwards(m, start, inverseDiagonal, x, at);
+            return;
+        }
         for (int r = 0; r < width; r += 3) {
             int first = start + r * width;
             int second = first + width;
@@ -230,7 +234,28 @@ final class DenseBlocks {
         }
     }
 
+    private static void solveSixForwards(double[] m, int start, double[] inverseDiagonal, double[] x, int at) {
+        double a = x[at] * inverseDiagonal[at];
+        double b = (x[at + 1] - m[start + 6] * a) * inverseDiagonal[at + 1];
+        double c = (x[at + 2] - m[start + 12] * a - m[start + 13] * b) * inverseDiagonal[at + 2];
+        double d = x[at + 3] - m[start + 18] * a - m[start + 19] * b - m[start + 20] * c;
+        double e = x[at + 4] - m[start + 24] * a - m[start + 25] * b - m[start + 26] * c;
+        double f = x[at + 5] - m[start + 30] * a - m[start + 31] * b - m[start + 32] * c;
+        d *= inverseDiagonal[at + 3];
+        e = (e - m[start + 27] * d) * inverseDiagonal[at + 4];
+        x[at] = a;
+        x[at + 1] = b;
+        x[at + 2] = c;
+        x[at + 3] = d;
+        x[at + 4] = e;
+        x[at + 5] = (f - m[start + 33] * d - m[start + 34] * e) * inverseDiagonal[at + 5];
+    }
+
     static void solveBackwards(double[] m, int start, int width, double[] inverseDiagonal, double[] x, int at) {
+        if (width == 6) {
+            solveSixBackwards(m, start, inverseDiagonal, x, at);
+            return;
+        }
         for (int r = width - 3; r >= 0; r -= 3) {
             int first = start + r * width;
             int second = first + width;
@@ -245,6 +270,23 @@ final class DenseBlocks {
                 x[at + i] = x[at + i] - m[third + i] * c - m[second + i] * b - m[first + i] * a;
             }
         }
+    }
+
+    private static void solveSixBackwards(double[] m, int start, double[] inverseDiagonal, double[] x, int at) {
+        double f = x[at + 5] * inverseDiagonal[at + 5];
+        double e = (x[at + 4] - m[start + 34] * f) * inverseDiagonal[at + 4];
+        double d = (x[at + 3] - m[start + 33] * f - m[start + 27] * e) * inverseDiagonal[at + 3];
+        double a = x[at] - m[start + 30] * f - m[start + 24] * e - m[start + 18] * d;
+        double b = x[at + 1] - m[start + 31] * f - m[start + 25] * e - m[start + 19] * d;
+        double c = x[at + 2] - m[start + 32] * f - m[start + 26] * e - m[start + 20] * d;
+        c *= inverseDiagonal[at + 2];
+        b = (b - m[start + 13] * c) * inverseDiagonal[at + 1];
+        x[at] = (a - m[start + 12] * c - m[start + 6] * b) * inverseDiagonal[at];
+        x[at + 1] = b;
+        x[at + 2] = c;
+        x[at + 3] = d;
+        x[at + 4] = e;
+        x[at + 5] = f;
     }
 
     /** x[to...] -= block · x[from...] for a block of height × width. */
@@ -263,19 +305,24 @@ final class DenseBlocks {
     }
 
     private static void subtractTimesSix(double[] m, int start, int height, double[] x, int from, int to) {
+        double a = x[from];
+        double b = x[from + 1];
+        double c = x[from + 2];
+        double d = x[from + 3];
+        double e = x[from + 4];
+        double f = x[from + 5];
         for (int r = 0; r < height; r++) {
-            int a = start + 6 * r;
-            x[to + r] -= m[a] * x[from]
-                    + m[a + 1] * x[from + 1]
-                    + m[a + 2] * x[from + 2]
-                    + m[a + 3] * x[from + 3]
-                    + m[a + 4] * x[from + 4]
-                    + m[a + 5] * x[from + 5];
+            int at = start + 6 * r;
+            x[to + r] -= m[at] * a + m[at + 1] * b + m[at + 2] * c + m[at + 3] * d + m[at + 4] * e + m[at + 5] * f;
         }
     }
 
     /** x[to...] -= blockᵀ · x[from...] for a block of height × width. */
     static void subtractTransposedTimes(double[] m, int start, int height, int width, double[] x, int from, int to) {
+        if (width == 6) {
+            subtractTransposedTimesSix(m, start, height, x, from, to);
+            return;
+        }
         for (int i = 0; i < width; i += 3) {
             double a = x[to + i];
             double b = x[to + i + 1];
@@ -292,5 +339,30 @@ final class DenseBlocks {
             x[to + i + 1] = b;
             x[to + i + 2] = c;
         }
+    }
+
+    private static void subtractTransposedTimesSix(double[] m, int start, int height, double[] x, int from, int to) {
+        double a = x[to];
+        double b = x[to + 1];
+        double c = x[to + 2];
+        double d = x[to + 3];
+        double e = x[to + 4];
+        double f = x[to + 5];
+        for (int r = 0; r < height; r++) {
+            int at = start + 6 * r;
+            double value = x[from + r];
+            a -= m[at] * value;
+            b -= m[at + 1] * value;
+            c -= m[at + 2] * value;
+            d -= m[at + 3] * value;
+            e -= m[at + 4] * value;
+            f -= m[at + 5] * value;
+        }
+        x[to] = a;
+        x[to + 1] = b;
+        x[to + 2] = c;
+        x[to + 3] = d;
+        x[to + 4] = e;
+        x[to + 5] = f;
     }
 }

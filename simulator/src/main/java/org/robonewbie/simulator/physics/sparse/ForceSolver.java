@@ -30,6 +30,8 @@ final class ForceSolver {
     private final BlockCholesky cholesky = new BlockCholesky();
     private int[] limited = {};
     private int[] limitedJoint = {};
+    /** Where those joints are in the island. */
+    private int[] limitedBy = {};
     /** How far a limited row is beyond what its state allows, in newtons or m/s²; below 0 if its state is right. */
     private double[] wrongness = {};
 
@@ -42,7 +44,7 @@ final class ForceSolver {
     /** Solves; afterwards the rows hold the forces and the bodies the accelerations that come from them. */
     void solve(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
         cholesky.assemble(plan, rows);
-        findLimits(plan);
+        findLimits(plan, joints);
         if (rows.count > MOST_ROWS_OF_A_ROBOT || !searchNearby(plan, joints, bodies)) {
             search(plan, joints, bodies);
         }
@@ -63,7 +65,7 @@ final class ForceSolver {
         }
         for (int round = ROUNDS_NEARBY; round > 0; round--) {
             computeForces(plan, joints, bodies);
-            if (countWrong(plan, joints, bodies) == 0) {
+            if (countWrong(joints, bodies) == 0) {
                 return isBeyondDoubt();
             }
             changeMostWrong();
@@ -87,7 +89,7 @@ final class ForceSolver {
         int patience = ROUNDS_WITHOUT_PROGRESS;
         for (int round = mostRounds(); round > 0; round--) {
             computeForces(plan, joints, bodies);
-            int wrong = countWrong(plan, joints, bodies);
+            int wrong = countWrong(joints, bodies);
             if (wrong == 0) {
                 break;
             }
@@ -109,25 +111,30 @@ final class ForceSolver {
 
     /** A row that cannot push at all is at its limit for good; the others are free at first. */
     private void guess() {
-        for (int row = 0; row < rows.count; row++) {
-            rows.state[row] = rows.lower[row] < rows.upper[row] ? ConstraintRows.FREE : ConstraintRows.LOW;
+        Arrays.fill(rows.state, 0, rows.count, ConstraintRows.FREE);
+        for (int i = 0; i < limits; i++) {
+            if (!(rows.lower[limited[i]] < rows.upper[limited[i]])) {
+                rows.state[limited[i]] = ConstraintRows.LOW;
+            }
         }
     }
 
     /** Finds the rows whose state may change; those of the others are right from the beginning. */
-    private void findLimits(EliminationPlan plan) {
+    private void findLimits(EliminationPlan plan, List<ConstraintJoint> joints) {
         if (limited.length < rows.count) {
             limited = new int[rows.state.length];
             limitedJoint = new int[limited.length];
+            limitedBy = new int[limited.length];
             wrongness = new double[limited.length];
         }
         limits = 0;
         for (int k = 0; k < plan.joints(); k++) {
-            for (int row = plan.firstRow[k]; row < plan.firstRow[k + 1]; row++) {
-                boolean endless =
-                        rows.lower[row] == Double.NEGATIVE_INFINITY && rows.upper[row] == Double.POSITIVE_INFINITY;
-                if (!endless) {
+            ConstraintJoint joint = joints.get(plan.order[k]);
+            int end = plan.firstRow[k + 1];
+            for (int row = plan.firstRow[k] + joint.firstLimit(); row < end; row += ConstraintJoint.ROWS_PER_LIMIT) {
+                if (rows.lower[row] != Double.NEGATIVE_INFINITY || rows.upper[row] != Double.POSITIVE_INFINITY) {
                     limited[limits] = row;
+                    limitedBy[limits] = plan.order[k];
                     limitedJoint[limits++] = k;
                 }
             }
@@ -136,7 +143,7 @@ final class ForceSolver {
 
     private void computeForces(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
         cholesky.factorise(rows.state);
-        if (setLimits(plan, joints, bodies)) {
+        if (setLimits(joints, bodies)) {
             clearAccelerations(bodies);
             for (int i = 0; i < joints.size(); i++) {
                 if (joints.get(i).pushes) {
@@ -166,7 +173,7 @@ final class ForceSolver {
     }
 
     /** Sets the forces of all rows at a limit, clears the others, watches bodies that are pushed; returns whether any is. */
-    private boolean setLimits(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
+    private boolean setLimits(List<ConstraintJoint> joints, List<Body> bodies) {
         Arrays.fill(rows.force, 0, rows.count, 0);
         for (int i = 0; i < joints.size(); i++) {
             joints.get(i).pushes = false;
@@ -178,7 +185,7 @@ final class ForceSolver {
             if (rows.state[row] != ConstraintRows.FREE) {
                 rows.force[row] = rows.state[row] == ConstraintRows.LOW ? rows.lower[row] : rows.upper[row];
                 if (rows.force[row] != 0) {
-                    ConstraintJoint joint = joints.get(plan.order[limitedJoint[i]]);
+                    ConstraintJoint joint = joints.get(limitedBy[i]);
                     joint.pushes = true;
                     joint.watch();
                     pushed = true;
@@ -212,12 +219,12 @@ final class ForceSolver {
     }
 
     /** Only bodies that are held by a row at its limit need their accelerations for this. */
-    private int countWrong(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
+    private int countWrong(List<ConstraintJoint> joints, List<Body> bodies) {
         watch(bodies, false);
         boolean any = false;
         for (int i = 0; i < limits; i++) {
             if (rows.state[limited[i]] != ConstraintRows.FREE) {
-                joints.get(plan.order[limitedJoint[i]]).watch();
+                joints.get(limitedBy[i]).watch();
                 any = true;
             }
         }
@@ -227,7 +234,7 @@ final class ForceSolver {
         int wrong = 0;
         for (int i = 0; i < limits; i++) {
             int row = limited[i];
-            wrongness[i] = wrongness(joints.get(plan.order[limitedJoint[i]]), row);
+            wrongness[i] = wrongness(joints.get(limitedBy[i]), row);
             rows.next[row] = nextState(row, wrongness[i]);
             wrong += rows.next[row] == rows.state[row] ? 0 : 1;
         }
