@@ -2,19 +2,24 @@
 
     python -m robonewbie.train Stand --steps 300000
     python -m robonewbie.train Stand --steps 600000 --resume
+    python -m robonewbie.train Stand --hidden 0 --inputs "gyro.*|accelerometer.*" --option cycles=2
 
-After each round it keeps all that is needed to go on, so that a training can be stopped at any moment. The observations'
-normalisation is folded into the first layer of the policy.
+The policy begins with doing nothing: its last layer has zeros. After each round it keeps all that is needed to go on, so that a training
+can be stopped at any moment. The observations' normalisation is folded into the first layer of the policy.
 """
 
 import argparse
 import csv
 import os
+import re
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
 
+# Robots of a training have seeds one after the other; those of another one begin so far away.
+SEEDS_APART = 1000
 
 
 def fold(weights, bias, mean, variance, epsilon):
@@ -23,11 +28,13 @@ def fold(weights, bias, mean, variance, epsilon):
     return weights / deviation, bias - weights @ (mean / deviation)
 
 
-def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=()):
+def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), cycles=1):
     """Writes a policy as org.robonewbie.agent.policy.PolicyText reads it; layers are weights, bias and "tanh" or "cut"."""
     lines = [f"policy 1 {task}", *(f"# {line}" for line in about), f"numbers range-degrees {range_degrees:g}"]
     if motion:
         lines.append("numbers motion " + " ".join(f"{number:g}" for number in motion))
+    if cycles > 1:
+        lines.append(f"numbers cycles-per-action {cycles}")
     lines += [f"input {name} {unit}" for name, unit in inputs]
     lines += [f"output joint.{name} {range_degrees:g} degrees" for name in outputs]
     for weights, bias, bend in layers:
@@ -42,27 +49,52 @@ def _numbers(layer):
 
 def layers_of(model, normalisation):
     """Takes the layers of a PPO model, with the normalisation folded into the first one."""
-    first, _, second, _ = model.policy.mlp_extractor.policy_net
+    from torch.nn import Linear
+
+    hidden = [layer for layer in model.policy.mlp_extractor.policy_net if isinstance(layer, Linear)]
+    all_layers = [_numbers(layer) for layer in (*hidden, model.policy.action_net)]
     seen = normalisation.obs_rms
-    folded = fold(*_numbers(first), seen.mean, seen.var, normalisation.epsilon)
-    return [(*folded, "tanh"), (*_numbers(second), "tanh"), (*_numbers(model.policy.action_net), "cut")]
+    all_layers[0] = fold(*all_layers[0], seen.mean, seen.var, normalisation.epsilon)
+    return [(*layer, "tanh") for layer in all_layers[:-1]] + [(*all_layers[-1], "cut")]
+
+
+def options_of(words):
+    """Reads what changes the episodes: NAME=VALUE or NAME=LOW..HIGH."""
+    options = {}
+    for word in words:
+        name, equals, value = word.partition("=")
+        try:
+            numbers = tuple(float(number) for number in value.split(".."))
+        except ValueError:
+            numbers = ()
+        if not equals or len(numbers) not in (1, 2):
+            sys.exit(f'The option "{word}" is neither NAME=VALUE nor NAME=LOW..HIGH, such as cycles=2 or friction=0.7..1.3.')
+        options[name] = numbers[0] if len(numbers) == 1 else numbers
+    return options
 
 
 def _arguments(words):
     parser = argparse.ArgumentParser(prog="python -m robonewbie.train", description="Learns a task by PPO.")
-    parser.add_argument("task", help="Stand, Follow, Run, KickTo, QuickGetUp, another task, or the name of a Java class of yours")
+    parser.add_argument("task", help="Stand, Follow, Run, KickTo, GetUp, QuickGetUp, another task, or the name of a Java class of yours")
     parser.add_argument("--steps", type=int, default=300_000, help="cycles of all robots together (300000)")
-    parser.add_argument("--robots", type=int, default=16, help="robots that learn side by side (16)")
-    parser.add_argument("--round", type=int, default=128, help="steps of each robot between two updates (128)")
+    parser.add_argument("--robots", type=int, default=64, help="robots that learn side by side (64)")
+    parser.add_argument("--round", type=int, default=64, help="actions of each robot between two updates (64)")
+    parser.add_argument("--batches", type=int, default=8, help="parts of a round from which it learns one after the other (8)")
+    parser.add_argument("--epochs", type=int, default=10, help="how often it learns from a round (10)")
     parser.add_argument("--rate", type=float, default=3e-4, help="how fast it learns (0.0003)")
-    parser.add_argument("--gamma", type=float, default=0.99, help="what a reward is worth one step later (0.99)")
-    parser.add_argument("--noise", type=float, default=0.3, help="standard deviation of the first actions (0.3)")
-    parser.add_argument("--hold", type=int, default=0, help="steps for which a robot errs in the same way, by gSDE; 0: each step in another (0)")
-    parser.add_argument("--hidden", type=int, default=64, help="neurons in each of the two hidden layers (64)")
+    parser.add_argument("--gamma", type=float, default=0.99, help="what a reward is worth one action later (0.99)")
+    parser.add_argument("--noise", type=float, default=0.1, help="standard deviation of the first actions (0.1)")
+    parser.add_argument("--hold", type=int, default=0, help="actions for which a robot errs in the same way, by gSDE; 0: each in another (0)")
+    parser.add_argument("--hidden", type=int, default=64, help="neurons in each of the two hidden layers; 0 for none (64)")
+    parser.add_argument("--inputs", default=".*", metavar="REGEX", help="names of what the policy takes (all that is observed)")
+    parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="changes the episodes, such as cycles=2, friction=0.7..1.3")
     parser.add_argument("--seed", type=int, default=1, help="chooses weights and episodes (1)")
     parser.add_argument("--out", type=Path, help="file of the policy (TASK.policy)")
     parser.add_argument("--resume", action="store_true", help="go on with a training that was stopped")
-    return parser.parse_args(words)
+    wanted = parser.parse_args(words)
+    wanted.options = options_of(wanted.option)
+    wanted.cycles = int(wanted.options.get("cycles", 1))
+    return wanted
 
 
 class Training:
@@ -72,31 +104,55 @@ class Training:
         from stable_baselines3 import PPO
         from stable_baselines3.common.vec_env import VecMonitor, VecNormalize
 
-        from robonewbie.sb3 import VecEnv
+        from robonewbie.sb3 import VecEnv, with_inputs
 
         self.wanted = wanted
         self.out = wanted.out
-        self.task = VecEnv(wanted.task, wanted.robots)
-        robots = VecMonitor(self.task)
+        self.began = time.monotonic()
+        self.task = VecEnv(wanted.task, wanted.robots, **wanted.options)
+        self.inputs = chosen(self.task.description, wanted.inputs)
+        robots = VecMonitor(with_inputs(self.task, self.inputs))
         if wanted.resume:
             self.normalised = VecNormalize.load(str(self._beside(".normalisation")), robots)
             self.model = PPO.load(self._beside(".zip"), self.normalised, device="cpu")
         else:
-            robots.seed(wanted.seed)
+            robots.seed(SEEDS_APART * wanted.seed)
             self.normalised = VecNormalize(robots, gamma=wanted.gamma)
-            self.model = PPO(
-                "MlpPolicy",
-                self.normalised,
-                n_steps=wanted.round,
-                batch_size=wanted.robots * wanted.round // 8,
-                learning_rate=wanted.rate,
-                gamma=wanted.gamma,
-                seed=wanted.seed,
-                device="cpu",
-                use_sde=wanted.hold > 0,
-                sde_sample_freq=wanted.hold or -1,
-                policy_kwargs={"net_arch": [wanted.hidden, wanted.hidden], "log_std_init": float(np.log(_first_deviation(wanted)))},
-            )
+            self.model = PPO("MlpPolicy", self.normalised, **self._settings())
+            self._do_nothing_at_first()
+
+    def _do_nothing_at_first(self):
+        """Gives the last layer zeros; hidden neurons get a bias, or a robot at rest, whose numbers are 0, would not err by gSDE."""
+        policy = self.model.policy
+        for numbers in policy.action_net.parameters():
+            numbers.data.zero_()
+        for name, numbers in policy.mlp_extractor.policy_net.named_parameters():
+            if name.endswith("bias"):
+                numbers.data.uniform_(-1, 1)
+
+    def _settings(self):
+        wanted = self.wanted
+        hidden = [wanted.hidden] * 2 if wanted.hidden else []
+        return {
+            "n_steps": wanted.round,
+            "batch_size": wanted.robots * wanted.round // wanted.batches,
+            "n_epochs": wanted.epochs,
+            "learning_rate": wanted.rate,
+            "gamma": wanted.gamma,
+            "seed": wanted.seed,
+            "device": "cpu",
+            "use_sde": wanted.hold > 0,
+            "sde_sample_freq": wanted.hold or -1,
+            "policy_kwargs": {
+                "net_arch": {"pi": hidden, "vf": hidden or [64, 64]},
+                "log_std_init": float(np.log(_first_deviation(wanted, len(self.inputs)))),
+            },
+        }
+
+    @property
+    def steps(self):
+        """Cycles of all robots so far."""
+        return self.model.num_timesteps * self.wanted.cycles
 
     def _beside(self, ending):
         return self.out.with_name(self.out.name + ending)
@@ -119,14 +175,18 @@ class Training:
         wanted, described = self.wanted, self.task.description
         return policy_text(
             wanted.task,
-            [f"learned by: python -m robonewbie.train {wanted.task} --steps {self.model.num_timesteps} --robots {wanted.robots} "
-             f"--round {wanted.round} --rate {wanted.rate:g} --gamma {wanted.gamma:g} --noise {wanted.noise:g} --hold {wanted.hold} "
-             f"--hidden {wanted.hidden} --seed {wanted.seed}"],
-            [(entry["name"], entry["unit"]) for entry in described["observation"]],
+            [
+                f"learned by: python -m robonewbie.train {wanted.task} --steps {self.steps} --robots {wanted.robots} "
+                f"--round {wanted.round} --batches {wanted.batches} --epochs {wanted.epochs} --rate {wanted.rate:g} "
+                f"--gamma {wanted.gamma:g} --noise {wanted.noise:g} --hold {wanted.hold} --hidden {wanted.hidden} "
+                f"--inputs '{wanted.inputs}' {''.join(f'--option {word} ' for word in wanted.option)}--seed {wanted.seed}"
+            ],
+            [(described["observation"][i]["name"], described["observation"][i]["unit"]) for i in self.inputs],
             described["action"],
             described["rangeDegrees"],
             layers_of(self.model, self.normalised),
             described["motion"],
+            wanted.cycles,
         )
 
     def _add_to_curve(self):
@@ -138,21 +198,31 @@ class Training:
         with open(curve, "a", newline="", encoding="utf-8") as file:
             lines = csv.writer(file, lineterminator="\n")
             if new:
-                lines.writerow(["steps", "reward", "cycles"])
-            rewards, lengths = [e["r"] for e in episodes], [e["l"] for e in episodes]
-            lines.writerow([self.model.num_timesteps, f"{np.mean(rewards):.4f}", f"{np.mean(lengths):.1f}"])
-            print(f"{self.model.num_timesteps:9d}: reward {np.mean(rewards):8.3f} in {np.mean(lengths):.0f} cycles")
+                lines.writerow(["steps", "reward", "cycles", "seconds"])
+            reward = np.mean([episode["r"] for episode in episodes])
+            cycles = np.mean([episode["l"] for episode in episodes]) * self.wanted.cycles
+            lines.writerow([self.steps, f"{reward:.4f}", f"{cycles:.1f}", f"{time.monotonic() - self.began:.0f}"])
+            print(f"{self.steps:9d}: reward {reward:8.3f} in {cycles:.0f} cycles", flush=True)
 
     def run(self):
         """Learns, round by round."""
-        while self.model.num_timesteps < self.wanted.steps:
+        while self.steps < self.wanted.steps:
             self.model.learn(self.wanted.robots * self.wanted.round, reset_num_timesteps=False)
             self.keep()
 
 
-def _first_deviation(wanted):
-    """With gSDE each of the last layer's inputs adds its own error."""
-    return wanted.noise / np.sqrt(wanted.hidden) if wanted.hold else wanted.noise
+def chosen(description, inputs):
+    """Gives the places of what is observed under the names that the regular expression describes."""
+    names = [entry["name"] for entry in description["observation"]]
+    places = [i for i, name in enumerate(names) if re.fullmatch(inputs, name)]
+    if not places:
+        sys.exit(f"Nothing that is observed in {description['task']} has a name like {inputs}. There are: {', '.join(names)}.")
+    return places
+
+
+def _first_deviation(wanted, inputs):
+    """With gSDE each number that the last layer takes adds its own error."""
+    return wanted.noise / np.sqrt(wanted.hidden or inputs) if wanted.hold else wanted.noise
 
 
 def _pickled(normalised):

@@ -9,7 +9,7 @@ from unittest import mock
 
 import numpy as np
 
-from robonewbie import baselines, curve, train
+from robonewbie import baselines, curve, exam, train
 
 try:
     import stable_baselines3
@@ -72,6 +72,58 @@ class TrainTest(unittest.TestCase):
         text = train.policy_text("KickTo", ["learned"], [("gyro.left", "degrees/s")], ["NECK_YAW"], 30, [], [400, 0, -94.9])
 
         self.assertIn("numbers motion 400 0 -94.9\n", text)
+
+    def test_policy_says_how_long_an_action_lasts(self):
+        text = train.policy_text("Stand", ["learned"], [("gyro.left", "degrees/s")], ["NECK_YAW"], 30, [], cycles=4)
+
+        self.assertIn("numbers cycles-per-action 4\n", text)
+
+    def test_policy_is_played_as_it_stands_in_its_file(self):
+        layers = [(np.array([[2.0], [0.0]]), np.array([1.0, 3.0]), "tanh"), (np.array([[2.0, 1.0]]), np.array([-1.0]), "cut")]
+        policy = exam.PlayedPolicy(train.policy_text("Stand", ["learned"], [("gyro.left", "degrees/s")], ["NECK_YAW"], 30, layers))
+
+        self.assertEqual(policy.inputs, ["gyro.left"])
+        np.testing.assert_allclose(policy.act(np.array([[-0.5], [2.0]])), [[np.tanh(3) - 1], [1]])
+        np.testing.assert_allclose(policy.act(np.array([[-9.0]])), [[-1]])
+
+    def test_options_are_numbers_or_ranges(self):
+        self.assertEqual(train.options_of(["cycles=2", "friction=0.5..2"]), {"cycles": 2, "friction": (0.5, 2)})
+        for wrong in ("cycles", "mass=heavy", "mass=1..2..3"):
+            with self.assertRaisesRegex(SystemExit, f'The option "{wrong}" is neither'):
+                train.options_of([wrong])
+
+    def test_exam_is_the_same_each_time_and_other_episodes_are_others(self):
+        first, again, others = (exam.examine("Stand", None, 3, seed, {"push": 60}) for seed in (5, 5, 50))
+
+        np.testing.assert_array_equal(first.rewards, again.rewards)
+        self.assertFalse((first.rewards == others.rewards).all())
+        self.assertFalse(first.successes.any())
+        self.assertIn("success 0 of 3", str(first))
+
+    @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
+    def test_begins_with_doing_nothing_and_takes_what_it_is_told_to_take(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder, "my.policy")
+            words = ["Stand", "--robots", "2", "--hidden", "0", "--inputs", "gyro.*", "--option", "cycles=2", "--out", str(out)]
+            begun = train.Training(train._arguments(words))
+            policy = exam.PlayedPolicy(begun.text())
+            begun.task.close()
+
+            self.assertEqual(policy.inputs, ["gyro.forward", "gyro.left", "gyro.up"])
+            np.testing.assert_array_equal(policy.act(np.array([[100.0, -50.0, 7.0]])), np.zeros((1, 12)))
+            with self.assertRaisesRegex(SystemExit, "Nothing that is observed in Stand has a name like wing"):
+                train.main(["Stand", "--robots", "2", "--inputs", "wing", "--out", str(out)])
+
+    @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
+    def test_baseline_has_a_row_for_the_table(self):
+        short = baselines.Baseline(256, "--round 32 --hidden 4", ("cycles=2", "push=60"))
+        with tempfile.TemporaryDirectory() as folder, mock.patch.dict(baselines.TASKS, Stand=short), mock.patch.object(
+            baselines, "EXAMINED", 4
+        ), mock.patch.object(baselines, "COMMON", ["--robots", "4"]), mock.patch("sys.stdout", io.StringIO()) as told:
+            baselines.main(["Stand", "--out", folder])
+
+            self.assertTrue(Path(folder, "Stand.svg").exists())
+        self.assertRegex(told.getvalue(), r"\| `Stand` \| 256 \| .* \| 0 % \| 0 % \|")
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_goes_on_and_writes_a_policy_that_does_what_the_model_does(self):

@@ -13,7 +13,8 @@ import org.robonewbie.nao.motion.Posture;
 
 /**
  * Does what was learned in a task of {@code robonewbie learn} or the Python package, from the robot's messages alone: joints go to
- * the first posture, or to that of the motion that the policy carries, moved by what the network says.
+ * the first posture, or to that of the motion that the policy carries, moved by what the network says. What it says lasts as many
+ * cycles as it did while the policy was learned.
  *
  * <pre>{@code
  * private final PolicyPlayer kick = new PolicyPlayer(PolicyFile.shipped("kick-to"));
@@ -32,16 +33,19 @@ public final class PolicyPlayer {
     private static final String JOINT = "joint.";
     private static final String COMMAND = "command.";
     private static final String RANGE = "range-degrees";
+    private static final String CYCLES_PER_ACTION = "cycles-per-action";
 
     private final Network network;
     private final List<ToDoubleFunction<Robot>> inputs;
     private final List<Joint> joints;
     private final double rangeDegrees;
+    private final int cyclesPerAction;
     private final Optional<Motion> motion;
     private final Map<String, Double> commands = new TreeMap<>();
     private Optional<MotionGuide> guide = Optional.empty();
     private double[] progress = {};
     private Posture first = Posture.ZERO;
+    private double[] action = {};
     private boolean acting;
     private int cycles;
 
@@ -60,6 +64,9 @@ public final class PolicyPlayer {
         inputs = policy.inputs().stream().map(this::reading).toList();
         joints = policy.outputs().stream().map(PolicyPlayer::joint).toList();
         rangeDegrees = policy.numbers(RANGE, 1)[0];
+        cyclesPerAction = policy.numbers().containsKey(CYCLES_PER_ACTION)
+                ? Math.max(1, (int) policy.numbers(CYCLES_PER_ACTION, 1)[0])
+                : 1;
     }
 
     private ToDoubleFunction<Robot> reading(Quantity input) {
@@ -120,10 +127,13 @@ public final class PolicyPlayer {
             acting = true;
             cycles = 0;
         }
-        guide.ifPresent(one -> progress = one.progress(cycles));
-        double[] felt =
-                inputs.stream().mapToDouble(input -> input.applyAsDouble(robot)).toArray();
-        move(robot, network.apply(felt));
+        if (cycles % cyclesPerAction == 0) {
+            guide.ifPresent(one -> progress = one.progress(cycles));
+            action = network.apply(inputs.stream()
+                    .mapToDouble(input -> input.applyAsDouble(robot))
+                    .toArray());
+        }
+        move(robot, action);
         cycles++;
     }
 

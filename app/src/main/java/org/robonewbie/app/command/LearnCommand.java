@@ -224,9 +224,11 @@ final class LearnCommand implements Callable<Integer> {
         };
     }
 
-    /** The name of a shipped policy: {@code kick-to} for {@code KickTo}. */
+    /** The name of a shipped policy: {@code kick-to} for {@code KickTo}, {@code get-up} for {@code QuickGetUp}. */
     private static String shippedName(String task) {
-        return task.replaceAll("(?<=[a-z])(?=[A-Z])", "-").toLowerCase(Locale.ROOT);
+        return task.replaceFirst("^Quick(?=[A-Z])", "")
+                .replaceAll("(?<=[a-z])(?=[A-Z])", "-")
+                .toLowerCase(Locale.ROOT);
     }
 
     private static PolicyWalk walk(Course course, String what) {

@@ -9,12 +9,15 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.agent.policy.Network;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.PolicyPlayer;
 import org.robonewbie.agent.policy.Quantity;
+import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
@@ -23,6 +26,7 @@ import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
 /** A policy does in an agent what it has done in its task. */
@@ -32,20 +36,41 @@ class PlayedPolicyTest {
 
     @Test
     void agentMovesAsTheLearnerDid() {
-        movesAsTheLearnerDid(Still::new, 0.5);
+        movesAsTheLearnerDid(Still::new, 1, 0.5);
+    }
+
+    @Test
+    void actionsLastAsLongAsTheLearnersDid() {
+        movesAsTheLearnerDid(Still::new, 3, 0.5);
     }
 
     @Test
     void agentCorrectsTheMotionAsTheLearnerDid() {
-        movesAsTheLearnerDid(Nodding::new, 20);
+        movesAsTheLearnerDid(Nodding::new, 1, 20);
     }
 
-    private static void movesAsTheLearnerDid(Supplier<GymTask> tasks, double leastDegrees) {
-        try (GymEnvironment learned = new GymEnvironment(() -> List.of(new GymEpisode(tasks.get())))) {
-            Policy policy = policy(learned);
+    @ParameterizedTest
+    @ValueSource(doubles = {0.6, 1, 1.8})
+    void agentGetsUpByTheShippedPolicyOnAnyGround(double grip) {
+        Scene lying = GymGetUp.lying(posture -> posture);
+        try (Trial trial = Trial.direct(lying, 1, Performer.ofAgent(new Player(PolicyFile.shipped("get-up"))))) {
+            trial.setGrip(grip);
+            for (int i = 0; i < 200; i++) {
+                trial.step();
+            }
+
+            assertThat(trial.now().robot().tiltDegrees()).isLessThan(15);
+            assertThat(trial.now().robot().position().z()).isGreaterThan(0.3);
+        }
+    }
+
+    private static void movesAsTheLearnerDid(Supplier<GymTask> tasks, int cyclesPerAction, double leastDegrees) {
+        GymOptions options = GymOptions.NONE.with("cycles", String.valueOf(cyclesPerAction));
+        try (GymEnvironment learned = new GymEnvironment(() -> List.of(new GymEpisode(tasks.get())), options)) {
+            Policy policy = policy(learned, cyclesPerAction);
             learned.reset(1);
             Posture first = learned.now().robot().joints();
-            for (int i = 0; i < CYCLES; i++) {
+            for (int i = 0; i < CYCLES / cyclesPerAction; i++) {
                 learned.step(policy.network().apply(learned.observation()));
             }
             Posture wanted = learned.now().robot().joints();
@@ -65,13 +90,14 @@ class PlayedPolicyTest {
     }
 
     /** Takes all that is observed, in units of its range, with weights that move the legs by some degrees. */
-    private static Policy policy(GymEnvironment learned) {
+    private static Policy policy(GymEnvironment learned, int cyclesPerAction) {
         GymTask task = learned.task();
         List<ObservedQuantity> felt = learned.quantities();
         int[] sizes = {felt.size(), task.joints().size()};
         double[] numbers =
                 new Random(5).doubles(Network.size(sizes), -0.0003, 0.0003).toArray();
-        Map<String, List<Double>> others = new HashMap<>(Map.of("range-degrees", List.of(task.rangeDegrees())));
+        Map<String, List<Double>> others = new HashMap<>(Map.of(
+                "range-degrees", List.of(task.rangeDegrees()), "cycles-per-action", List.of((double) cyclesPerAction)));
         task.motion().ifPresent(motion -> others.put("motion", MotionGuide.numbers(motion)));
         return new Policy(
                 "still",

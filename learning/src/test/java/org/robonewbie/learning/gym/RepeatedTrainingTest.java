@@ -61,6 +61,15 @@ class RepeatedTrainingTest {
         assertThat(firstLine(kick, plan)).isEqualTo("1,32,4168,0.0377,10,,,2");
     }
 
+    @Test
+    void getUpIsTrainedAsBefore() throws IOException {
+        Course getUp = TaskCourse.of("QuickGetUp", "motion.*|gyro.left|accelerometer.(forward|up)", 0, CLASSES);
+        List<String> options = List.of("friction=0.5..2", "mass=0.9..1.1");
+        TrainingPlan plan = new TrainingPlan(1, 1, 24, 0.03, 0.015, 9, 6, options, 2);
+
+        assertThat(firstLine(getUp, plan)).isEqualTo("1,48,9600,1.8093,48,,,26");
+    }
+
     private String firstLine(Course course, TrainingPlan plan) throws IOException {
         PolicyTraining training = training(course, plan);
         return firstLine(training, training.begin());

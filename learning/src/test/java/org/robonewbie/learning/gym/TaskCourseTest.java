@@ -116,6 +116,19 @@ class TaskCourseTest {
     }
 
     @Test
+    void shippedGetUpStandsUpMoreOftenThanTheMotionAloneWhereFeetHoldLessOrMore() {
+        Course getUp = TaskCourse.of("QuickGetUp", "motion.*|gyro.left|accelerometer.(forward|up)", 0, CLASSES);
+        TrainingPlan anyGround =
+                new TrainingPlan(1, 1, 4, 0.02, 0.02, 9, 6, List.of("friction=0.5..2", "mass=0.9..1.1"), 2);
+
+        LessonFigures learned = Exam.of(getUp, anyGround, 40, PolicyFile.shipped("get-up"));
+        LessonFigures alone = Exam.of(getUp, anyGround, 40, getUp.policy(List.of(), getUp.start(1)));
+
+        assertThat(learned.done()).isGreaterThan(alone.done() + 8);
+        assertThat(learned.reward()).isGreaterThan(alone.reward() + 0.7);
+    }
+
+    @Test
     void trainingGoesOnFromTheShippedKick() throws IOException {
         Course kick = TaskCourse.of("KickTo", "command.*", 0, CLASSES);
         PolicyTraining training = training(kick, plan(1));
