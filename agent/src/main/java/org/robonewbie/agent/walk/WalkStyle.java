@@ -14,6 +14,7 @@ import static org.robonewbie.agent.walk.WalkParameter.STEP_RIGHT;
 import static org.robonewbie.agent.walk.WalkParameter.STEP_RIGHT_RATE;
 
 import org.robonewbie.agent.walk.BalanceGains.Gain;
+import org.robonewbie.nao.model.RobotType;
 
 /**
  * All numbers of a walk. Most were found by a search in the simulator; {@code EngineDesign} of the module learning is its tool.
@@ -56,6 +57,23 @@ public record WalkStyle(
      * }</pre>
      */
     public static final WalkStyle FAST = FastWalk.style(FastWalk.coordinates());
+
+    /** With more a robot of type 3 falls within a few metres; its steps are longer, and it gets 0.65 m/s. */
+    private static final double MOST_FORWARD_OF_LONGEST_LEGS = 0.5;
+
+    /**
+     * Returns the fast walk for a robot of some build.
+     *
+     * @param type how it is built, {@code nao.getType()}
+     * @return {@link #FAST}, for robots of type 3 with less speed forward
+     */
+    public static WalkStyle fast(RobotType type) {
+        WalkVelocity most = FAST.most();
+        return type == RobotType.TYPE_3
+                ? FAST.withMost(
+                        new WalkVelocity(MOST_FORWARD_OF_LONGEST_LEGS, most.left(), most.turn()), FAST.backward())
+                : FAST;
+    }
 
     /** {@return the coordinates that {@link #of} takes for the standard walk, a new array} */
     public static double[] coordinates() {

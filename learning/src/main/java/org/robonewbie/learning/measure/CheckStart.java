@@ -3,6 +3,7 @@ package org.robonewbie.learning.measure;
 import java.util.function.LongFunction;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkStyle;
+import org.robonewbie.learning.rehearsal.LineKeeping;
 import org.robonewbie.learning.rehearsal.LongWay;
 import org.robonewbie.learning.rehearsal.Rehearsal;
 import org.robonewbie.nao.model.RobotType;
@@ -54,11 +55,11 @@ record CheckStart(String suffix, String words, LongFunction<Rehearsal> opening) 
     }
 
     /** An agent that runs as it has learned and steers by what it sees and feels, else as {@link #onLeaguePitch(RobotType, WalkStyle)}. */
-    static CheckStart onLeaguePitch(RobotType type, PolicyWalk learned) {
+    static CheckStart onLeaguePitch(RobotType type, PolicyWalk learned, LineKeeping keeping) {
         return new CheckStart(
                 suffix(type),
                 ON_LEAGUE_PITCH + "; it steers by its own sensors",
-                seed -> LongWay.running(seed, type, learned));
+                seed -> LongWay.running(seed, type, learned, keeping));
     }
 
     /** What the names of checks end with if the robot is not the usual one. */

@@ -1,63 +1,67 @@
 package org.robonewbie.learning.measure;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.learning.rehearsal.LineKeeping;
 import org.robonewbie.learning.rehearsal.Rehearsal;
 import org.robonewbie.nao.model.RobotType;
 
-/** Checks of the run that was learned: an agent on a whole simulator with noise, which keeps to its line by its own sensors. */
+/** Checks of the runs that were learned: an agent on a whole simulator with noise, which keeps to its line by its own sensors. */
 final class RunChecks {
 
     private static final double LONG_WAY = 20;
-    private static final double SECONDS_TO_SLOW_DOWN = 3;
-    private static final double MOST_DRIFT = 10;
-
-    /** What is commanded, metres per second: less than the run can do, so that it is steady for long. */
-    private static final double COMMANDED = 1.35;
 
     private final RobotType type;
-    private final PolicyWalk learned = new PolicyWalk(PolicyFile.shipped("run"));
+    private final Gait gait;
+    private final PolicyWalk learned;
 
-    private RunChecks(RobotType type) {
+    private RunChecks(RobotType type, Gait gait) {
         this.type = type;
+        this.gait = gait;
+        this.learned = new PolicyWalk(PolicyFile.shipped(gait.policy));
     }
 
     static List<MotionCheck> all(RobotType type) {
-        RunChecks checks = new RunChecks(type);
-        return List.of(checks.far(), checks.drift(), checks.stop());
+        return Stream.of(Gait.values())
+                .map(gait -> new RunChecks(type, gait))
+                .flatMap(checks -> Stream.of(checks.far(), checks.drift(), checks.stop()))
+                .toList();
     }
 
     private CheckStart start() {
-        return CheckStart.onLeaguePitch(type, learned);
+        return CheckStart.onLeaguePitch(type, learned, gait.keeping);
     }
 
     private MotionCheck far() {
-        String rule = "runs 20 m without a fall";
-        return start().check("learned run 20 m", rule, "m/s over the way", (robot, seed) -> {
+        String rule = gait.verb + " 20 m without a fall";
+        return start().check("learned " + gait.policy + " 20 m", rule, "m/s over the way", (robot, seed) -> {
             boolean up = runFar(robot);
             return new Outcome(up, robot.forward() / robot.seconds());
         });
     }
 
     private MotionCheck drift() {
-        String rule = "the way's direction is at most 10° beside the first heading";
-        return start().check("learned run 20 m, drift", rule, "degrees to either side", (robot, seed) -> {
+        String rule = "the way's direction is at most " + gait.mostDrift + "° beside the first heading";
+        String name = "learned " + gait.policy + " 20 m, drift";
+        return start().check(name, rule, "degrees to either side", (robot, seed) -> {
             boolean up = runFar(robot);
             double degrees = Math.abs(Math.toDegrees(Math.atan2(robot.left(), robot.forward())));
-            return new Outcome(up && degrees <= MOST_DRIFT, degrees);
+            return new Outcome(up && degrees <= gait.mostDrift, degrees);
         });
     }
 
     private MotionCheck stop() {
-        String rule = "runs 20 m, slows down within 3 s, stops, ends in the stance";
-        return start().check("learned run 20 m, stop", rule, "s from the 20 m to the stance", (robot, seed) -> {
+        String rule = gait.verb + " 20 m, " + gait.stopping + "stops, ends in the stance";
+        String name = "learned " + gait.policy + " 20 m, stop";
+        return start().check(name, rule, "s from the 20 m to the stance", (robot, seed) -> {
             runFar(robot);
             double begin = robot.seconds();
             robot.walk(
-                    () -> ahead(1 - (robot.seconds() - begin) / SECONDS_TO_SLOW_DOWN),
-                    () -> robot.seconds() < begin + SECONDS_TO_SLOW_DOWN);
+                    () -> ahead(1 - (robot.seconds() - begin) / gait.secondsToSlowDown),
+                    () -> robot.seconds() < begin + gait.secondsToSlowDown);
             boolean stands = robot.stopWalking();
             double seconds = robot.seconds() - begin;
             return new Outcome(stands && robot.endsInStance(), seconds);
@@ -69,6 +73,38 @@ final class RunChecks {
     }
 
     private WalkVelocity ahead(double share) {
-        return new WalkVelocity(COMMANDED * Math.max(0, share), 0, 0);
+        return new WalkVelocity(gait.commanded * Math.max(0, share), 0, 0);
+    }
+
+    /** What was learned, and what is asked of it. */
+    private enum Gait {
+        /** It is commanded less than it can do, so that it is steady for long. */
+        RUN("run", "runs", 1.35, LineKeeping.GENTLE, 10, "slows down within 3 s, ", 3),
+        JOG("jog", "jogs", 1.05, LineKeeping.FIRM, 2, "", 0);
+
+        private final String policy;
+        private final String verb;
+        private final double commanded;
+        private final LineKeeping keeping;
+        private final int mostDrift;
+        private final String stopping;
+        private final double secondsToSlowDown;
+
+        Gait(
+                String policy,
+                String verb,
+                double commanded,
+                LineKeeping keeping,
+                int mostDrift,
+                String stopping,
+                double secondsToSlowDown) {
+            this.policy = policy;
+            this.verb = verb;
+            this.commanded = commanded;
+            this.keeping = keeping;
+            this.mostDrift = mostDrift;
+            this.stopping = stopping;
+            this.secondsToSlowDown = secondsToSlowDown;
+        }
     }
 }

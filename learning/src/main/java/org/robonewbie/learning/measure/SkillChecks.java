@@ -35,7 +35,7 @@ final class SkillChecks {
 
     static List<MotionCheck> all(RobotType type) {
         SkillChecks usual = new SkillChecks(type, "walk", WalkStyle.STANDARD);
-        SkillChecks fast = new SkillChecks(type, "fast walk", WalkStyle.FAST);
+        SkillChecks fast = new SkillChecks(type, "fast walk", WalkStyle.fast(type));
         Stream<MotionCheck> walks = Stream.of(usual, fast).flatMap(skill -> skill.walks().stream());
         return Stream.of(walks, RunChecks.all(type).stream(), usual.localisations().stream())
                 .flatMap(checks -> checks)

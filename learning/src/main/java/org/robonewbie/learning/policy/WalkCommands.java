@@ -102,7 +102,7 @@ public enum WalkCommands {
     private static final double BEND = 45;
 
     private static final double FOR_A_DEGREE = 0.002;
-    private static final double FOR_A_DEGREE_OF_ROCKING = 0.05;
+    private static final double FOR_A_DEGREE_OF_ROCKING = 0.1;
 
     /** How fast a run is slowed down, metres per second in a second. */
     private static final double SLOWING = 0.6;

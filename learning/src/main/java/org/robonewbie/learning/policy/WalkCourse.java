@@ -79,7 +79,9 @@ public record WalkCourse(
      * @return the course; empty if there is none of this name
      */
     public static Optional<WalkCourse> named(String task) {
-        return Stream.of(WALK, RUN, JOG).filter(course -> course.task().equals(task)).findAny();
+        return Stream.of(WALK, RUN, JOG)
+                .filter(course -> course.task().equals(task))
+                .findAny();
     }
 
     /**

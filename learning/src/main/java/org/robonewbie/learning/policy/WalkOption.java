@@ -73,8 +73,7 @@ public enum WalkOption {
 
         @Override
         WalkCourse changed(WalkCourse course, double first, double last) {
-            return course.withBuilds(
-                    List.of(RobotType.values()).subList((int) first, (int) last + 1));
+            return course.withBuilds(List.of(RobotType.values()).subList((int) first, (int) last + 1));
         }
     };
 

@@ -39,10 +39,11 @@ public final class LongWay {
      * @param seed chooses noise and disturbances
      * @param type how the robot is built
      * @param learned how it runs
+     * @param keeping how it keeps to its line
      * @return the robot on its feet
      */
-    public static Rehearsal running(long seed, RobotType type, PolicyWalk learned) {
-        return begin(seed, type, new RunnerPuppet(learned));
+    public static Rehearsal running(long seed, RobotType type, PolicyWalk learned, LineKeeping keeping) {
+        return begin(seed, type, new RunnerPuppet(learned, keeping));
     }
 
     private static Rehearsal begin(long seed, RobotType type, Puppet puppet) {

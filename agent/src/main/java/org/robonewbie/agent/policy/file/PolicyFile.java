@@ -27,7 +27,7 @@ public final class PolicyFile {
     /**
      * Loads a policy of the framework.
      *
-     * @param name {@code walk}, {@code run}, {@code kick-to}, {@code stand} or {@code get-up}
+     * @param name {@code walk}, {@code jog}, {@code run}, {@code kick-to}, {@code stand} or {@code get-up}
      * @return the policy
      * @throws IllegalArgumentException if none of the shipped policies has this name
      */

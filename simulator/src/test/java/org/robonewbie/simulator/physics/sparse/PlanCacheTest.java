@@ -19,7 +19,7 @@ class PlanCacheTest {
         private final int rows;
 
         Link(Body first, Body second, int rows) {
-            super(first, second);
+            super(first, second, false);
             this.rows = rows;
         }
 
