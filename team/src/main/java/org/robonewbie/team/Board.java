@@ -75,7 +75,8 @@ final class Board {
         options.stream().filter(option -> option.gain() > 0).forEach(option -> showRay(option, most));
         nao.drawLine(seen(world.ball()), seen(plan.target()), kick ? KICK_COLOUR : DRIBBLE_COLOUR);
         if (plan.receiver() > 0) {
-            nao.drawText(seen(plan.target()), "pass to " + plan.receiver(), KICK_COLOUR);
+            Spot middle = world.ball().plus(plan.target().minus(world.ball()).times(0.5));
+            nao.drawText(seen(middle), "pass to " + plan.receiver(), KICK_COLOUR);
         }
     }
 
