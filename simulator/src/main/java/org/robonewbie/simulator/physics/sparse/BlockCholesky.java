@@ -17,8 +17,6 @@ final class BlockCholesky {
     private double[] factor = {};
     private double[] inverseDiagonal = {};
     private boolean[] changed = {};
-    /** For each joint whether any of its rows is at its limit. */
-    private boolean[] held = {};
 
     /** Builds the matrix: J M⁻¹ Jᵀ and the softness on the diagonal. */
     void assemble(EliminationPlan newPlan, ConstraintRows rows) {
@@ -31,7 +29,6 @@ final class BlockCholesky {
         if (inverseDiagonal.length < plan.rows()) {
             inverseDiagonal = new double[2 * plan.rows()];
             changed = new boolean[inverseDiagonal.length];
-            held = new boolean[inverseDiagonal.length];
         }
         Arrays.fill(matrix, 0, plan.size(), 0);
         int[] overlaps = plan.overlaps;
@@ -133,10 +130,8 @@ final class BlockCholesky {
                     factor, updates[i + 1], updates[i + 2], updates[i + 3], updates[i + 4], width, inner);
         }
         int height = (end - start) / width;
-        held[column] = false;
         for (int c = 0; c < width; c++) {
             if (state[plan.firstRow[column] + c] != ConstraintRows.FREE) {
-                held[column] = true;
                 DenseBlocks.replaceByUnit(factor, start, width, height, c);
             }
         }
@@ -150,9 +145,7 @@ final class BlockCholesky {
      */
     void solve(double[] x, byte[] state) {
         for (int k = 0; k < plan.joints(); k++) {
-            if (held[k]) {
-                clearFixedRows(k, x, state);
-            }
+            clearFixedRows(k, x, state);
             int at = plan.firstRow[k];
             int width = plan.rows(k);
             DenseBlocks.solveForwards(factor, plan.diagonalOffset[k], width, inverseDiagonal, x, at);

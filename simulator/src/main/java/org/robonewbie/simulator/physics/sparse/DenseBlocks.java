@@ -137,6 +137,10 @@ final class DenseBlocks {
      * Columns are finished three at a time, since width and height are multiples of three.
      */
     static void factorise(double[] m, int start, int width, int height, double[] inverseDiagonal, int inverseStart) {
+        if (width == 6) {
+            factoriseSix(m, start, start + 6 * height, inverseDiagonal, inverseStart);
+            return;
+        }
         int end = start + height * width;
         for (int c = 0; c < width; c += 3) {
             int corner = start + c * width + c;
@@ -146,6 +150,80 @@ final class DenseBlocks {
             factoriseTile(m, corner, width, inverseDiagonal, inverseStart + c);
             divideByTile(m, corner, width, end, inverseDiagonal, inverseStart + c);
         }
+    }
+
+    /**
+     * The same for a hinge, with all that the rows below need in the processor: while the roots and reciprocals of the second three rows are
+     * computed, the rows below can begin with the first three columns.
+     */
+    private static void factoriseSix(double[] m, int start, int end, double[] inverse, int at) {
+        double a = Math.sqrt(m[start]);
+        double inverseA = 1 / a;
+        double b0 = m[start + 6] * inverseA;
+        double b = Math.sqrt(m[start + 7] - b0 * b0);
+        double inverseB = 1 / b;
+        double c0 = m[start + 12] * inverseA;
+        double c1 = (m[start + 13] - c0 * b0) * inverseB;
+        double c = Math.sqrt(m[start + 14] - c0 * c0 - c1 * c1);
+        double inverseC = 1 / c;
+        double d0 = m[start + 18] * inverseA;
+        double d1 = (m[start + 19] - d0 * b0) * inverseB;
+        double d2 = (m[start + 20] - d0 * c0 - d1 * c1) * inverseC;
+        double e0 = m[start + 24] * inverseA;
+        double e1 = (m[start + 25] - e0 * b0) * inverseB;
+        double e2 = (m[start + 26] - e0 * c0 - e1 * c1) * inverseC;
+        double f0 = m[start + 30] * inverseA;
+        double f1 = (m[start + 31] - f0 * b0) * inverseB;
+        double f2 = (m[start + 32] - f0 * c0 - f1 * c1) * inverseC;
+        double d = Math.sqrt(m[start + 21] - d0 * d0 - d1 * d1 - d2 * d2);
+        double inverseD = 1 / d;
+        double e3 = (m[start + 27] - e0 * d0 - e1 * d1 - e2 * d2) * inverseD;
+        double e = Math.sqrt(m[start + 28] - e0 * e0 - e1 * e1 - e2 * e2 - e3 * e3);
+        double inverseE = 1 / e;
+        double f3 = (m[start + 33] - f0 * d0 - f1 * d1 - f2 * d2) * inverseD;
+        double f4 = (m[start + 34] - f0 * e0 - f1 * e1 - f2 * e2 - f3 * e3) * inverseE;
+        double f = Math.sqrt(m[start + 35] - f0 * f0 - f1 * f1 - f2 * f2 - f3 * f3 - f4 * f4);
+        double inverseF = 1 / f;
+        for (int row = start + 36; row < end; row += 6) {
+            double x = m[row] * inverseA;
+            double y = (m[row + 1] - x * b0) * inverseB;
+            double z = (m[row + 2] - x * c0 - y * c1) * inverseC;
+            double u = (m[row + 3] - x * d0 - y * d1 - z * d2) * inverseD;
+            double v = (m[row + 4] - x * e0 - y * e1 - z * e2 - u * e3) * inverseE;
+            m[row] = x;
+            m[row + 1] = y;
+            m[row + 2] = z;
+            m[row + 3] = u;
+            m[row + 4] = v;
+            m[row + 5] = (m[row + 5] - x * f0 - y * f1 - z * f2 - u * f3 - v * f4) * inverseF;
+        }
+        m[start] = a;
+        m[start + 6] = b0;
+        m[start + 7] = b;
+        m[start + 12] = c0;
+        m[start + 13] = c1;
+        m[start + 14] = c;
+        m[start + 18] = d0;
+        m[start + 19] = d1;
+        m[start + 20] = d2;
+        m[start + 21] = d;
+        m[start + 24] = e0;
+        m[start + 25] = e1;
+        m[start + 26] = e2;
+        m[start + 27] = e3;
+        m[start + 28] = e;
+        m[start + 30] = f0;
+        m[start + 31] = f1;
+        m[start + 32] = f2;
+        m[start + 33] = f3;
+        m[start + 34] = f4;
+        m[start + 35] = f;
+        inverse[at] = inverseA;
+        inverse[at + 1] = inverseB;
+        inverse[at + 2] = inverseC;
+        inverse[at + 3] = inverseD;
+        inverse[at + 4] = inverseE;
+        inverse[at + 5] = inverseF;
     }
 
     /** Takes from three columns, from their corner downwards, what three finished columns so far to their left add to the product. */
