@@ -88,11 +88,15 @@ final class BlockCholesky {
      */
     private void addOverlapOfHinge(int column, double[] response, int row, double[] jacobian, int offset) {
         int width = plan.rows(column);
-        int columnStart = 6 * plan.firstRow[column];
-        int rowStart = 6 * plan.firstRow[row];
-        int held = row == column ? 3 : width;
-        DenseBlocks.addPointTimes(matrix, offset, width, held, jacobian, rowStart, response, columnStart);
-        DenseBlocks.addTurnTimes(matrix, offset + 3 * width, width, jacobian, rowStart + 18, response, columnStart);
+        DenseBlocks.addHingeTimes(
+                matrix,
+                offset,
+                width,
+                row == column ? 3 : width,
+                jacobian,
+                6 * plan.firstRow[row],
+                response,
+                6 * plan.firstRow[column]);
     }
 
     /** Marks a row as changed, so that the joint's column is recomputed. */

@@ -96,37 +96,54 @@ final class ConstraintRows {
     void prepare(ConstraintJoint joint, double rate) {
         Body one = joint.first;
         Body two = joint.second;
-        if (joint.hinge) {
-            respondHinge(one, first, firstResponse, joint.firstRow);
-            if (two != null) {
-                respondHinge(two, second, secondResponse, joint.firstRow);
-            }
+        int from = joint.firstRow;
+        int to = from + joint.rowCount();
+        if (joint.hinge && two != null) {
+            respondHinge(one, first, firstResponse, from);
+            respondHinge(two, second, secondResponse, from);
+            demandHinge(from, one.unconstrained, two.unconstrained, rate);
         } else {
-            respond(one, first, firstResponse, joint);
+            respond(one, first, firstResponse, from, to);
             if (two != null) {
-                respond(two, second, secondResponse, joint);
+                respond(two, second, secondResponse, from, to);
+            }
+            for (int row = from; row < to; row++) {
+                double free = dot6(first, 6 * row, one.unconstrained);
+                if (two != null) {
+                    free += dot6(second, 6 * row, two.unconstrained);
+                }
+                wanted[row] = wanted[row] * rate - free;
             }
         }
-        int to = joint.firstRow + joint.rowCount();
-        for (int row = joint.firstRow; row < to; row++) {
-            double free = dot6(first, 6 * row, one.unconstrained);
-            if (two != null) {
-                free += dot6(second, 6 * row, two.unconstrained);
-            }
-            wanted[row] = wanted[row] * rate - free;
+        for (int row = from; row < to; row++) {
             softness[row] *= rate;
         }
     }
 
-    private static void respond(Body body, double[] jacobian, double[] response, ConstraintJoint joint) {
+    private void demandHinge(int row, double[] one, double[] two, double rate) {
+        int at = 6 * row;
+        double along = first[at];
+        for (int axis = 0; axis < 3; axis++) {
+            int angular = at + 6 * axis + 3;
+            double free = along * one[axis] + Rotations.dot(first, angular, one, 3);
+            free += -along * two[axis] + Rotations.dot(second, angular, two, 3);
+            wanted[row + axis] = wanted[row + axis] * rate - free;
+        }
+        for (int turn = 3; turn < 6; turn++) {
+            int angular = at + 6 * turn + 3;
+            double free = Rotations.dot(first, angular, one, 3) + Rotations.dot(second, angular, two, 3);
+            wanted[row + turn] = wanted[row + turn] * rate - free;
+        }
+    }
+
+    private static void respond(Body body, double[] jacobian, double[] response, int from, int to) {
         double mass = body.inverseMass;
-        int end = 6 * (joint.firstRow + joint.rowCount());
-        for (int at = 6 * joint.firstRow; at < end; at += 6) {
+        for (int at = 6 * from; at < 6 * to; at += 6) {
             response[at] = jacobian[at] * mass;
             response[at + 1] = jacobian[at + 1] * mass;
             response[at + 2] = jacobian[at + 2] * mass;
         }
-        turn(body.inverseInertia, jacobian, response, 6 * joint.firstRow, end);
+        turn(body.inverseInertia, jacobian, response, 6 * from, 6 * to);
     }
 
     /** A hinge moves bodies along one axis of the world in each of its first rows, and not at all in the others. */

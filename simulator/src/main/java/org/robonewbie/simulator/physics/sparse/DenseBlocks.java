@@ -70,54 +70,50 @@ final class DenseBlocks {
     }
 
     /**
-     * target += rows · responsesᵀ for the three rows of a hinge that hold a point: each has one number along an axis of the world and the
-     * two others of a cross product.
+     * target += rows · responsesᵀ for the six rows of a hinge: the first three hold a point, so that each has one number along an axis of
+     * the world and the two others of a cross product; the last three only turn.
      *
-     * @param columns how many columns of the target, from its first, are wanted
+     * @param columns in how many columns of the target, from its first, all rows are wanted; in the others only the last three
      */
-    static void addPointTimes(
+    static void addHingeTimes(
             double[] m, int target, int width, int columns, double[] rows, int at, double[] responses, int from) {
         double along = rows[at];
-        double yOfFirst = rows[at + 4];
-        double zOfFirst = rows[at + 5];
-        double xOfSecond = rows[at + 9];
-        double zOfSecond = rows[at + 11];
-        double xOfThird = rows[at + 15];
-        double yOfThird = rows[at + 16];
-        int second = target + width;
-        int third = second + width;
-        for (int c = 0; c < columns; c++) {
-            int b = from + 6 * c;
+        double y0 = rows[at + 4];
+        double z0 = rows[at + 5];
+        double x1 = rows[at + 9];
+        double z1 = rows[at + 11];
+        double x2 = rows[at + 15];
+        double y2 = rows[at + 16];
+        double x3 = rows[at + 21];
+        double y3 = rows[at + 22];
+        double z3 = rows[at + 23];
+        double x4 = rows[at + 27];
+        double y4 = rows[at + 28];
+        double z4 = rows[at + 29];
+        double x5 = rows[at + 33];
+        double y5 = rows[at + 34];
+        double z5 = rows[at + 35];
+        int b = from;
+        for (int to = target; to < target + columns; to++) {
             double x = responses[b + 3];
             double y = responses[b + 4];
             double z = responses[b + 5];
-            m[target + c] += along * responses[b] + yOfFirst * y + zOfFirst * z;
-            m[second + c] += along * responses[b + 1] + xOfSecond * x + zOfSecond * z;
-            m[third + c] += along * responses[b + 2] + xOfThird * x + yOfThird * y;
+            m[to] += along * responses[b] + y0 * y + z0 * z;
+            m[to + width] += along * responses[b + 1] + x1 * x + z1 * z;
+            m[to + 2 * width] += along * responses[b + 2] + x2 * x + y2 * y;
+            m[to + 3 * width] += x3 * x + y3 * y + z3 * z;
+            m[to + 4 * width] += x4 * x + y4 * y + z4 * z;
+            m[to + 5 * width] += x5 * x + y5 * y + z5 * z;
+            b += 6;
         }
-    }
-
-    /** The same for the three rows of a hinge that only turn. */
-    static void addTurnTimes(double[] m, int target, int width, double[] rows, int at, double[] responses, int from) {
-        double xOfFirst = rows[at + 3];
-        double yOfFirst = rows[at + 4];
-        double zOfFirst = rows[at + 5];
-        double xOfSecond = rows[at + 9];
-        double yOfSecond = rows[at + 10];
-        double zOfSecond = rows[at + 11];
-        double xOfThird = rows[at + 15];
-        double yOfThird = rows[at + 16];
-        double zOfThird = rows[at + 17];
-        int second = target + width;
-        int third = second + width;
-        for (int c = 0; c < width; c++) {
-            int b = from + 6 * c;
+        for (int to = target + columns; to < target + width; to++) {
             double x = responses[b + 3];
             double y = responses[b + 4];
             double z = responses[b + 5];
-            m[target + c] += xOfFirst * x + yOfFirst * y + zOfFirst * z;
-            m[second + c] += xOfSecond * x + yOfSecond * y + zOfSecond * z;
-            m[third + c] += xOfThird * x + yOfThird * y + zOfThird * z;
+            m[to + 3 * width] += x3 * x + y3 * y + z3 * z;
+            m[to + 4 * width] += x4 * x + y4 * y + z4 * z;
+            m[to + 5 * width] += x5 * x + y5 * y + z5 * z;
+            b += 6;
         }
     }
 
