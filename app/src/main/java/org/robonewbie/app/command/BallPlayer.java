@@ -6,6 +6,7 @@ import org.robonewbie.team.skill.Dribble;
 import org.robonewbie.team.skill.Footwork;
 import org.robonewbie.team.skill.Gaze;
 import org.robonewbie.team.skill.Kick;
+import org.robonewbie.team.skill.KickKind;
 import org.robonewbie.team.skill.Limbs;
 import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
@@ -20,22 +21,23 @@ final class BallPlayer extends Agent {
     private final Limbs body = new Limbs(nao, walk, motions, lookAround);
     private final Footwork feet = new Footwork(walk);
     private final Dribble dribble = new Dribble(walk, feet);
-    private final Kick kick = new Kick(body, feet);
+    private final Kick kick;
     private final Gaze gaze = new Gaze(body);
     private boolean begun;
 
-    private BallPlayer(boolean dribbles) {
+    private BallPlayer(boolean dribbles, KickKind kind) {
         this.dribbles = dribbles;
+        kick = new Kick(body, feet, kind);
         fieldView.setTransformation(CameraTransformation.KINEMATICS);
         walk.setStyle(Footwork.STYLE);
     }
 
     static BallPlayer dribbling() {
-        return new BallPlayer(true);
+        return new BallPlayer(true, KickKind.QUICK);
     }
 
-    static BallPlayer kicking() {
-        return new BallPlayer(false);
+    static BallPlayer kicking(KickKind kind) {
+        return new BallPlayer(false, kind);
     }
 
     @Override

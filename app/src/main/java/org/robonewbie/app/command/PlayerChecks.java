@@ -1,16 +1,19 @@
 package org.robonewbie.app.command;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 import org.robonewbie.learning.measure.MotionCheck;
 import org.robonewbie.learning.measure.Outcome;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.team.skill.KickKind;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.Place;
@@ -31,6 +34,7 @@ final class PlayerChecks {
     private static final double KICKED_METRES_PER_SECOND = 1;
     private static final double ROLLING_SECONDS = 4;
     private static final double KICK_METRES = 3;
+    private static final double FAR_METRES = 8;
     private static final double KICK_SECONDS = 2;
     private static final double KICK_DEGREES = 5;
 
@@ -47,10 +51,6 @@ final class PlayerChecks {
     private record Kicked(double metres, double seconds, double degrees) {
 
         static final Kicked NONE = new Kicked(0, Double.POSITIVE_INFINITY, 180);
-
-        boolean isFar() {
-            return metres >= KICK_METRES;
-        }
     }
 
     /** Returns the checks of one robot type. */
@@ -59,6 +59,15 @@ final class PlayerChecks {
     }
 
     private List<MotionCheck> all() {
+        return Stream.of(
+                        dribbles(),
+                        kicks("kick", KickKind.QUICK, KICK_METRES),
+                        kicks("far kick", KickKind.FAR, FAR_METRES))
+                .flatMap(List::stream)
+                .toList();
+    }
+
+    private List<MotionCheck> dribbles() {
         return List.of(
                 dribble(
                         "dribble 5 m",
@@ -71,20 +80,32 @@ final class PlayerChecks {
                         "it does, and the ball is never further away than 0.5 m",
                         "m, the farthest",
                         Dribbled::farthest,
-                        dribbled -> dribbled.seconds <= DRIBBLE_SECONDS && dribbled.farthest <= CLOSE_METRES),
-                kick("kick out of the walk", "the ball rolls at least 3 m", "m", Kicked::metres, Kicked::isFar),
+                        dribbled -> dribbled.seconds <= DRIBBLE_SECONDS && dribbled.farthest <= CLOSE_METRES));
+    }
+
+    private List<MotionCheck> kicks(String name, KickKind kind, double metres) {
+        return List.of(
                 kick(
-                        "kick out of the walk, soon",
+                        name + " out of the walk",
+                        kind,
+                        String.format(Locale.ROOT, "the ball rolls at least %.0f m", metres),
+                        "m",
+                        Kicked::metres,
+                        kicked -> kicked.metres >= metres),
+                kick(
+                        name + " out of the walk, soon",
+                        kind,
                         "it does, 2 s after the ball was within 0.3 m it is faster than 1 m/s",
                         "s",
                         Kicked::seconds,
-                        kicked -> kicked.isFar() && kicked.seconds <= KICK_SECONDS),
+                        kicked -> kicked.metres >= metres && kicked.seconds <= KICK_SECONDS),
                 kick(
-                        "kick out of the walk, straight",
+                        name + " out of the walk, straight",
+                        kind,
                         "it does, in a direction at most 5° beside the one that was wanted",
                         "degrees to either side",
                         Kicked::degrees,
-                        kicked -> kicked.isFar() && kicked.degrees <= KICK_DEGREES));
+                        kicked -> kicked.metres >= metres && kicked.degrees <= KICK_DEGREES));
     }
 
     private MotionCheck dribble(
@@ -93,8 +114,13 @@ final class PlayerChecks {
     }
 
     private MotionCheck kick(
-            String name, String rule, String unit, ToDoubleFunction<Kicked> value, Predicate<Kicked> success) {
-        return check(name, BallPlayer::kicking, 1.5, rule, unit, value, success, this::kick);
+            String name,
+            KickKind kind,
+            String rule,
+            String unit,
+            ToDoubleFunction<Kicked> value,
+            Predicate<Kicked> success) {
+        return check(name, () -> BallPlayer.kicking(kind), 1.5, rule, unit, value, success, this::kick);
     }
 
     private <T> MotionCheck check(

@@ -1,7 +1,6 @@
 package org.robonewbie.team.skill;
 
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
@@ -20,12 +19,9 @@ public final class Kick {
     private static final double HURRY_METRES = 1;
     private static final double HURRY = 1.4;
 
-    private static final double NEARER_TOLERANCE = 0.0375;
-    private static final double FARTHER_TOLERANCE = 0.028;
     private static final double STANCE_METRES = 0.016;
     private static final double CLOSER_METRES = 0.03;
     private static final double DRIFT = 1.4;
-    private static final double LEFT_TOLERANCE = 0.027;
     private static final double TURN_TOLERANCE = 8;
     private static final double FAR_METRES = 1;
     private static final double BEHIND_METRES = 0.1;
@@ -36,18 +32,31 @@ public final class Kick {
 
     private final Limbs body;
     private final Footwork feet;
+    private final KickKind kind;
     private boolean waiting;
     private double walkedSeconds;
 
     /**
-     * Prepares the skill.
+     * Prepares the usual kick, which takes little time.
      *
      * @param body walks and kicks
      * @param feet walks to places
      */
     public Kick(Limbs body, Footwork feet) {
+        this(body, feet, KickKind.QUICK);
+    }
+
+    /**
+     * Prepares a kick.
+     *
+     * @param body walks and kicks
+     * @param feet walks to places
+     * @param kind what is done with the ball
+     */
+    public Kick(Limbs body, Footwork feet, KickKind kind) {
         this.body = body;
         this.feet = feet;
+        this.kind = kind;
     }
 
     /**
@@ -61,14 +70,10 @@ public final class Kick {
         return USUAL_SECONDS + Footwork.aroundSeconds(world, directionDegrees);
     }
 
-    /** Where the ball has to lie for a kick with the foot on whose side it is. */
+    /** Where the ball has to lie for the kick with the foot that suits the side on which it is. */
     private Spot before(Spot ball) {
-        Spot left = build().beforeLeftFoot();
+        Spot left = kind.ballOnLeft(body.nao().getType());
         return new Spot(left.x(), (ball.y() > 0 ? 1 : -1) * left.y());
-    }
-
-    private Build build() {
-        return Build.of(body.nao().getType());
     }
 
     /**
@@ -83,7 +88,7 @@ public final class Kick {
         double patience = world.opponentDistance(world.ball()) < HURRY_METRES ? HURRY : 1;
         if (waiting) {
             waitForTheStance(ball, turn, patience);
-        } else if (isThere(ball, turn, patience) && beyond(ball) < FARTHER_TOLERANCE - STANCE_METRES) {
+        } else if (isThere(ball, turn, patience) && beyond(ball) < kind.farther() - STANCE_METRES) {
             body.walk().stop();
             waiting = true;
         } else {
@@ -98,19 +103,19 @@ public final class Kick {
             walkedSeconds = body.nao().getTime();
             return;
         }
-        if (body.nao().getTime() - walkedSeconds < build().calmSeconds()) {
+        if (body.nao().getTime() - walkedSeconds < kind.calmSeconds(body.nao().getType())) {
             return;
         }
         waiting = false;
         if (isThere(ball, turn, DRIFT * patience)) {
-            body.motions().start(ball.y() > 0 ? "quick-kick-left" : "quick-kick-right");
+            body.motions().start(kind.motion(ball.y() > 0));
         }
     }
 
     private boolean isThere(Spot ball, double turn, double factor) {
-        return beyond(ball) > -NEARER_TOLERANCE
-                && beyond(ball) < FARTHER_TOLERANCE
-                && Math.abs(ball.y() - before(ball).y()) < factor * LEFT_TOLERANCE
+        return beyond(ball) > -kind.nearer()
+                && beyond(ball) < kind.farther()
+                && Math.abs(ball.y() - before(ball).y()) < factor * kind.aside()
                 && Math.abs(turn) < factor * factor * TURN_TOLERANCE;
     }
 
@@ -136,28 +141,6 @@ public final class Kick {
             feet.step(world, place.minus(direction.times(BEHIND_METRES)), turn);
         } else {
             body.walk().towards(gentle(place.x() + CLOSER_METRES), gentle(place.y()), turn);
-        }
-    }
-
-    /**
-     * What differs with the build of the robot. The same angles bring a longer leg to another place, and a walk with longer legs stops later
-     * and leaves the robot rocking. With these numbers the ball lies in the middle of what the kick reaches, and the torso is calm.
-     *
-     * @param beforeLeftFoot where the ball has to lie for the left foot, seen from the robot, metres
-     * @param calmSeconds how long the robot waits between walk and kick
-     */
-    private record Build(Spot beforeLeftFoot, double calmSeconds) {
-
-        private static final Build USUAL = new Build(new Spot(0.205, 0.05), 0);
-        private static final Build LONGER_LEGS = new Build(new Spot(0.19, 0.05), 0.3);
-        private static final Build LONGEST_LEGS = new Build(new Spot(0.22, 0.055), 0.6);
-
-        static Build of(RobotType type) {
-            return switch (type) {
-                case TYPE_1 -> LONGER_LEGS;
-                case TYPE_3 -> LONGEST_LEGS;
-                default -> USUAL;
-            };
         }
     }
 
