@@ -3,6 +3,7 @@ package org.robonewbie.learning.design;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -109,7 +110,7 @@ record KickSwing(
         public void see(Moment moment) {
             Map<String, Pose> now = links.stream().collect(Collectors.toMap(link -> link, robot::link));
             poses.add(now);
-            overlap += limbs.metres(now);
+            overlap += limbs.metres(robot::link);
         }
 
         @Override
@@ -124,7 +125,7 @@ record KickSwing(
         Vector3 ball = new Vector3(ground.x(), ground.y(), RADIUS);
         for (int i = CYCLES_OF_SHIFT; i < limbs.size() - 1; i++) {
             for (Map.Entry<String, Vector3> box : boxes.entrySet()) {
-                Pose pose = limbs.get(i).get(box.getKey());
+                Pose pose = pose(i, box.getKey());
                 if (pose.position().distanceTo(ball) < REACH) {
                     Vector3 touch = nearest(pose.inverse().transform(ball), box.getValue());
                     double distance = pose.transform(touch).distanceTo(ball);
@@ -137,6 +138,10 @@ record KickSwing(
         return Shot.NONE;
     }
 
+    private Pose pose(int cycle, String link) {
+        return Optional.ofNullable(limbs.get(cycle).get(link)).orElseThrow();
+    }
+
     private static Vector3 nearest(Vector3 point, Vector3 half) {
         return new Vector3(clamp(point.x(), half.x()), clamp(point.y(), half.y()), clamp(point.z(), half.z()));
     }
@@ -147,11 +152,11 @@ record KickSwing(
 
     /** What a link does to a ball that it touches in a cycle with a point of its box. */
     private Shot hit(int cycle, String link, Vector3 touch, Vector3 ball) {
-        Vector3 point = limbs.get(cycle).get(link).transform(touch);
+        Vector3 point = pose(cycle, link).transform(touch);
         Vector3 outwards = ball.minus(point);
         Vector3 normal = outwards.times(1 / outwards.length());
-        Vector3 earlier = limbs.get(cycle - 1).get(link).transform(touch);
-        Vector3 later = limbs.get(cycle + 1).get(link).transform(touch);
+        Vector3 earlier = pose(cycle - 1, link).transform(touch);
+        Vector3 later = pose(cycle + 1, link).transform(touch);
         double before = point.minus(earlier).dot(normal) / Cycle.SECONDS;
         double after = later.minus(point).dot(normal) / Cycle.SECONDS;
         double speed = Math.max(0, (BOUNCE * before + after) / SOFTNESS);

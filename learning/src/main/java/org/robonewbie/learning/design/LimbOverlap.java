@@ -1,7 +1,7 @@
 package org.robonewbie.learning.design;
 
 import java.util.List;
-import java.util.Map;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Pose;
@@ -34,9 +34,9 @@ final class LimbOverlap {
     /**
      * The depths of all pairs of limbs that overlap, added up, in metres: left with right leg, and each lower arm with its thigh.
      *
-     * @param poses where {@link #links} are
+     * @param poses tells where each of {@link #links} is
      */
-    double metres(Map<String, Pose> poses) {
+    double metres(Function<String, Pose> poses) {
         double sum = depth(poses, "llowerarm", "lthigh") + depth(poses, "rlowerarm", "rthigh");
         for (String left : LEFT) {
             for (String right : RIGHT) {
@@ -46,11 +46,11 @@ final class LimbOverlap {
         return sum;
     }
 
-    private double depth(Map<String, Pose> poses, String one, String other) {
+    private double depth(Function<String, Pose> poses, String one, String other) {
         Vector3 half = half(one);
         Vector3 otherHalf = half(other);
-        Pose pose = poses.get(one);
-        Pose otherPose = poses.get(other);
+        Pose pose = poses.apply(one);
+        Pose otherPose = poses.apply(other);
         if (pose.position().distanceTo(otherPose.position()) > half.length() + otherHalf.length()) {
             return 0;
         }

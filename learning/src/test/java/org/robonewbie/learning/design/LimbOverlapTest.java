@@ -3,12 +3,10 @@ package org.robonewbie.learning.design;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Map;
-import java.util.stream.Collectors;
+import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.model.NaoModel;
@@ -40,8 +38,7 @@ class LimbOverlapTest {
                 .isCloseTo(limbs.metres(poses(turned.mirrored())), within(1e-9));
     }
 
-    private static Map<String, Pose> poses(Posture posture) {
-        BodyPoses limbs = BodyState.of(RobotType.TYPE_0, Pose.ORIGIN, posture).limbs();
-        return LimbOverlap.links().stream().collect(Collectors.toMap(link -> link, limbs::link));
+    private static Function<String, Pose> poses(Posture posture) {
+        return BodyState.of(RobotType.TYPE_0, Pose.ORIGIN, posture).limbs()::link;
     }
 }
