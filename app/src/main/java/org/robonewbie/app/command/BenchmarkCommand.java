@@ -48,6 +48,7 @@ import picocli.CommandLine.Option;
 final class BenchmarkCommand implements Callable<Integer> {
 
     private static final int MOST_ROBOTS = 22;
+    private static final int MOST_THREADS = 16;
     private static final int LAST_PORT = 65535;
 
     @Mixin
@@ -87,6 +88,12 @@ final class BenchmarkCommand implements Callable<Integer> {
             paramLabel = "ENGINE",
             description = "What computes the motion: exact (ode4j's step) or fast (our own). Usual: ${DEFAULT-VALUE}.")
     private PhysicsEngine physics = PhysicsEngine.STANDARD;
+
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            description = "How many threads think for the robots between two cycles of the server, 1 to 16 (1).")
+    private int threads = 1;
 
     @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
     private Optional<Path> json = Optional.empty();
@@ -149,10 +156,15 @@ final class BenchmarkCommand implements Callable<Integer> {
         checkSeconds("--seconds", seconds);
         checkSeconds("--warm-up", warmUpSeconds);
         heapEvery.ifPresent(distance -> checkSeconds("--heap-every", distance));
+        if (threads < 1 || threads > MOST_THREADS) {
+            throw new CalledWronglyException(
+                    "--threads " + threads + " is not possible. Give 1 to " + MOST_THREADS + " threads.");
+        }
         checkPort("--port", port);
         checkPort("--monitor-port", monitorPort);
         OptionalDouble heap = heapEvery.map(OptionalDouble::of).orElse(OptionalDouble.empty());
-        return new BenchmarkPlan(robots, scenes, warmUpSeconds, seconds, heap, physics, host.map(this::address));
+        return new BenchmarkPlan(
+                robots, scenes, warmUpSeconds, seconds, heap, physics, threads, host.map(this::address));
     }
 
     private ServerAddress address(String name) {

@@ -77,17 +77,18 @@ public final class Benchmark {
 
     private BenchmarkRun measure(int robots, CrowdScene scene, double seconds, Consumer<HeapSample> heap)
             throws IOException {
-        try (BenchmarkServer server = openServer()) {
+        try (BenchmarkServer server = openServer();
+                AgentThreads threads = new AgentThreads(plan.threads())) {
             List<BenchmarkAgent> agents = server.gather(robots);
             server.playOn();
             int warmUp = cycles(plan.warmUpSeconds());
             int measured = cycles(seconds);
-            play(server, agents, scene, 0, warmUp);
+            play(server, threads, agents, scene, 0, warmUp);
             resetPeakMemory();
             OptionalLong cpuBefore = server.cpuNanoseconds();
             OptionalLong bytesBefore = server.allocatedBytes();
             long start = System.nanoTime();
-            List<HeapSample> samples = measured(server, agents, scene, warmUp, measured, heap);
+            List<HeapSample> samples = measured(server, threads, agents, scene, warmUp, measured, heap);
             double realSeconds = (System.nanoTime() - start) * 1e-9;
             OptionalDouble cpu = perCycle(cpuBefore, server.cpuNanoseconds(), 1e6 * measured);
             OptionalDouble bytes = perCycle(bytesBefore, server.allocatedBytes(), measured);
@@ -95,7 +96,7 @@ public final class Benchmark {
             return new BenchmarkRun(
                     robots,
                     scene,
-                    plan.other().isPresent() ? 0 : 1,
+                    plan.other().isPresent() ? 0 : plan.threads(),
                     measured,
                     measured * Cycle.SECONDS / realSeconds,
                     cpu,
@@ -115,7 +116,13 @@ public final class Benchmark {
         return (int) Math.max(1, Math.round(seconds / Cycle.SECONDS));
     }
 
-    private static void play(BenchmarkServer server, List<BenchmarkAgent> agents, CrowdScene scene, int from, int to)
+    private static void play(
+            BenchmarkServer server,
+            AgentThreads threads,
+            List<BenchmarkAgent> agents,
+            CrowdScene scene,
+            int from,
+            int to)
             throws IOException {
         for (int cycle = from; cycle < to; cycle++) {
             if (scene.placesAgain(cycle)) {
@@ -123,9 +130,7 @@ public final class Benchmark {
                     server.place(robot, scene.place(robot));
                 }
             }
-            for (BenchmarkAgent agent : agents) {
-                agent.act(scene, cycle);
-            }
+            threads.act(agents, scene, cycle);
             server.cycle();
         }
     }
@@ -133,6 +138,7 @@ public final class Benchmark {
     /** Plays all cycles, with looks at the memory in between if they are wanted. */
     private List<HeapSample> measured(
             BenchmarkServer server,
+            AgentThreads threads,
             List<BenchmarkAgent> agents,
             CrowdScene scene,
             int from,
@@ -145,7 +151,7 @@ public final class Benchmark {
         List<HeapSample> samples = new ArrayList<>();
         for (int done = 0; done < measured; done += part) {
             int next = Math.min(measured, done + part);
-            play(server, agents, scene, from + done, from + next);
+            play(server, threads, agents, scene, from + done, from + next);
             if (plan.heapEverySeconds().isPresent()) {
                 HeapSample sample = HeapSample.at(next * Cycle.SECONDS);
                 samples.add(sample);

@@ -14,6 +14,7 @@ import org.robonewbie.simulator.world.PhysicsEngine;
  * @param seconds simulated seconds that are measured
  * @param heapEverySeconds simulated seconds between memory samples; empty to take none
  * @param physics the physics engine of our own server
+ * @param threads how many threads think for the robots between two cycles, each for its share of them; the server has one of them
  * @param other the server to be measured; ours in this process if empty
  */
 public record BenchmarkPlan(
@@ -23,6 +24,7 @@ public record BenchmarkPlan(
         double seconds,
         OptionalDouble heapEverySeconds,
         PhysicsEngine physics,
+        int threads,
         Optional<ServerAddress> other) {
 
     /** Makes the lists unmodifiable. */

@@ -73,6 +73,26 @@ class BenchmarkTest {
     }
 
     @Test
+    void robotsThinkOnSeveralThreads() throws IOException {
+        BenchmarkPlan plan = new BenchmarkPlan(
+                List.of(5),
+                List.of(CrowdScene.WALKING),
+                0.1,
+                0.5,
+                OptionalDouble.empty(),
+                PhysicsEngine.STANDARD,
+                2,
+                Optional.empty());
+
+        BenchmarkRun run =
+                new Benchmark(plan).run(ignored -> {}, ignored -> {}).runs().get(0);
+
+        assertThat(run.threads()).isEqualTo(2);
+        assertThat(run.cycles()).isEqualTo(25);
+        assertThat(run.realTimeFactor()).isPositive();
+    }
+
+    @Test
     void memoryInUseIsLookedAtFromTimeToTime() throws IOException {
         BenchmarkPlan plan = new BenchmarkPlan(
                 List.of(1),
@@ -81,6 +101,7 @@ class BenchmarkTest {
                 0.5,
                 OptionalDouble.of(0.2),
                 PhysicsEngine.STANDARD,
+                1,
                 Optional.empty());
         List<HeapSample> progress = new ArrayList<>();
 
@@ -156,7 +177,7 @@ class BenchmarkTest {
     }
 
     private static BenchmarkPlan plan(List<Integer> robots, List<CrowdScene> scenes, Optional<ServerAddress> other) {
-        return new BenchmarkPlan(robots, scenes, 0.1, 0.2, OptionalDouble.empty(), PhysicsEngine.STANDARD, other);
+        return new BenchmarkPlan(robots, scenes, 0.1, 0.2, OptionalDouble.empty(), PhysicsEngine.STANDARD, 1, other);
     }
 
     @Test
