@@ -32,11 +32,11 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Lets a robot learn to walk, to run or any task for one robot, and examines what was learned. */
+/** Lets a robot learn to walk, to jog, to run or any task for one robot, and examines what was learned. */
 @Command(
         name = "learn",
         description = {
-            "Learn to walk, to run, or a task of the Python package by trying, or examine what was learned.",
+            "Learn to walk, to jog, to run, or a task of the Python package by trying, or examine what was learned.",
             "",
             "Writes the policy, FILE.csv with the curve and FILE.checkpoint after each generation; a training that was interrupted goes"
                     + " on with --resume. docs/policies.md explains how it learns and what came of it."
@@ -62,7 +62,7 @@ final class LearnCommand implements Callable<Integer> {
 
     @Parameters(
             paramLabel = "TASK",
-            description = "walk, run, Stand, KickTo, QuickGetUp, another task, or a class of yours.")
+            description = "walk, jog, run, Stand, KickTo, QuickGetUp, another task, or a class of yours.")
     private String task = "walk";
 
     @Option(names = "--out", paramLabel = "FILE", description = "Where the policy goes (TASK.policy).")
@@ -80,17 +80,17 @@ final class LearnCommand implements Callable<Integer> {
     @Option(names = "--rate", paramLabel = "X", description = "How far the answer moves in a generation (0.01).")
     private double rate = 0.01;
 
-    @Option(names = "--seconds", paramLabel = "T", description = "Simulated length of a lesson in walk and run (9).")
+    @Option(names = "--seconds", paramLabel = "T", description = "Simulated length of a lesson in walk, jog and run (9).")
     private double seconds = 9;
 
-    @Option(names = "--push", paramLabel = "N", description = "Newtons of the hardest pushes in walk and run (6).")
+    @Option(names = "--push", paramLabel = "N", description = "Newtons of the hardest pushes in walk, jog and run (6).")
     private double push = 6;
 
     @Option(
             names = "--option",
             paramLabel = "NAME=VALUE",
             description =
-                    "What is different in the episodes of a task, such as noise=0.5 or push=10; docs/gym-protocol.md has all. In walk and run forward=LOW..HIGH: the speeds straight ahead, in m/s; step=MILLISECONDS; tolerance=X: the error that leaves no reward, in m/s; slow=SHARE: how often a run is slowed down.")
+                    "What is different in the episodes of a task, such as noise=0.5 or push=10; docs/gym-protocol.md has all. In walk, jog and run forward=LOW..HIGH: the speeds straight ahead, in m/s; step=MILLISECONDS; tolerance=X: the error that leaves no reward, in m/s; slow=SHARE: how often a run is slowed down; types=FIRST..LAST: how the robots are built.")
     private List<String> options = List.of();
 
     @Option(

@@ -37,6 +37,17 @@ class RepeatedTrainingTest {
     }
 
     @Test
+    void lastRoundOfTheJogBeginsAsItDid() throws IOException {
+        List<String> options = List.of("forward=0.6..1.15", "types=0..4", "slow=0.6");
+        TrainingPlan plan = new TrainingPlan(13, 1, 25, 0.015, 0.005, 9, 5, options, 2);
+        Policy start = kept("jog-before-the-last-round.policy");
+
+        String line = firstLine(WalkCourse.JOG.with(options), plan, start);
+
+        assertThat(line).isEqualTo("1,50,22230,8.6848,2,0.1016,6.240,");
+    }
+
+    @Test
     void walkIsTrainedAsBefore() throws IOException {
         TrainingPlan plan = new TrainingPlan(2, 1, 8, 0.02, 0.005, 9, 6, List.of(), 2);
 

@@ -12,8 +12,12 @@ class ShippedMotionsTest {
     /** What is measured in trials that another check judges already. */
     private static final List<String> SECOND_LOOKS = List.of(", straight", ", drift", "place, mostly", ", heading");
 
-    /** Falls in two of twenty long runs, as the documents say; {@code LearnedWalkTest} holds what it does over 10 m. */
-    private static final String NOT_IN_EACH_TRIAL = "learned run";
+    /**
+     * What does not succeed in each trial, as the documents say: the run falls in some of twenty long ways ({@code LearnedWalkTest} holds
+     * what it does over 10 m), and the jog still rocks after some of its stops.
+     */
+    private static final List<String> NOT_IN_EACH_TRIAL =
+            List.of("learned run 20 m", "learned run 20 m, stop", "learned jog 20 m, stop");
 
     @ParameterizedTest
     @MethodSource("checks")
@@ -38,7 +42,7 @@ class ShippedMotionsTest {
 
     static List<MotionCheck> checks() {
         return MotionMeasurement.checks().stream()
-                .filter(check -> !check.name().startsWith(NOT_IN_EACH_TRIAL))
+                .filter(check -> !NOT_IN_EACH_TRIAL.contains(check.name()))
                 .filter(check -> SECOND_LOOKS.stream().noneMatch(check.name()::endsWith))
                 .toList();
     }

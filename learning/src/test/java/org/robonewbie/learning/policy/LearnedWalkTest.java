@@ -22,7 +22,7 @@ class LearnedWalkTest {
             .withBall(0, -9);
 
     @ParameterizedTest
-    @CsvSource({"walk, 0.7", "run, 1.1"})
+    @CsvSource({"walk, 0.7", "jog, 0.9", "run, 1.1"})
     void agentGetsAheadFromItsMessagesAlone(String policy, double metresPerSecond) {
         Distance way = new Distance();
 
