@@ -80,7 +80,10 @@ final class LearnCommand implements Callable<Integer> {
     @Option(names = "--rate", paramLabel = "X", description = "How far the answer moves in a generation (0.01).")
     private double rate = 0.01;
 
-    @Option(names = "--seconds", paramLabel = "T", description = "Simulated length of a lesson in walk, jog and run (9).")
+    @Option(
+            names = "--seconds",
+            paramLabel = "T",
+            description = "Simulated length of a lesson in walk, jog and run (9).")
     private double seconds = 9;
 
     @Option(names = "--push", paramLabel = "N", description = "Newtons of the hardest pushes in walk, jog and run (6).")
