@@ -44,8 +44,8 @@ TASKS = {
         "--round 64 --batches 2 --rate 0.0002 --gamma 0.98 --noise 0.03 --hold 64 --hidden 32 --inputs gyro.*|accelerometer.*",
         ("cycles=2",),
     ),
-    "Follow": Baseline(300_000, "--round 32 --batches 4 --rate 0.0005 --gamma 0.97 --noise 0.05 --hold 8 --hidden 32", ("cycles=4",)),
-    "Run": Baseline(300_000, "--round 32 --batches 4 --rate 0.001 --gamma 0.97 --noise 0.1 --hold 8 --hidden 32", ("cycles=4",)),
+    "Follow": Baseline(200_000, "--round 32 --batches 2 --rate 0.0003 --gamma 0.97 --noise 0.05 --hold 8 --hidden 32", ("cycles=4",)),
+    "Run": Baseline(200_000, "--round 32 --batches 2 --rate 0.0003 --gamma 0.99 --noise 0.1 --hold 8 --hidden 32", ("cycles=4",)),
     "KickTo": Baseline(
         400_000,
         "--round 30 --batches 4 --rate 0.001 --gamma 1 --noise 0.06 --hold 30 --hidden 32 --inputs command.*|motion.*",
@@ -53,8 +53,8 @@ TASKS = {
     ),
     "GetUp": Baseline(400_000, "--round 50 --rate 0.001 --gamma 0.98 --noise 0.3 --hold 10 --hidden 32", ("cycles=5",)),
     "QuickGetUp": Baseline(
-        400_000,
-        "--round 40 --batches 4 --rate 0.001 --gamma 0.99 --noise 0.1 --hold 40 --hidden 0"
+        200_000,
+        "--round 40 --batches 2 --rate 0.001 --gamma 0.99 --noise 0.1 --hold 40 --hidden 0"
         " --inputs motion.*|gyro.left|accelerometer.(forward|up)",
         ("cycles=2", "friction=0.5..2", "mass=0.9..1.1"),
     ),
