@@ -25,7 +25,7 @@ final class RunChecks {
     }
 
     static List<MotionCheck> all(RobotType type) {
-        return Stream.of(Gait.values())
+        return Stream.of(Gait.RUN, Gait.JOG)
                 .map(gait -> new RunChecks(type, gait))
                 .flatMap(checks -> Stream.of(checks.far(), checks.drift(), checks.stop()))
                 .toList();
@@ -77,34 +77,18 @@ final class RunChecks {
     }
 
     /** What was learned, and what is asked of it. */
-    private enum Gait {
+    private record Gait(
+            String policy,
+            String verb,
+            double commanded,
+            LineKeeping keeping,
+            int mostDrift,
+            String stopping,
+            double secondsToSlowDown) {
+
         /** It is commanded less than it can do, so that it is steady for long. */
-        RUN("run", "runs", 1.35, LineKeeping.GENTLE, 10, "slows down within 3 s, ", 3),
-        JOG("jog", "jogs", 1.05, LineKeeping.FIRM, 2, "", 0);
+        static final Gait RUN = new Gait("run", "runs", 1.35, LineKeeping.GENTLE, 10, "slows down within 3 s, ", 3);
 
-        private final String policy;
-        private final String verb;
-        private final double commanded;
-        private final LineKeeping keeping;
-        private final int mostDrift;
-        private final String stopping;
-        private final double secondsToSlowDown;
-
-        Gait(
-                String policy,
-                String verb,
-                double commanded,
-                LineKeeping keeping,
-                int mostDrift,
-                String stopping,
-                double secondsToSlowDown) {
-            this.policy = policy;
-            this.verb = verb;
-            this.commanded = commanded;
-            this.keeping = keeping;
-            this.mostDrift = mostDrift;
-            this.stopping = stopping;
-            this.secondsToSlowDown = secondsToSlowDown;
-        }
+        static final Gait JOG = new Gait("jog", "jogs", 1.05, LineKeeping.FIRM, 2, "", 0);
     }
 }
