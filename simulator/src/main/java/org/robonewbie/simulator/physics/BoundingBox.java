@@ -45,15 +45,9 @@ public record BoundingBox(Vector3 min, Vector3 max) {
         if (shape instanceof Shape.Box box) {
             Vector3 half = box.size().times(0.5);
             return new Vector3(
-                    Math.abs(turn.xx()) * half.x()
-                            + Math.abs(turn.xy()) * half.y()
-                            + Math.abs(turn.xz()) * half.z(),
-                    Math.abs(turn.yx()) * half.x()
-                            + Math.abs(turn.yy()) * half.y()
-                            + Math.abs(turn.yz()) * half.z(),
-                    Math.abs(turn.zx()) * half.x()
-                            + Math.abs(turn.zy()) * half.y()
-                            + Math.abs(turn.zz()) * half.z());
+                    Math.abs(turn.xx()) * half.x() + Math.abs(turn.xy()) * half.y() + Math.abs(turn.xz()) * half.z(),
+                    Math.abs(turn.yx()) * half.x() + Math.abs(turn.yy()) * half.y() + Math.abs(turn.yz()) * half.z(),
+                    Math.abs(turn.zx()) * half.x() + Math.abs(turn.zy()) * half.y() + Math.abs(turn.zz()) * half.z());
         }
         if (shape instanceof Shape.Sphere sphere) {
             return new Vector3(sphere.radius(), sphere.radius(), sphere.radius());
