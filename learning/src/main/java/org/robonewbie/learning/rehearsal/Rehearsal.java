@@ -324,7 +324,7 @@ public final class Rehearsal implements AutoCloseable {
     }
 
     /**
-     * Tells where a link of the robot really is. A limb that swings fast is pulled out of its joints for some cycles, by up to a few
+     * Returns where a link of the robot really is. A limb that swings fast is pulled out of its joints for some cycles, by up to a few
      * centimetres; the kinematics of {@link #body} do not know that.
      *
      * @param name the link's name in {@link NaoModel}, such as {@code rfoot}

@@ -244,12 +244,7 @@ public final class Match implements Restorable {
     }
 
     Optional<Player> playerOf(Robot robot) {
-        for (Player player : players()) {
-            if (player.robot() == robot) {
-                return Optional.of(player);
-            }
-        }
-        return Optional.empty();
+        return players().stream().filter(player -> player.robot() == robot).findFirst();
     }
 
     Vector3 ballVelocity() {

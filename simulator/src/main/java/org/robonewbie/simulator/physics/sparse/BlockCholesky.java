@@ -88,7 +88,7 @@ final class BlockCholesky {
      */
     private void addOverlapOfHinge(int column, double[] response, int row, double[] jacobian, int offset) {
         int width = plan.rows(column);
-        DenseBlocks.addHingeTimes(
+        HingeBlocks.addTimes(
                 matrix,
                 offset,
                 width,

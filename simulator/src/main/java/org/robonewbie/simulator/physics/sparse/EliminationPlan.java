@@ -11,7 +11,7 @@ import java.util.Arrays;
  * depends on nothing but which joints hold which bodies, so it serves as long as the same limbs touch the same things,
  * and for every robot of the kind.
  *
- * <p>A pile of robots needs another plan in nearly every step, so a plan that nobody needs any more can be made anew in the
+ * <p>A pile of robots needs another plan in nearly every step, so a plan that nobody needs any more can be replaced in the
  * same arrays, which may be longer than what they hold.
  */
 final class EliminationPlan {

@@ -20,7 +20,7 @@ final class PlanCache {
 
     /** The plan that was used last comes first. */
     private final List<EliminationPlan> plans = new ArrayList<>();
-    /** Plans that made room for others and can be made anew; the one that went last comes last. */
+    /** Plans that made room for others and can be replaced; the one that went last comes last. */
     private final List<EliminationPlan> spent = new ArrayList<>();
 
     private CouplingGraph graph = new CouplingGraph();
