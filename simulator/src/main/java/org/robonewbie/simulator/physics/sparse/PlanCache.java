@@ -25,6 +25,7 @@ final class PlanCache {
 
     private CouplingGraph graph = new CouplingGraph();
     private EliminationPlan large = new EliminationPlan();
+    private boolean rememberingPile;
     private int useless;
     private int[] key = {};
     private int numbers;
@@ -33,7 +34,7 @@ final class PlanCache {
     EliminationPlan planFor(List<ConstraintJoint> joints, int bodies) {
         int length = writeKey(joints);
         useless++;
-        if (useless > PATIENCE) {
+        if (rememberingPile && useless > PATIENCE) {
             forgetPile();
         }
         for (int i = 0; i < plans.size(); i++) {
@@ -62,7 +63,7 @@ final class PlanCache {
         large = new EliminationPlan();
         graph = new CouplingGraph();
         spent.clear();
-        useless = 0;
+        rememberingPile = false;
     }
 
     /** Returns a plan that nobody needs any more and that is about as large as wanted, or else a new one. */
@@ -106,6 +107,7 @@ final class PlanCache {
         if (plan.numbers() > LARGE) {
             addSpent(large);
             large = plan;
+            rememberingPile = true;
             useless = 0;
             return;
         }

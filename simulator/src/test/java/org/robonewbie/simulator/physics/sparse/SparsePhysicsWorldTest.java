@@ -198,7 +198,7 @@ class SparsePhysicsWorldTest {
         rock(world, hinge, 400);
 
         long before = thread.getCurrentThreadAllocatedBytes();
-        rock(world, hinge, 400);
+        rock(world, hinge, 4_000);
         long allocated = thread.getCurrentThreadAllocatedBytes() - before;
 
         assertThat(world.contacts()).isNotEmpty();
