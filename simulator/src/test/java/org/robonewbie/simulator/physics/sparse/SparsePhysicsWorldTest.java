@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.concurrent.FutureTask;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -190,8 +191,16 @@ class SparsePhysicsWorldTest {
         assertThat(world.ball().position().z()).isLessThan(0.1);
     }
 
+    /** Worlds of a thread share their working memory, and a pile of another test may just be forgotten; so this one has a thread of its own. */
     @Test
-    void stepsInTheSteadyStateAllocateNothing() {
+    void stepsInTheSteadyStateAllocateNothing() throws Exception {
+        FutureTask<Long> rocking = new FutureTask<>(SparsePhysicsWorldTest::allocatedWhileRocking);
+        new Thread(rocking).start();
+
+        assertThat(rocking.get()).isLessThan(400);
+    }
+
+    private static long allocatedWhileRocking() {
         ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         PhysicsWorld world = new SparsePhysicsWorld();
         MotorHinge hinge = addRockingPair(world);
@@ -200,9 +209,8 @@ class SparsePhysicsWorldTest {
         long before = thread.getCurrentThreadAllocatedBytes();
         rock(world, hinge, 4_000);
         long allocated = thread.getCurrentThreadAllocatedBytes() - before;
-
         assertThat(world.contacts()).isNotEmpty();
-        assertThat(allocated).isLessThan(400);
+        return allocated;
     }
 
     private static MotorHinge addRockingPair(PhysicsWorld world) {
