@@ -73,7 +73,7 @@ public final class Footwork {
         if (standing) {
             walk.stop();
         } else {
-            step(world, next, turn, way.size() == 1, pace(world));
+            step(next, turn, way.size() == 1, pace(world));
         }
         return way;
     }
@@ -110,13 +110,13 @@ public final class Footwork {
     public void step(WorldModel world, Spot place, double turnDegrees) {
         if (place.length() > FAR_METRES) {
             List<Spot> way = PathPlanner.way(world.place(), place.onMap(world.pose()), others(world));
-            step(world, way.get(0).seenFrom(world.pose()), turnDegrees, false, speed(world));
+            step(way.get(0).seenFrom(world.pose()), turnDegrees, false, speed(world));
         } else {
-            step(world, place, turnDegrees, true, speed(world));
+            step(place, turnDegrees, true, speed(world));
         }
     }
 
-    private void step(WorldModel world, Spot place, double turnDegrees, boolean last, double pace) {
+    private void step(Spot place, double turnDegrees, boolean last, double pace) {
         double bearing = place.degrees();
         if (!last || place.length() > FAR_METRES) {
             boolean ahead = Math.abs(bearing) < AHEAD_DEGREES;
