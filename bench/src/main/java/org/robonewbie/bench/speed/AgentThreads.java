@@ -26,7 +26,7 @@ final class AgentThreads implements AutoCloseable {
 
     /** Lets each agent act once, and waits for all. An agent that has no message yet lets its world go on, so all act on one thread then. */
     void act(List<BenchmarkAgent> agents, CrowdScene scene, int cycle) throws IOException {
-        int shares = areAllTold(agents) ? threads : 1;
+        int shares = threads > 1 && areAllTold(agents) ? threads : 1;
         List<Future<?>> others = new ArrayList<>();
         for (int share = 1; share < shares; share++) {
             int first = share;

@@ -2,6 +2,9 @@ package org.robonewbie.learning.design;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.robonewbie.learning.rehearsal.Poise;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.InverseKinematics;
@@ -22,10 +25,20 @@ public final class Costs {
 
     /** Keeps a search near its first guess: a tenth for each unit that a coordinate is beyond a limit. */
     static double beyond(double[] coordinates, double limit) {
-        return 0.1
-                * Arrays.stream(coordinates)
-                        .map(x -> Math.max(0, Math.abs(x) - limit))
-                        .sum();
+        return 0.1 * excess(coordinates, limit);
+    }
+
+    /**
+     * Adds up by how much coordinates are beyond a limit.
+     *
+     * @param coordinates the coordinates
+     * @param limit the limit, to either side
+     * @return 0 if all are within it
+     */
+    public static double excess(double[] coordinates, double limit) {
+        return Arrays.stream(coordinates)
+                .map(x -> Math.max(0, Math.abs(x) - limit))
+                .sum();
     }
 
     /**
@@ -47,6 +60,17 @@ public final class Costs {
             before = keyframe.posture();
         }
         return sum;
+    }
+
+    /** Tries the better half of the candidates twice and takes the mean; the others rank behind it. */
+    static double[] betterHalfTwice(
+            List<double[]> candidates, ToDoubleFunction<double[]> first, ToDoubleFunction<double[]> second) {
+        double[] once = candidates.stream().mapToDouble(first).toArray();
+        double median = DoubleStream.of(once).sorted().toArray()[once.length / 2];
+        return IntStream.range(0, once.length)
+                .mapToDouble(
+                        i -> once[i] < median ? (once[i] + second.applyAsDouble(candidates.get(i))) / 2 : 100 + once[i])
+                .toArray();
     }
 
     /** A posture within the joints' ranges with angles in tenths of a degree. */

@@ -7,14 +7,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import org.robonewbie.learning.rehearsal.KickTrial;
 import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.BallPlace;
-import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
@@ -82,7 +80,10 @@ public final class FarKickDesign {
             List<Long> some = draw(random);
             List<Long> others = draw(random);
             List<double[]> asked = cloud.ask();
-            cloud.tell(swings ? design.swings(asked, some) : design.kicks(asked, some, others));
+            cloud.tell(
+                    swings
+                            ? design.swings(asked, some)
+                            : Costs.betterHalfTwice(asked, x -> design.kick(x, some), x -> design.kick(x, others)));
             if (i % GENERATIONS_BETWEEN_EXAMS == 0) {
                 Candidate mean = swings ? design.swing(cloud.mean(), some) : design.aimed(cloud.mean());
                 best = Math.min(best, design.examine(mean, i, best, given, Path.of(arguments[1])));
@@ -99,17 +100,6 @@ public final class FarKickDesign {
 
     private double[] swings(List<double[]> asked, List<Long> seeds) {
         return asked.stream().mapToDouble(x -> swing(x, seeds).cost).toArray();
-    }
-
-    /** The better half is tried twice; the others rank behind it. */
-    private double[] kicks(List<double[]> asked, List<Long> some, List<Long> others) {
-        double[] once = asked.stream().mapToDouble(x -> kick(x, some)).toArray();
-        double median = DoubleStream.of(once).sorted().toArray()[once.length / 2];
-        double[] costs = new double[once.length];
-        for (int i = 0; i < once.length; i++) {
-            costs[i] = once[i] < median ? (once[i] + kick(asked.get(i), others)) / 2 : 100 + once[i];
-        }
-        return costs;
     }
 
     /** Swings the leg without a ball, and looks for the best place of one. */
@@ -195,10 +185,7 @@ public final class FarKickDesign {
     }
 
     private static double flaws(double[] x, Motion motion, KickSwing swing) {
-        double far = Arrays.stream(x)
-                .map(each -> Math.max(0, Math.abs(each) - FREE_CHANGE))
-                .sum();
-        return COST_OF_CHANGE * far
+        return COST_OF_CHANGE * Costs.excess(x, FREE_CHANGE)
                 + COST_OF_OVERLAP * swing.overlap()
                 + COST_BEYOND_MOTORS * Costs.degreesBeyondMotors(motion)
                 + Math.max(0, motion.durationMillis() - FREE_MILLIS) / 300;
@@ -238,11 +225,7 @@ public final class FarKickDesign {
     }
 
     private static void save(MotionFile given, Candidate found, Path file) throws IOException {
-        MotionFile changed = given;
-        List<Keyframe> keyframes = found.motion.keyframes();
-        for (int i = 0; i < keyframes.size(); i++) {
-            changed = changed.withKeyframe(i, keyframes.get(i));
-        }
+        MotionFile changed = given.withKeyframes(found.motion.keyframes());
         MotionFiles.save(changed.withProperty("ball", found.ball.toString()), file);
     }
 }

@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.robonewbie.learning.rehearsal.FallenRobot;
 import org.robonewbie.learning.rehearsal.GetUpTrial;
@@ -81,31 +80,15 @@ public final class QuickGetUpDesign {
             cloud.tell(costs(candidates, i));
             Motion found = space.motion(cloud.mean());
             System.out.printf(Locale.ROOT, "%4d  %.2f s%n", i, found.durationMillis() / 1000.0);
-            save(given, found, file);
+            MotionFiles.save(given.withKeyframes(found.keyframes()), file);
         }
     }
 
-    private static void save(MotionFile given, Motion found, Path file) throws IOException {
-        MotionFile changed = given;
-        for (int i = 0; i < found.keyframes().size(); i++) {
-            changed = changed.withKeyframe(i, found.keyframes().get(i));
-        }
-        MotionFiles.save(changed, file);
-    }
-
-    /** The better half is tried twice; the others rank behind it. */
     private double[] costs(List<double[]> candidates, int generation) {
         List<FallenRobot> some = falls.draw();
         List<FallenRobot> others = falls.draw();
-        double[] once = candidates.stream()
-                .mapToDouble(x -> cost(x, some, 2L * generation))
-                .toArray();
-        double median = DoubleStream.of(once).sorted().toArray()[once.length / 2];
-        return IntStream.range(0, once.length)
-                .mapToDouble(i -> once[i] < median
-                        ? (once[i] + cost(candidates.get(i), others, 2 * generation + 1)) / 2
-                        : 100 + once[i])
-                .toArray();
+        return Costs.betterHalfTwice(
+                candidates, x -> cost(x, some, 2L * generation), x -> cost(x, others, 2L * generation + 1));
     }
 
     private double cost(double[] x, List<FallenRobot> robots, long seed) {
@@ -115,13 +98,10 @@ public final class QuickGetUpDesign {
                 .mapToDouble(QuickGetUpDesign::cost)
                 .average()
                 .orElseThrow();
-        double far = Arrays.stream(x)
-                .map(each -> Math.max(0, Math.abs(each) - FREE_CHANGE))
-                .sum();
         return trials
                 + COST_OF_SECOND * Math.max(0, motion.durationMillis() / 1000.0 - freeSeconds)
                 + COST_BEYOND_MOTORS * Costs.degreesBeyondMotors(motion)
-                + COST_OF_CHANGE * far;
+                + COST_OF_CHANGE * Costs.excess(x, FREE_CHANGE);
     }
 
     private static double cost(GetUpTrial trial) {

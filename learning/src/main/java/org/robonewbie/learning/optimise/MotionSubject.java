@@ -2,11 +2,10 @@ package org.robonewbie.learning.optimise;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import org.robonewbie.nao.motion.Keyframe;
+import org.robonewbie.learning.design.Costs;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
@@ -77,9 +76,7 @@ public final class MotionSubject implements Subject {
     @Override
     public Evaluation evaluate(double[] coordinates, long seed) {
         Evaluation evaluation = scene.evaluate(motion(coordinates), seed);
-        double far = Arrays.stream(coordinates)
-                .map(x -> Math.max(0, Math.abs(x) - FREE_CHANGE))
-                .sum();
+        double far = Costs.excess(coordinates, FREE_CHANGE);
         return new Evaluation(evaluation.value(), evaluation.success(), evaluation.flaws() + COST_OF_CHANGE * far);
     }
 
@@ -90,11 +87,7 @@ public final class MotionSubject implements Subject {
 
     @Override
     public void save(double[] coordinates, Map<String, String> facts, Path target) throws IOException {
-        MotionFile changed = withoutOldNews();
-        int index = 0;
-        for (Keyframe keyframe : motion(coordinates).keyframes()) {
-            changed = changed.withKeyframe(index++, keyframe);
-        }
+        MotionFile changed = withoutOldNews().withKeyframes(motion(coordinates).keyframes());
         for (Map.Entry<String, String> fact : facts.entrySet()) {
             changed = changed.withProperty(fact.getKey(), fact.getValue());
         }

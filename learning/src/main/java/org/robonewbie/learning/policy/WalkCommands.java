@@ -101,7 +101,6 @@ public enum WalkCommands {
 
     private static final double BEND = 45;
 
-    private static final double FOR_A_DEGREE = 0.002;
     private static final double FOR_A_DEGREE_OF_ROCKING = 0.1;
 
     /** How fast a run is slowed down, metres per second in a second. */
@@ -118,7 +117,7 @@ public enum WalkCommands {
 
     /** What a degree by which the torso leans costs in each window of a robot that is to stand. */
     double forADegreeAtRest() {
-        return FOR_A_DEGREE;
+        return WalkLesson.FOR_A_DEGREE;
     }
 
     /** Draws a stop, a velocity slower than usual, or one as at first. */

@@ -32,8 +32,11 @@ final class WalkLesson {
     private static final int CYCLES_TO_SETTLE = 60;
     private static final double DEGREES_PER_SECOND = 30;
     private static final double MOST_ERROR = 1.5;
-    private static final double FOR_A_DEGREE = 0.002;
     private static final double FOR_A_FALL = 4;
+
+    /** What a degree by which the torso leans costs in each window. */
+    static final double FOR_A_DEGREE = 0.002;
+
     private static final Motion STANCE =
             new Motion("stance", List.of(new Keyframe(600, Stance.POSTURE), new Keyframe(300, Stance.POSTURE)));
 

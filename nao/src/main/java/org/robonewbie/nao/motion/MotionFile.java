@@ -198,6 +198,21 @@ public final class MotionFile {
     }
 
     /**
+     * Changes the keyframes from the first on, as {@link #withKeyframe} does.
+     *
+     * @param keyframes the new ones
+     * @return the changed file
+     * @throws IndexOutOfBoundsException if the file has fewer
+     */
+    public MotionFile withKeyframes(List<Keyframe> keyframes) {
+        MotionFile changed = this;
+        for (int i = 0; i < keyframes.size(); i++) {
+            changed = changed.withKeyframe(i, keyframes.get(i));
+        }
+        return changed;
+    }
+
+    /**
      * Inserts a keyframe.
      *
      * @param index index that it gets, from 0; the number of keyframes appends it

@@ -25,7 +25,6 @@ final class PlanCache {
 
     private CouplingGraph graph = new CouplingGraph();
     private EliminationPlan large = new EliminationPlan();
-    private boolean rememberingPile;
     private int useless;
     private int[] key = {};
     private int numbers;
@@ -34,7 +33,7 @@ final class PlanCache {
     EliminationPlan planFor(List<ConstraintJoint> joints, int bodies) {
         int length = writeKey(joints);
         useless++;
-        if (rememberingPile && useless > PATIENCE) {
+        if (large.joints() > 0 && useless > PATIENCE) {
             forgetPile();
         }
         for (int i = 0; i < plans.size(); i++) {
@@ -63,7 +62,6 @@ final class PlanCache {
         large = new EliminationPlan();
         graph = new CouplingGraph();
         spent.clear();
-        rememberingPile = false;
     }
 
     /** Returns a plan that nobody needs any more and that is about as large as wanted, or else a new one. */
@@ -107,7 +105,6 @@ final class PlanCache {
         if (plan.numbers() > LARGE) {
             addSpent(large);
             large = plan;
-            rememberingPile = true;
             useless = 0;
             return;
         }
