@@ -163,10 +163,19 @@ def _stop():
 
 def _lines(options):
     """Writes options as the simulator reads them; a pair is a range."""
-    return [
-        f"{name}={float(value[0])!r}..{float(value[1])!r}" if isinstance(value, (tuple, list)) else f"{name}={float(value)!r}"
-        for name, value in options.items()
-    ]
+    return [f"{name}={_text(name, value)}" for name, value in options.items()]
+
+
+def _text(name, value):
+    try:
+        if isinstance(value, (tuple, list)):
+            low, high = value
+            return f"{float(low)!r}..{float(high)!r}"
+        return repr(float(value))
+    except (TypeError, ValueError):
+        raise RoboNewbieError(
+            f'The option "{name}" is {value!r}. It takes a number, or for a range a pair of numbers such as (0.5, 2).'
+        ) from None
 
 
 class Connection:

@@ -141,6 +141,9 @@ class EnvironmentTest(unittest.TestCase):
             gymnasium.make("RoboNewbie/Walk-v1", bal_x=1)
         with self.assertRaisesRegex(robonewbie.RoboNewbieError, "range with the smaller number first"):
             gymnasium.make("RoboNewbie/Walk-v1", x=(1, -1))
+        for wrong in ("slippery", (1, 2, 3), None):
+            with self.assertRaisesRegex(robonewbie.RoboNewbieError, 'option "friction" is .* a pair of numbers'):
+                gymnasium.make("RoboNewbie/Walk-v1", friction=wrong)
 
     def test_delayed_action_acts_later(self):
         def angle_after(delay, steps):

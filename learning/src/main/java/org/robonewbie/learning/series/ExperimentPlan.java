@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -30,6 +32,9 @@ public record ExperimentPlan(
         LinkedHashMap<String, List<String>> texts) {
 
     private static final Pattern TEXT = Pattern.compile("\\s*\"([^\"]*)\"\\s*(,|$)");
+
+    /** Names in a plan that are no parameters of the experiment. */
+    private static final List<String> OWN = List.of("experiment", "trials", "seed");
 
     private static final int MOST_TRIALS = 100_000_000;
 
@@ -61,6 +66,7 @@ public record ExperimentPlan(
         long seed = 1;
         LinkedHashMap<String, List<Double>> values = new LinkedHashMap<>();
         LinkedHashMap<String, List<String>> texts = new LinkedHashMap<>();
+        Set<String> given = new HashSet<>();
         List<String> lines = Files.readAllLines(file);
         for (int i = 0; i < lines.size(); i++) {
             String line = lines.get(i).replaceFirst("#.*", "").trim();
@@ -70,6 +76,11 @@ public record ExperimentPlan(
             }
             String name = line.substring(0, Math.max(0, equals)).trim();
             String value = line.substring(equals + 1).trim();
+            String place = file + ", line " + (i + 1) + ": ";
+            if (!given.add(name)) {
+                throw new IllegalArgumentException(place + "\"" + name + "\" is given for the second time. All values of a"
+                        + " parameter belong into one line, with commas between them.");
+            }
             try {
                 switch (name) {
                     case "" -> throw new NumberFormatException();
@@ -86,8 +97,9 @@ public record ExperimentPlan(
                 }
             } catch (NumberFormatException wrong) {
                 throw new IllegalArgumentException(
-                        file + ", line " + (i + 1) + ": \"" + line
-                                + "\" is not understood. Write name=number, or name=number,number,… or name=\"text\" for a parameter.",
+                        place + "\"" + line + "\" is not understood."
+                                + (OWN.contains(name) ? "" : meant(name, OWN))
+                                + " Write name=number, or name=number,number,… or name=\"text\" for a parameter.",
                         wrong);
             }
         }
@@ -132,13 +144,18 @@ public record ExperimentPlan(
         given.addAll(texts.keySet());
         for (String name : given) {
             if (!known.contains(name)) {
-                String nearest = Spelling.nearest(name, known)
-                        .map(meant -> " Did you mean " + meant + "?")
-                        .orElse("");
+                List<String> possible = new ArrayList<>(known);
+                possible.addAll(OWN);
                 throw new IllegalArgumentException("The plan gives a parameter \"" + name + "\", which " + experiment
-                        + " does not have." + nearest + " It has: " + String.join(", ", known) + ".");
+                        + " does not have." + meant(name, possible) + " It has: " + String.join(", ", known) + ".");
             }
         }
+    }
+
+    private static String meant(String misspelt, List<String> names) {
+        return Spelling.nearest(misspelt, names)
+                .map(nearest -> " Did you mean " + nearest + "?")
+                .orElse("");
     }
 
     /** {@return all trials in order; the seed of a trial depends on the plan's seed and the trial's number only} */

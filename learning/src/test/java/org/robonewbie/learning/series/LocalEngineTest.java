@@ -73,6 +73,23 @@ class LocalEngineTest {
     }
 
     @Test
+    void misspeltNamesOfAPlanAreRefusedWithTheNearest() throws IOException {
+        ExperimentPlan plan = plan("experiment=x", "sede=1", "newtons=20");
+
+        assertThatThrownBy(() -> plan.refuseOthersThan(List.of("newtons"))).hasMessageContaining("Did you mean seed?");
+        assertThatThrownBy(() -> plan("experment=x")).hasMessageContaining("line 1").hasMessageContaining("Did you mean experiment?");
+        assertThatThrownBy(() -> plan("experiment=x", "trials=many"))
+                .hasMessageContaining("\"trials=many\" is not understood. Write");
+    }
+
+    @Test
+    void nameThatIsGivenTwiceIsRefused() {
+        assertThatThrownBy(() -> plan("experiment=x", "newtons=20", "newtons=40"))
+                .hasMessageContaining("line 3")
+                .hasMessageContaining("\"newtons\" is given for the second time");
+    }
+
+    @Test
     void trialThatFailsOnceIsTriedAgain() throws IOException {
         ExperimentPlan plan = plan("experiment=" + Shaky.class.getName(), "trials=20");
         List<Integer> done = Collections.synchronizedList(new ArrayList<>());
