@@ -78,8 +78,9 @@ public record ExperimentPlan(
             String value = line.substring(equals + 1).trim();
             String place = file + ", line " + (i + 1) + ": ";
             if (!given.add(name)) {
-                throw new IllegalArgumentException(place + "\"" + name + "\" is given for the second time. All values of a"
-                        + " parameter belong into one line, with commas between them.");
+                throw new IllegalArgumentException(
+                        place + "\"" + name + "\" is given for the second time. All values of a"
+                                + " parameter belong into one line, with commas between them.");
             }
             try {
                 switch (name) {

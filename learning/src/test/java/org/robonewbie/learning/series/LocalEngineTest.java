@@ -77,7 +77,9 @@ class LocalEngineTest {
         ExperimentPlan plan = plan("experiment=x", "sede=1", "newtons=20");
 
         assertThatThrownBy(() -> plan.refuseOthersThan(List.of("newtons"))).hasMessageContaining("Did you mean seed?");
-        assertThatThrownBy(() -> plan("experment=x")).hasMessageContaining("line 1").hasMessageContaining("Did you mean experiment?");
+        assertThatThrownBy(() -> plan("experment=x"))
+                .hasMessageContaining("line 1")
+                .hasMessageContaining("Did you mean experiment?");
         assertThatThrownBy(() -> plan("experiment=x", "trials=many"))
                 .hasMessageContaining("\"trials=many\" is not understood. Write");
     }
