@@ -115,6 +115,8 @@ class Training:
         if wanted.resume:
             self.normalised = VecNormalize.load(str(self._beside(".normalisation")), robots)
             self.model = PPO.load(self._beside(".zip"), self.normalised, device="cpu")
+            rounds = self.model.num_timesteps // (wanted.robots * wanted.round)
+            self.model.set_random_seed(SEEDS_APART * wanted.seed + rounds)  # else it would meet its first episodes again
         else:
             robots.seed(SEEDS_APART * wanted.seed)
             self.normalised = VecNormalize(robots, gamma=wanted.gamma)

@@ -1,6 +1,7 @@
 """Training by PPO and what it writes; the parts with Stable-Baselines3 are skipped where it is not installed."""
 
 import io
+import shutil
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -139,6 +140,7 @@ class TrainTest(unittest.TestCase):
 
             training = train.Training(train._arguments([*words, "--resume"]))
             self.assertEqual(training.model.num_timesteps, 256)
+            self.assertEqual(training.task._seeds, [1004, 1005])
             raw = training.task.reset()[0]
             wanted, _ = training.model.predict(training.normalised.normalize_obs(raw), deterministic=True)
             training.task.close()
@@ -146,6 +148,21 @@ class TrainTest(unittest.TestCase):
             for weights, bias, bend in layers(out.read_text(encoding="utf-8")):
                 values = bend(weights @ values + bias)
             np.testing.assert_allclose(values, wanted, atol=2e-3)
+
+    @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
+    def test_goes_on_in_the_same_way_from_the_same_round(self):
+        texts = []
+        with tempfile.TemporaryDirectory() as folder:
+            words = ["Reach", "--robots", "2", "--round", "32", "--hidden", "4", "--out"]
+            train.main([*words, str(Path(folder, "first.policy")), "--steps", "64"])
+            for name in ("one", "two"):
+                for file in Path(folder).glob("first.*"):
+                    shutil.copy(file, file.with_name(file.name.replace("first", name)))
+                out = Path(folder, f"{name}.policy")
+                train.main([*words, str(out), "--steps", "128", "--resume"])
+                texts.append(out.read_text(encoding="utf-8"))
+
+        self.assertEqual(*texts)
 
 
 if __name__ == "__main__":
