@@ -92,7 +92,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(
             names = "--threads",
             paramLabel = "N",
-            description = "How many threads think for the robots between two cycles of the server, 1 to 16 (1).")
+            description = "How many threads our server works on, and robots think on in between, 1 to 16 (1).")
     private int threads = 1;
 
     @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")

@@ -1,18 +1,15 @@
 package org.robonewbie.bench.speed;
 
 import java.io.IOException;
-import java.util.ArrayList;
+import java.io.UncheckedIOException;
 import java.util.List;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
+import org.robonewbie.simulator.Crew;
+import org.robonewbie.simulator.threads.ThreadCrew;
 
 /** Lets robots think on several threads between two cycles. What they say does not depend on how many there are. */
 final class AgentThreads implements AutoCloseable {
 
-    private final int threads;
-    private final ExecutorService helpers;
+    private final ThreadCrew crew;
 
     /**
      * Creates threads.
@@ -20,24 +17,16 @@ final class AgentThreads implements AutoCloseable {
      * @param threads how many, with the one that calls {@link #act}; at least 1
      */
     AgentThreads(int threads) {
-        this.threads = threads;
-        helpers = Executors.newFixedThreadPool(Math.max(1, threads - 1));
+        crew = new ThreadCrew(threads);
     }
 
-    /** Lets each agent act once, and waits for all. An agent that has no message yet lets its world go on, so all act on one thread then. */
+    /** Lets each agent act once. An agent that has no message yet lets its world go on, so all act on one thread then. */
     void act(List<BenchmarkAgent> agents, CrowdScene scene, int cycle) throws IOException {
-        int shares = threads > 1 && areAllTold(agents) ? threads : 1;
-        List<Future<?>> others = new ArrayList<>();
-        for (int share = 1; share < shares; share++) {
-            int first = share;
-            others.add(helpers.submit(() -> {
-                act(agents, first, shares, scene, cycle);
-                return first;
-            }));
-        }
-        act(agents, 0, shares, scene, cycle);
-        for (Future<?> other : others) {
-            await(other);
+        Crew all = crew.helpers().isEmpty() || areAllTold(agents) ? crew : Crew.ALONE;
+        try {
+            all.divide(agents.size(), agent -> act(agents.get(agent), scene, cycle));
+        } catch (UncheckedIOException failed) {
+            throw failed.getCause();
         }
     }
 
@@ -50,29 +39,16 @@ final class AgentThreads implements AutoCloseable {
         return true;
     }
 
-    private static void act(List<BenchmarkAgent> agents, int first, int shares, CrowdScene scene, int cycle)
-            throws IOException {
-        for (int i = first; i < agents.size(); i += shares) {
-            agents.get(i).act(scene, cycle);
-        }
-    }
-
-    private static void await(Future<?> share) throws IOException {
+    private static void act(BenchmarkAgent agent, CrowdScene scene, int cycle) {
         try {
-            share.get();
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-            throw new IOException("The benchmark was interrupted.", interrupted);
-        } catch (ExecutionException failed) {
-            if (failed.getCause() instanceof IOException cause) {
-                throw cause;
-            }
-            throw new IllegalStateException("An agent of the benchmark failed.", failed.getCause());
+            agent.act(scene, cycle);
+        } catch (IOException failed) {
+            throw new UncheckedIOException(failed);
         }
     }
 
     @Override
     public void close() {
-        helpers.shutdownNow();
+        crew.close();
     }
 }

@@ -15,8 +15,8 @@ import org.robonewbie.nao.Cycle;
 /**
  * Measures the speed of a server, with agents that answer every message.
  *
- * <p>Our own server and its agents share one thread, so that nothing but the work itself is measured; its processor time is
- * counted without that of the agents.
+ * <p>Our own server and its agents take turns on one thread, or on some, so that nothing but the work itself is measured; its
+ * processor time is counted without that of the agents.
  *
  * <pre>{@code
  * BenchmarkReport report = new Benchmark(plan).run(run -> print(BenchmarkReport.line(run)), sample -> print(sample.toLine()));
@@ -109,7 +109,7 @@ public final class Benchmark {
     private BenchmarkServer openServer() throws IOException {
         return plan.other().isPresent()
                 ? new OtherServer(plan.other().get(), patience)
-                : new EmbeddedServer(plan.physics());
+                : new EmbeddedServer(plan.physics(), plan.threads());
     }
 
     private static int cycles(double seconds) {

@@ -14,7 +14,7 @@ import org.robonewbie.simulator.world.PhysicsEngine;
  * @param seconds simulated seconds that are measured
  * @param heapEverySeconds simulated seconds between memory samples; empty to take none
  * @param physics the physics engine of our own server
- * @param threads how many threads think for the robots between two cycles, each for its share of them; the server has one of them
+ * @param threads how many threads our own server works on, and robots think on between two of its cycles
  * @param other the server to be measured; ours in this process if empty
  */
 public record BenchmarkPlan(

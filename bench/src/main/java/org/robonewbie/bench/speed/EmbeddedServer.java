@@ -6,15 +6,17 @@ import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalLong;
+import java.util.function.ToLongFunction;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.threads.ThreadCrew;
 import org.robonewbie.simulator.world.PhysicsEngine;
 
-/** Our own server, run by the thread that measures it; its agents are not counted. */
+/** Our own server, run by the thread that measures it and by helpers of its own; its agents are not counted. */
 final class EmbeddedServer implements BenchmarkServer {
 
     /** So many cycles pass until a new robot's first message is sent. */
@@ -39,17 +41,20 @@ final class EmbeddedServer implements BenchmarkServer {
     };
 
     private final SteppedSimulator simulator;
+    private final ThreadCrew crew;
     private final ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private long cpuNanoseconds;
     private long allocatedBytes;
 
-    EmbeddedServer(PhysicsEngine physics) {
+    EmbeddedServer(PhysicsEngine physics, int threads) {
         SoccerParameters parameters = SoccerParameters.league();
         for (String assignment : WITHOUT_FOULS) {
             parameters = parameters.with(assignment);
         }
         simulator = SteppedSimulator.start(
                 WorldSettings.league().withParameters(parameters).withPhysics(physics), Console.silent());
+        crew = new ThreadCrew(threads);
+        simulator.world().setCrew(crew);
     }
 
     /** All join in the same cycles. */
@@ -82,6 +87,10 @@ final class EmbeddedServer implements BenchmarkServer {
         allocatedBytes += thread.getCurrentThreadAllocatedBytes() - bytes;
     }
 
+    private long ofHelpers(ToLongFunction<Thread> figure) {
+        return crew.helpers().stream().mapToLong(figure).sum();
+    }
+
     @Override
     public void place(int robot, Vector3 position) {
         simulator.world().robots().get(robot).moveUpright(position, 70.0 * robot);
@@ -94,16 +103,17 @@ final class EmbeddedServer implements BenchmarkServer {
 
     @Override
     public OptionalLong cpuNanoseconds() {
-        return OptionalLong.of(cpuNanoseconds);
+        return OptionalLong.of(cpuNanoseconds + ofHelpers(helper -> thread.getThreadCpuTime(helper.getId())));
     }
 
     @Override
     public OptionalLong allocatedBytes() {
-        return OptionalLong.of(allocatedBytes);
+        return OptionalLong.of(allocatedBytes + ofHelpers(helper -> thread.getThreadAllocatedBytes(helper.getId())));
     }
 
     @Override
     public void close() {
         simulator.close();
+        crew.close();
     }
 }

@@ -2,6 +2,7 @@ package org.robonewbie.simulator.physics;
 
 import java.util.List;
 import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.simulator.Crew;
 
 /**
  * Rigid bodies under gravity with motorised hinges and contacts, advanced in fixed steps.
@@ -48,6 +49,13 @@ public interface PhysicsWorld extends Restorable {
      * @param factor above 0; 1 is the usual, with 0.5 they slip twice as fast under the same force
      */
     void setGrip(double factor);
+
+    /**
+     * Lets others help with the next steps, in an engine that can share its work; results stay the same to the bit.
+     *
+     * @param crew who does the work
+     */
+    default void setCrew(Crew crew) {}
 
     /** Looks where colliders touch and replaces the list of contacts. */
     void findContacts();

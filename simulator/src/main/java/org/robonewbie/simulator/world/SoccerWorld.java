@@ -10,6 +10,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
+import org.robonewbie.simulator.Crew;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.physics.PhysicsWorld;
 import org.robonewbie.simulator.state.WorldState;
@@ -134,6 +135,15 @@ public final class SoccerWorld implements Restorable {
      */
     public void setGrip(double factor) {
         engine.setGrip(factor);
+    }
+
+    /**
+     * Lets others help with the next steps; what happens stays the same to the bit.
+     *
+     * @param crew who does the work; {@link Crew#ALONE} at first
+     */
+    public void setCrew(Crew crew) {
+        engine.setCrew(crew);
     }
 
     /** Advances the world by one cycle of 20 ms: accelerometers, beams, drag, contacts, movement, foot sensors. */

@@ -29,9 +29,11 @@ public final class OdeCollisions implements Restorable {
     /** How many numbers describe a point: its place, the normal that looks towards the first shape, and the depth. */
     public static final int NUMBERS_PER_POINT = 7;
 
+    /** How many points of a pair of shapes are found at most. */
+    public static final int MOST_POINTS = 4;
+
     private static final long MOVABLE = 1;
     private static final long FIXED = 2;
-    private static final int MAX_CONTACTS_PER_PAIR = 4;
 
     static {
         OdeHelper.initODE2(0);
@@ -42,10 +44,10 @@ public final class OdeCollisions implements Restorable {
     private final List<Group> groups = new ArrayList<>();
     private final Place place = new Place();
     private int searches;
-    private final DContactBuffer buffer = new DContactBuffer(MAX_CONTACTS_PER_PAIR);
+    private final DContactBuffer buffer = new DContactBuffer(MOST_POINTS);
     private final DContactGeomBuffer found = buffer.getGeomBuffer();
     private final DGeom.DNearCallback collision = this::collide;
-    private final double[] points = new double[MAX_CONTACTS_PER_PAIR * NUMBERS_PER_POINT];
+    private final double[] points = new double[MOST_POINTS * NUMBERS_PER_POINT];
 
     /** Receives every pair of shapes that touch. */
     public interface Listener {
@@ -56,7 +58,7 @@ public final class OdeCollisions implements Restorable {
          * @param first the one collider
          * @param second the other collider
          * @param points {@link #NUMBERS_PER_POINT} numbers for each point; only valid during the call
-         * @param count how many points there are, at most four
+         * @param count how many points there are, at most {@link #MOST_POINTS}
          */
         void touch(Collider first, Collider second, double[] points, int count);
     }
@@ -191,7 +193,7 @@ public final class OdeCollisions implements Restorable {
             OdeHelper.spaceCollide2(first, second, listener, collision);
             return;
         }
-        int count = OdeHelper.collide(first, second, MAX_CONTACTS_PER_PAIR, found);
+        int count = OdeHelper.collide(first, second, MOST_POINTS, found);
         if (count > 0) {
             copyPoints(count);
             ((Listener) listener).touch((Collider) first.getData(), (Collider) second.getData(), points, count);

@@ -12,14 +12,12 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
  */
 final class ContactFinder {
 
-    private static final int MOST_POINTS = 4;
-
     private final OdeCollisions collisions = new OdeCollisions();
     private final List<ShapeGroup> movers = new ArrayList<>();
     private final List<CollisionShape> fixtures = new ArrayList<>();
     private final List<CollisionShape> misplaced = new ArrayList<>();
     private final MoveOrder order = new MoveOrder();
-    private final double[] points = new double[MOST_POINTS * OdeCollisions.NUMBERS_PER_POINT];
+    private final double[] points = new double[OdeCollisions.MOST_POINTS * OdeCollisions.NUMBERS_PER_POINT];
     private @Nullable SparseCollider ground;
 
     OdeCollisions collisions() {

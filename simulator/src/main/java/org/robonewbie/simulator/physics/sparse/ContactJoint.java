@@ -1,8 +1,7 @@
 package org.robonewbie.simulator.physics.sparse;
 
-import java.util.ArrayList;
-import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
 /**
  * All points at which two bodies, or a body and something fixed, touch during one step: ODE's contact joints.
@@ -14,7 +13,8 @@ final class ContactJoint extends ConstraintJoint {
 
     private static final int ROWS_PER_POINT = 3;
 
-    private final List<ContactPoint> points = new ArrayList<>(4);
+    private final ContactPoint[] points = new ContactPoint[OdeCollisions.MOST_POINTS];
+    private int count;
     private ContactSurface surface = ContactSurface.HARD;
     private double sign;
     private LastTouch lastTouch = new LastTouch();
@@ -47,12 +47,12 @@ final class ContactJoint extends ConstraintJoint {
     }
 
     void add(ContactPoint point) {
-        points.add(point);
+        points[count++] = point;
     }
 
     /** Forgets its points and leaves its bodies; contacts are always the last of a body's joints. */
     void detach() {
-        points.clear();
+        count = 0;
         first.removeContacts();
         if (second != null) {
             second.removeContacts();
@@ -61,13 +61,13 @@ final class ContactJoint extends ConstraintJoint {
 
     @Override
     int rowCount() {
-        return ROWS_PER_POINT * points.size();
+        return ROWS_PER_POINT * count;
     }
 
     @Override
     void writeRows(ConstraintRows rows, double rate) {
-        for (int i = 0; i < points.size(); i++) {
-            writeRows(rows, firstRow + ROWS_PER_POINT * i, points.get(i).numbers, rate);
+        for (int i = 0; i < count; i++) {
+            writeRows(rows, firstRow + ROWS_PER_POINT * i, points[i].numbers, rate);
         }
     }
 
@@ -115,17 +115,17 @@ final class ContactJoint extends ConstraintJoint {
 
     @Override
     void guessStates(ConstraintRows rows) {
-        for (int i = 0; i < points.size() && second == null; i++) {
-            rows.state[firstRow + ROWS_PER_POINT * i] = lastTouch.stateAt(first, points.get(i).numbers);
+        for (int i = 0; i < count && second == null; i++) {
+            rows.state[firstRow + ROWS_PER_POINT * i] = lastTouch.stateAt(first, points[i].numbers);
         }
     }
 
     @Override
     void readForces(ConstraintRows rows) {
         readStates(rows);
-        for (int i = 0; i < points.size(); i++) {
+        for (int i = 0; i < count; i++) {
             int row = firstRow + ROWS_PER_POINT * i;
-            double[] force = points.get(i).force;
+            double[] force = points[i].force;
             for (int axis = 0; axis < 3; axis++) {
                 force[axis] = rows.first[6 * row + axis] * rows.force[row]
                         + rows.first[6 * row + 6 + axis] * rows.force[row + 1]
@@ -137,8 +137,8 @@ final class ContactJoint extends ConstraintJoint {
     private void readStates(ConstraintRows rows) {
         if (second == null) {
             lastTouch.clear();
-            for (int i = 0; i < points.size(); i++) {
-                lastTouch.add(first, points.get(i).numbers, rows.state[firstRow + ROWS_PER_POINT * i]);
+            for (int i = 0; i < count; i++) {
+                lastTouch.add(first, points[i].numbers, rows.state[firstRow + ROWS_PER_POINT * i]);
             }
         }
     }

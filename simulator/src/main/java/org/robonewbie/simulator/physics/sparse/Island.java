@@ -33,6 +33,13 @@ final class Island {
         }
     }
 
+    /** Moves the bodies, whose forces and accelerations are known. */
+    void move(double seconds) {
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).move(seconds);
+        }
+    }
+
     /** Removes everything. */
     void clear() {
         bodies.clear();

@@ -3,8 +3,10 @@ package org.robonewbie.simulator.physics.sparse;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.function.IntConsumer;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
+import org.robonewbie.simulator.Crew;
 import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.Collider;
 import org.robonewbie.simulator.physics.Contact;
@@ -21,10 +23,10 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
 public final class SparsePhysicsWorld implements PhysicsWorld {
 
     /**
-     * Plans and arrays of a step, which all worlds that a thread steps share: hundreds of worlds of learning robots would drive
+     * Plans and arrays, which all islands share that a thread works on: hundreds of worlds of learning robots would drive
      * each other's out of the processor's cache.
      */
-    private static final ThreadLocal<IslandStepper> STEPPER = ThreadLocal.withInitial(IslandStepper::new);
+    private static final ThreadLocal<IslandSolver> SOLVER = ThreadLocal.withInitial(IslandSolver::new);
 
     private final Surfaces surfaces = new Surfaces();
     private final ContactFinder finder = new ContactFinder();
@@ -32,7 +34,10 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
     private final Assembly scenery = add(finder.collisions().scenery(), false);
     private final List<Body> bodies = new ArrayList<>();
     private final ContactList contacts = new ContactList(surfaces);
-    private final Island island = new Island();
+    private final List<Island> islands = new ArrayList<>();
+    private final IntConsumer forces = this::findForces;
+    private Crew crew = Crew.ALONE;
+    private double stepSeconds;
 
     /** Creates an empty world. */
     public SparsePhysicsWorld() {}
@@ -51,7 +56,7 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
 
     void remove(SparseAssembly assembly, Collection<Body> removed) {
         contacts.bodiesLeft();
-        island.clear();
+        islands.forEach(Island::clear);
         bodies.removeAll(removed);
         assemblies.remove(assembly);
     }
@@ -85,6 +90,11 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
     }
 
     @Override
+    public void setCrew(Crew newCrew) {
+        crew = newCrew;
+    }
+
+    @Override
     public void findContacts() {
         contacts.begin();
         finder.find(contacts);
@@ -97,19 +107,36 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
 
     @Override
     public void step(double seconds) {
+        stepSeconds = seconds;
+        int count = gatherIslands();
+        crew.divide(count, forces);
+        for (int i = 0; i < count; i++) {
+            islands.get(i).move(seconds);
+        }
+        contacts.dissolve();
+    }
+
+    private int gatherIslands() {
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).watchRest();
             bodies.get(i).unvisit();
         }
-        IslandStepper stepper = STEPPER.get();
+        int count = 0;
         for (int i = bodies.size() - 1; i >= 0; i--) {
             Body body = bodies.get(i);
             if (!body.visited && !body.isAsleep()) {
-                island.gather(body);
-                stepper.step(island, seconds);
+                if (count == islands.size()) {
+                    islands.add(new Island());
+                }
+                islands.get(count++).gather(body);
             }
         }
-        contacts.dissolve();
+        return count;
+    }
+
+    /** What happens on one island matters to no other. */
+    private void findForces(int island) {
+        SOLVER.get().solve(islands.get(island), stepSeconds);
     }
 
     @Override

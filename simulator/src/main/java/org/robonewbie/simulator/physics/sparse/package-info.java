@@ -16,7 +16,7 @@
  * factorisation that goes from fingertips and toes to the torso causes no fill-in. The same factorisation is simply repeated,
  * with some rows left out, until every row is either satisfied or at its limit. That takes one or two rounds.
  *
- * <p>Read {@link org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld} first, then {@code IslandStepper}, {@code
+ * <p>Read {@link org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld} first, then {@code IslandSolver}, {@code
  * ConstraintRows}, {@code EliminationPlan}, {@code BlockCholesky} and {@code ForceSolver}.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.

@@ -18,6 +18,7 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.model.Shape;
+import org.robonewbie.simulator.Crew;
 import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.Contact;
@@ -28,6 +29,7 @@ import org.robonewbie.simulator.physics.MotorHinge;
 import org.robonewbie.simulator.physics.PhysicsWorld;
 import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.ode.OdePhysicsWorld;
+import org.robonewbie.simulator.threads.ThreadCrew;
 import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;
@@ -128,8 +130,21 @@ class SparsePhysicsWorldTest {
         assertThat(thrash(PhysicsEngine.FAST, 3, 100)).isEqualTo(thrash(PhysicsEngine.FAST, 3, 100));
     }
 
+    @Test
+    void helpOfOtherThreadsDoesNotChangeABit() {
+        try (ThreadCrew crew = new ThreadCrew(3)) {
+            assertThat(thrash(PhysicsEngine.FAST, 5, 200, crew))
+                    .isEqualTo(thrash(PhysicsEngine.FAST, 5, 200, Crew.ALONE));
+        }
+    }
+
     private static List<BodyPose> thrash(PhysicsEngine engine, int robots, int cycles) {
+        return thrash(engine, robots, cycles, Crew.ALONE);
+    }
+
+    private static List<BodyPose> thrash(PhysicsEngine engine, int robots, int cycles, Crew crew) {
         SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, engine.newWorld());
+        world.setCrew(crew);
         Random random = new Random(5);
         for (int i = 0; i < robots; i++) {
             world.addRobot(RobotType.values()[i]).moveUpright(new Vector3(0.3 * i, 0, 0.5 + 0.2 * i), 70 * i);

@@ -2,20 +2,20 @@ package org.robonewbie.simulator.physics.sparse;
 
 import java.util.List;
 
-/** Moves the bodies of one island at a time; keeps the arrays for it from step to step. */
-final class IslandStepper {
+/** Finds the forces on one island at a time; keeps the arrays for it from step to step. */
+final class IslandSolver {
 
     private final ConstraintRows rows = new ConstraintRows();
     private final ForceSolver solver = new ForceSolver(rows);
     private final PlanCache plans = new PlanCache();
 
     /**
-     * Makes one step.
+     * Finds all forces on the bodies, and the accelerations that come from them.
      *
      * @param island the bodies and all joints between them
      * @param seconds length of the step
      */
-    void step(Island island, double seconds) {
+    void solve(Island island, double seconds) {
         List<Body> bodies = island.bodies();
         List<ConstraintJoint> joints = island.joints();
         for (int i = 0; i < bodies.size(); i++) {
@@ -24,9 +24,6 @@ final class IslandStepper {
         }
         if (!joints.isEmpty()) {
             findForces(bodies, joints, seconds);
-        }
-        for (int i = 0; i < bodies.size(); i++) {
-            bodies.get(i).move(seconds);
         }
     }
 
