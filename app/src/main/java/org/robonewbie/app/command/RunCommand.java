@@ -1,10 +1,14 @@
 package org.robonewbie.app.command;
 
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.robonewbie.app.program.AgentFinder;
+import org.robonewbie.app.program.AgentProgram;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.app.program.ExampleCatalogue;
@@ -21,24 +25,35 @@ import picocli.CommandLine.Unmatched;
         name = RunCommand.NAME,
         description =
                 "Run an agent. Without a running simulator it starts its own and opens the studio in the browser.",
-        customSynopsis = "robonewbie run [--class-path PATH] AGENT [OPTIONS OF THE AGENT]",
+        customSynopsis = "robonewbie run [--class-path PATH] [--rehearse T] AGENT [OPTIONS OF THE AGENT]",
         footer = {
             "",
             "Examples:",
             "  robonewbie run Agent_BasicStructure",
             "  robonewbie run Agent_BasicStructure --headless --fast --seed 1 --seconds 12",
             "  robonewbie run MyAgent.java",
-            "  robonewbie run --class-path target/classes my.team.Attacker --number 9"
+            "  robonewbie run --class-path target/classes my.team.Attacker --number 9",
+            "  robonewbie run --rehearse 20 Agent_Team 11 --team Blue --port 3100"
         })
 final class RunCommand implements Callable<Integer> {
 
     static final String NAME = "run";
+
+    private static final List<String> SERVER = List.of("--host", "--port");
 
     @Mixin
     final HelpOption help = new HelpOption();
 
     @Mixin
     private final ClassPathOption classPath = new ClassPathOption();
+
+    @Option(
+            names = "--rehearse",
+            paramLabel = "T",
+            description =
+                    "Before the game let the agent play T simulated seconds unseen, in a simulator of its own, so that Java"
+                            + " has compiled it when it counts: for matches on the clock.")
+    private double rehearsalSeconds;
 
     @Parameters(
             arity = "0..*",
@@ -68,6 +83,40 @@ final class RunCommand implements Callable<Integer> {
                     + ExampleCatalogue.FIRST_EXAMPLE + System.lineSeparator() + finder.listOfExamples());
         }
         List<String> options = agentAndOptions.subList(1, agentAndOptions.size());
-        return finder.find(agentAndOptions.get(0)).run(options);
+        AgentProgram program = finder.find(agentAndOptions.get(0));
+        if (rehearsalSeconds > 0) {
+            rehearse(program, options);
+        }
+        return program.run(options);
+    }
+
+    /** What is said meanwhile would only confuse; what goes wrong will go wrong again where it counts. */
+    private void rehearse(AgentProgram program, List<String> options) {
+        List<String> all = withoutServer(options);
+        all.addAll(List.of("--seed", "1", "--fast", "--headless", "--seconds", Double.toString(rehearsalSeconds)));
+        PrintStream out = System.out;
+        PrintStream err = System.err;
+        out.println("Rehearses for " + rehearsalSeconds + " simulated seconds");
+        PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
+        System.setOut(nowhere);
+        System.setErr(nowhere);
+        try {
+            program.run(all);
+        } finally {
+            System.setOut(out);
+            System.setErr(err);
+        }
+    }
+
+    private static List<String> withoutServer(List<String> options) {
+        List<String> others = new ArrayList<>();
+        for (int i = 0; i < options.size(); i++) {
+            if (SERVER.contains(options.get(i))) {
+                i++;
+            } else {
+                others.add(options.get(i));
+            }
+        }
+        return others;
     }
 }

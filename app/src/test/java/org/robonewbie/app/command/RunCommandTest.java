@@ -57,6 +57,18 @@ class RunCommandTest {
     }
 
     @Test
+    void rehearsalIsUnseenAndHasASimulatorOfItsOwn() throws IOException {
+        String words = "System.out.println(String.join(\"|\", args)); System.out.println(++count);";
+        Path file = write(
+                "Twice.java",
+                "public class Twice { static int count; public static void main(String[] args) { " + words + " } }");
+
+        Printed answer = Printed.by("run", "--rehearse", "5", file.toString(), "--port", "3100", "7");
+
+        assertThat(answer.out().lines()).containsExactly("Rehearses for 5.0 simulated seconds", "--port|3100|7", "2");
+    }
+
+    @Test
     void javaFileUsesItsNeighbours() throws IOException {
         write("Other.java", "class Other { static String word() { return \"neighbour\"; } }");
         Path file = write("Caller.java", program("Caller", "System.out.println(Other.word());"));

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
 import org.robonewbie.simulator.Crew;
-import org.robonewbie.simulator.threads.ThreadCrew;
+import org.robonewbie.simulator.server.ThreadCrew;
 
 /** Lets robots think on several threads between two cycles. What they say does not depend on how many there are. */
 final class AgentThreads implements AutoCloseable {

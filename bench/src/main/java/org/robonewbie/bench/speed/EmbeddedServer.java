@@ -12,8 +12,8 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 import org.robonewbie.simulator.cycle.WorldSettings;
+import org.robonewbie.simulator.server.ThreadCrew;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.simulator.threads.ThreadCrew;
 import org.robonewbie.simulator.world.PhysicsEngine;
 
 /** Our own server, run by the thread that measures it and by helpers of its own; its agents are not counted. */

@@ -29,7 +29,7 @@ import org.robonewbie.simulator.physics.MotorHinge;
 import org.robonewbie.simulator.physics.PhysicsWorld;
 import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.ode.OdePhysicsWorld;
-import org.robonewbie.simulator.threads.ThreadCrew;
+import org.robonewbie.simulator.server.ThreadCrew;
 import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;

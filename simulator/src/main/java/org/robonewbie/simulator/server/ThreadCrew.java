@@ -1,4 +1,4 @@
-package org.robonewbie.simulator.threads;
+package org.robonewbie.simulator.server;
 
 import java.util.ArrayList;
 import java.util.Collections;

@@ -1,4 +1,4 @@
-package org.robonewbie.simulator.threads;
+package org.robonewbie.simulator.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
