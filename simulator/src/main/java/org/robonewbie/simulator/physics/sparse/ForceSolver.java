@@ -9,7 +9,7 @@ import java.util.List;
  * <p>Block principal pivoting: guess which rows are free, solve for their forces, and check which guesses were wrong: a free
  * row's force is beyond a limit, or a row at its limit would rather let go. All wrong guesses are changed at once; that nearly
  * always converges in one or two rounds. If it makes no progress for a while, only the last wrong guess is changed, which must
- * converge since A is positive definite (Murty's rule). Source: Júdice and Pires, "A block principal pivoting algorithm for
+ * converge since A is positive definite (Murty's rule), if it is given enough rounds. Source: Júdice and Pires, "A block principal pivoting algorithm for
  * large-scale strictly monotone linear complementarity problems" (1994).
  */
 final class ForceSolver {
