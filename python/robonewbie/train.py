@@ -28,15 +28,20 @@ def fold(weights, bias, mean, variance, epsilon):
     return weights / deviation, bias - weights @ (mean / deviation)
 
 
-def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), cycles=1):
-    """Writes a policy as org.robonewbie.agent.policy.PolicyText reads it; layers are weights, bias and "tanh" or "cut"."""
+def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), cycles=1, walk=None):
+    """Writes a policy as org.robonewbie.agent.policy.PolicyText reads it; layers are weights, bias and "tanh" or "cut".
+
+    With the numbers of a walk, by name, the policy corrects the walk engine, and its outputs are those of a reflex.
+    """
     lines = [f"policy 1 {task}", *(f"# {line}" for line in about), f"numbers range-degrees {range_degrees:g}"]
     if motion:
         lines.append("numbers motion " + " ".join(f"{number:g}" for number in motion))
+    lines += [f"numbers {name} " + " ".join(f"{number:g}" for number in numbers) for name, numbers in (walk or {}).items()]
     if cycles > 1:
         lines.append(f"numbers cycles-per-action {cycles}")
     lines += [f"input {name} {unit}" for name, unit in inputs]
-    lines += [f"output joint.{name} {range_degrees:g} degrees" for name in outputs]
+    kind = "" if walk else "joint."
+    lines += [f"output {kind}{name} {range_degrees:g} degrees" for name in outputs]
     for weights, bias, bend in layers:
         lines.append(f"layer {weights.shape[1]} {weights.shape[0]} {bend}")
         lines += [" ".join(f"{number:.6g}" for number in [b, *row]) for b, row in zip(bias, weights)]
@@ -83,6 +88,7 @@ def _arguments(words):
     parser.add_argument("--epochs", type=int, default=10, help="how often it learns from a round (10)")
     parser.add_argument("--rate", type=float, default=3e-4, help="how fast it learns (0.0003)")
     parser.add_argument("--gamma", type=float, default=0.99, help="what a reward is worth one action later (0.99)")
+    parser.add_argument("--lambda", dest="trace", type=float, default=0.95, help="how far an action answers for what comes later: 0 only for what is expected then, 1 for all (0.95)")
     parser.add_argument("--noise", type=float, default=0.1, help="standard deviation of the first actions (0.1)")
     parser.add_argument("--hold", type=int, default=0, help="actions for which a robot errs in the same way, by gSDE; 0: each in another (0)")
     parser.add_argument("--hidden", type=int, default=64, help="neurons in each of the two hidden layers; 0 for none (64)")
@@ -141,6 +147,7 @@ class Training:
             "n_epochs": wanted.epochs,
             "learning_rate": wanted.rate,
             "gamma": wanted.gamma,
+            "gae_lambda": wanted.trace,
             "seed": wanted.seed,
             "device": "cpu",
             "use_sde": wanted.hold > 0,
@@ -180,7 +187,7 @@ class Training:
             [
                 f"learned by: python -m robonewbie.train {wanted.task} --steps {self.steps} --robots {wanted.robots} "
                 f"--round {wanted.round} --batches {wanted.batches} --epochs {wanted.epochs} --rate {wanted.rate:g} "
-                f"--gamma {wanted.gamma:g} --noise {wanted.noise:g} --hold {wanted.hold} --hidden {wanted.hidden} "
+                f"--gamma {wanted.gamma:g} --lambda {wanted.trace:g} --noise {wanted.noise:g} --hold {wanted.hold} --hidden {wanted.hidden} "
                 f"--inputs '{wanted.inputs}' {''.join(f'--option {word} ' for word in wanted.option)}--seed {wanted.seed}"
             ],
             [(described["observation"][i]["name"], described["observation"][i]["unit"]) for i in self.inputs],
@@ -189,6 +196,7 @@ class Training:
             layers_of(self.model, self.normalised),
             described["motion"],
             wanted.cycles,
+            described["walk"],
         )
 
     def _add_to_curve(self):

@@ -29,8 +29,8 @@ public record LearnedReflex(Network network) implements WalkReflex {
     private static final double FORCE = 50;
     private static final double SOLE = 0.05;
 
-    /** Knocks are cut off at this multiple of a quantity's unit. */
-    private static final double MOST = 3;
+    /** Knocks are cut off at this multiple of a quantity's unit, so that no input is larger. */
+    public static final double MOST_INPUT = 3;
 
     /** What the network takes: where in its step the robot is, how it tilts, and what its soles feel. */
     public static final List<Quantity> INPUTS = List.of(
@@ -65,7 +65,18 @@ public record LearnedReflex(Network network) implements WalkReflex {
 
     @Override
     public Posture corrected(Posture planned, WalkMoment moment) {
-        double[] outputs = network.apply(inputs(moment));
+        return corrected(planned, moment, network.apply(inputs(moment)));
+    }
+
+    /**
+     * Moves the joints as a network wants it.
+     *
+     * @param planned the engine's posture
+     * @param moment where in its step the robot is
+     * @param outputs the {@link #OUTPUTS}, each from -1 to 1
+     * @return where the joints go instead
+     */
+    public static Posture corrected(Posture planned, WalkMoment moment, double... outputs) {
         double[] degrees = planned.toArray();
         double scale = RANGE_DEGREES * moment.amplitude();
         move(degrees, moment.swing(), moment.swing(), scale, outputs, 0);
@@ -83,7 +94,13 @@ public record LearnedReflex(Network network) implements WalkReflex {
         }
     }
 
-    private static double[] inputs(WalkMoment moment) {
+    /**
+     * Calculates what a network takes.
+     *
+     * @param moment where in its step the robot is and what it feels
+     * @return the {@link #INPUTS}; a new array
+     */
+    public static double[] inputs(WalkMoment moment) {
         double side = moment.swing() == Leg.LEFT ? 1 : -1;
         FootPressure swing = moment.swing() == Leg.LEFT ? moment.left() : moment.right();
         FootPressure support = moment.swing() == Leg.LEFT ? moment.right() : moment.left();
@@ -112,7 +129,7 @@ public record LearnedReflex(Network network) implements WalkReflex {
 
     private static double[] limited(double... values) {
         for (int i = 0; i < values.length; i++) {
-            values[i] = Math.max(-MOST, Math.min(MOST, values[i]));
+            values[i] = Math.max(-MOST_INPUT, Math.min(MOST_INPUT, values[i]));
         }
         return values;
     }

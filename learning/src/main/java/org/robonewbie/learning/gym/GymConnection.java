@@ -11,10 +11,12 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.robonewbie.agent.policy.MotionGuide;
-import org.robonewbie.nao.Joint;
+import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.policy.Quantity;
 
 /** Serves one program: makes its environments and lets them act, see docs/gym-protocol.md. */
 final class GymConnection {
@@ -153,7 +155,10 @@ final class GymConnection {
             observation.add(entry);
         }
         JsonArray action = new JsonArray();
-        environment.task().joints().stream().map(Joint::name).forEach(action::add);
+        environment.task().outputs().stream()
+                .map(Quantity::name)
+                .map(GymConnection::withoutKind)
+                .forEach(action::add);
         JsonObject all = new JsonObject();
         all.addProperty("task", order.task());
         all.addProperty("reward", order.reward());
@@ -162,6 +167,7 @@ final class GymConnection {
         JsonArray motion = new JsonArray();
         environment.task().motion().map(MotionGuide::numbers).orElse(List.of()).forEach(motion::add);
         all.add("motion", motion);
+        all.add("walk", walk(environment.task()));
         all.add("observation", observation);
         all.add("action", action);
         JsonArray truth = new JsonArray();
@@ -171,5 +177,19 @@ final class GymConnection {
         environment.names().forEach(robots::add);
         all.add("robots", robots);
         return all;
+    }
+
+    private static String withoutKind(String output) {
+        return output.substring(output.indexOf('.') + 1);
+    }
+
+    private static JsonObject walk(GymTask task) {
+        JsonObject walk = new JsonObject();
+        task.walk().map(Policy::numbers).orElse(Map.of()).forEach((name, numbers) -> {
+            JsonArray row = new JsonArray();
+            numbers.forEach(row::add);
+            walk.add(name, row);
+        });
+        return walk;
     }
 }

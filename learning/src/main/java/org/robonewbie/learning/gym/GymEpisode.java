@@ -1,10 +1,12 @@
 package org.robonewbie.learning.gym;
 
 import java.util.ArrayDeque;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import org.robonewbie.agent.policy.MotionGuide;
+import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.Motors;
@@ -27,6 +29,7 @@ final class GymEpisode implements Performer {
     private final Motors motors = new Motors(joints);
     private Posture firstPosture = Posture.ZERO;
     private Optional<MotionGuide> guide = Optional.empty();
+    private Optional<WalkGuide> walk = Optional.empty();
     private int cycles;
     private final Queue<double[]> underWay = new ArrayDeque<>();
     private double[] action = {};
@@ -52,6 +55,7 @@ final class GymEpisode implements Performer {
     void stand(Moment moment) {
         firstPosture = moment.robots().get(task.robot()).joints();
         guide = task.motion().map(motion -> new MotionGuide(motion, firstPosture));
+        walk = task.walk().map(policy -> new WalkGuide(new PolicyWalk(policy).style(), motors));
     }
 
     /** Begins when the scene is complete. */
@@ -85,6 +89,11 @@ final class GymEpisode implements Performer {
         reward += value - before;
     }
 
+    /** Takes in what the robot perceives. */
+    void feel(double... perceived) {
+        walk.ifPresent(one -> one.plan(task.velocity(), perceived));
+    }
+
     /** The reward of the last action. */
     double reward() {
         return reward;
@@ -100,27 +109,39 @@ final class GymEpisode implements Performer {
         return motor.respond(readings);
     }
 
-    /** How far the task's motion has got; nothing if it has none. */
+    /** How far the task's motion has got, or what is observed of its walk; nothing if it has neither. */
     double[] progress() {
+        return walk.isPresent() ? walk.get().inputs() : motionProgress();
+    }
+
+    private double[] motionProgress() {
         return guide.map(one -> one.progress(cycles)).orElse(new double[0]);
     }
 
     private double[] speeds(SensorReadings readings) {
         readings.sense(joints);
-        if (action.length > 0) {
+        if (walk.isPresent() && action.length > 0) {
+            walk.get().move(limited(action));
+        } else if (action.length > 0) {
             move();
         }
         motors.endCycle();
         return motors.sentDegreesPerSecond();
     }
 
+    private static double[] limited(double... action) {
+        return Arrays.stream(action)
+                .map(part -> Math.max(-1, Math.min(1, part)))
+                .toArray();
+    }
+
     private void move() {
         cycles++;
+        double[] parts = limited(action);
         double[] degrees =
                 guide.map(one -> one.posture(cycles)).orElse(firstPosture).toArray();
         for (int i = 0; i < action.length; i++) {
-            double part = Math.max(-1, Math.min(1, action[i]));
-            degrees[task.joints().get(i).ordinal()] += part * task.rangeDegrees();
+            degrees[task.joints().get(i).ordinal()] += parts[i] * task.rangeDegrees();
         }
         for (Joint joint : guide.isPresent() ? ALL_JOINTS : task.joints()) {
             motors.setTarget(joint, joint.clampDegrees(degrees[joint.ordinal()]), joint.maxDegreesPerSecond());

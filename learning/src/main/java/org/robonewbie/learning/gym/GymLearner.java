@@ -36,6 +36,9 @@ final class GymLearner {
 
     /** What is observed; values beyond the ranges are clamped. */
     List<ObservedQuantity> quantities() {
+        if (task().walk().isPresent()) {
+            return WalkGuide.QUANTITIES;
+        }
         Stream<ObservedQuantity> progress = task().motion().isPresent()
                 ? MotionGuide.PROGRESS.stream().map(one -> new ObservedQuantity(one.name(), one.unit(), -1, 1))
                 : Stream.empty();
@@ -58,7 +61,7 @@ final class GymLearner {
     void begin(Moment first, SensorReadings readings, GymOptions.Drawn drawn, long seed) {
         errors = new ReadingErrors(drawn.noise(), seed + robot);
         episode.begin(first, drawn.delayCycles());
-        felt = errors.added(perception.observe(readings));
+        feel(readings);
     }
 
     /** Chooses what the robot does in the next cycle. */
@@ -74,12 +77,18 @@ final class GymLearner {
     /** Looks at what came of a cycle. */
     void see(Moment moment, SensorReadings readings) {
         episode.see(moment);
+        feel(readings);
+    }
+
+    private void feel(SensorReadings readings) {
         felt = errors.added(perception.observe(readings));
+        episode.feel(felt);
     }
 
     /** What the robot perceives now. */
     double[] observation(List<ObservedQuantity> quantities) {
-        double[] all = joined(felt, episode.progress(), task().extras());
+        double[] all =
+                task().walk().isPresent() ? episode.progress() : joined(felt, episode.progress(), task().extras());
         for (int i = 0; i < all.length; i++) {
             all[i] = quantities.get(i).clamped(all[i]);
         }

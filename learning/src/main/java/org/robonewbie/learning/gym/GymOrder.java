@@ -26,6 +26,8 @@ public record GymOrder(String task, String reward) {
                     Map.entry("Stand", GymStand::new),
                     Map.entry("Follow", GymFollow::new),
                     Map.entry("Run", GymRun::new),
+                    Map.entry("EngineFollow", GymEngineFollow::new),
+                    Map.entry("EngineRun", GymEngineRun::new),
                     Map.entry("GetUp", GymGetUp::new),
                     Map.entry("QuickGetUp", GymQuickGetUp::new),
                     Map.entry("Walk", GymWalk::new),

@@ -2,7 +2,11 @@ package org.robonewbie.learning.gym;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.policy.Quantity;
+import org.robonewbie.agent.walk.LearnedReflex;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Joint;
@@ -111,6 +115,29 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
      */
     public Optional<Motion> motion() {
         return Optional.empty();
+    }
+
+    /**
+     * {@return the walk that an action corrects: the engine with this policy's numbers, and the action takes the place of what its
+     * network gives; none unless a subclass says otherwise}
+     */
+    public Optional<Policy> walk() {
+        return Optional.empty();
+    }
+
+    /** {@return the velocity that the {@link #walk} is asked for now} */
+    protected WalkVelocity velocity() {
+        return WalkVelocity.ZERO;
+    }
+
+    /** What an action means, and with it what the network of a policy gives. */
+    final List<Quantity> outputs() {
+        String unit = String.format(Locale.ROOT, "%.0f degrees", rangeDegrees());
+        return walk().isPresent()
+                ? LearnedReflex.OUTPUTS
+                : joints().stream()
+                        .map(joint -> new Quantity("joint." + joint, unit))
+                        .toList();
     }
 
     /** {@return the joints that an action moves, those of both legs; the others stay as they are} */

@@ -3,6 +3,8 @@ package org.robonewbie.learning.gym;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.agent.perception.FootPressure;
+import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
@@ -98,6 +100,29 @@ public final class Perception {
             ball[2] = PerceptorMessageWriter.rounded(seen.horizontalDegrees());
             ball[3] = PerceptorMessageWriter.rounded(seen.verticalDegrees());
         });
+    }
+
+    /** How the torso of a robot moves that has observed this row. */
+    static TorsoMotion torso(double... row) {
+        return new TorsoMotion(vector(row, Joint.COUNT), vector(row, Joint.COUNT + 3));
+    }
+
+    /** What its left sole feels. */
+    static FootPressure leftFoot(double... row) {
+        return foot(row, FIRST_OF_THE_FEET);
+    }
+
+    /** What its right sole feels. */
+    static FootPressure rightFoot(double... row) {
+        return foot(row, FIRST_OF_THE_FEET + NUMBERS_PER_FOOT);
+    }
+
+    private static FootPressure foot(double[] row, int index) {
+        return new FootPressure(vector(row, index), vector(row, index + 3));
+    }
+
+    private static Vector3 vector(double[] row, int index) {
+        return new Vector3(row[index], row[index + 1], row[index + 2]);
     }
 
     private static void putFoot(double[] row, int index, Optional<FootForce> foot) {

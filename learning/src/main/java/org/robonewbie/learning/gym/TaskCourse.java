@@ -2,7 +2,6 @@ package org.robonewbie.learning.gym;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
@@ -33,7 +32,6 @@ public final class TaskCourse implements Course {
     /** What a network takes unless something else is wanted: all but the angles of the joints. */
     public static final String USUAL_INPUTS = "(?!joint\\.).*";
 
-    private static final String JOINT = "joint.";
     private static final String RANGE = "range-degrees";
 
     /** The usual size of what goes into the first layer, by its unit; half the range of what is not listed. */
@@ -130,7 +128,7 @@ public final class TaskCourse implements Course {
 
     @Override
     public double[] start(Policy policy) {
-        policy.require(inputs(), outputs());
+        policy.require(inputs(), model.outputs());
         double[] numbers = policy.network().numbers();
         if (numbers.length != Network.size(layers)) {
             throw new IllegalArgumentException("The policy \"" + policy.task() + "\" has " + numbers.length
@@ -165,19 +163,13 @@ public final class TaskCourse implements Course {
                 .toList();
     }
 
-    private List<Quantity> outputs() {
-        String unit = String.format(Locale.ROOT, "%.0f degrees", model.rangeDegrees());
-        return model.joints().stream()
-                .map(joint -> new Quantity(JOINT + joint, unit))
-                .toList();
-    }
-
     @Override
     public Policy policy(List<String> about, double... numbers) {
-        Map<String, List<Double>> others = new TreeMap<>();
+        Map<String, List<Double>> others =
+                new TreeMap<>(model.walk().map(Policy::numbers).orElse(Map.of()));
         others.put(RANGE, List.of(model.rangeDegrees()));
         model.motion().ifPresent(motion -> others.put(MotionGuide.MOTION, MotionGuide.numbers(motion)));
-        return new Policy(task, about, others, inputs(), outputs(), Network.of(layers, numbers));
+        return new Policy(task, about, others, inputs(), model.outputs(), Network.of(layers, numbers));
     }
 
     @Override

@@ -1,0 +1,68 @@
+package org.robonewbie.learning.gym;
+
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.walk.LearnedReflex;
+import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.learning.policy.WalkCourse;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+
+/**
+ * Follow velocities that are too fast for the walk engine by correcting it: ahead with 0.6 to 1 m/s while turning by up to 30°/s,
+ * another one every 3 s. A robot that corrects nothing falls within a few seconds. It pays 1 per metre into the direction in which
+ * the robot would look if it had turned as it was told, and a fall costs 3.
+ */
+final class GymEngineFollow extends GymFollow {
+
+    private static final Policy ENGINE = WalkCourse.RUN.policy(List.of(), WalkCourse.RUN.start(0));
+    private static final double LEAST = 0.6;
+    private static final double MOST = 1;
+    private static final double MOST_TURN = 30;
+    private static final double TOLERATED = 0.6;
+    private static final double FOR_A_FALL = 3;
+
+    private Optional<Place> before = Optional.empty();
+    private double turned;
+    private double metres;
+
+    /** Creates the task. */
+    GymEngineFollow() {
+        super(TOLERATED);
+    }
+
+    @Override
+    WalkVelocity any(Chance chance, WalkVelocity last) {
+        return new WalkVelocity(chance.between(LEAST, MOST), 0, chance.between(-MOST_TURN, MOST_TURN));
+    }
+
+    @Override
+    public Optional<Policy> walk() {
+        return Optional.of(ENGINE);
+    }
+
+    @Override
+    public double rangeDegrees() {
+        return LearnedReflex.RANGE_DEGREES;
+    }
+
+    @Override
+    protected void see(Moment first, Moment now) {
+        super.see(first, now);
+        Vector3 here = now.robot().position();
+        before.ifPresent(place -> {
+            turned += velocity().turn() * Cycle.SECONDS;
+            metres += new Place(place.x(), place.y(), first.place().degrees() + turned).ahead(here);
+        });
+        before = Optional.of(now.place());
+    }
+
+    @Override
+    public double value() {
+        return metres - (hasFallen() ? FOR_A_FALL : 0);
+    }
+}
