@@ -44,8 +44,8 @@ TASKS = {
         "--round 64 --batches 2 --rate 0.0002 --gamma 0.98 --noise 0.03 --hold 64 --hidden 32 --inputs gyro.*|accelerometer.*",
         ("cycles=2",),
     ),
-    "EngineFollow": Baseline(600_000, "--round 64 --batches 4 --rate 0.0005 --gamma 0.99 --noise 0.1 --hold 8 --hidden 32"),
-    "EngineRun": Baseline(800_000, "--round 64 --batches 4 --rate 0.0005 --gamma 0.99 --noise 0.1 --hold 8 --hidden 32"),
+    "EngineFollow": Baseline(465_000, "--round 64 --batches 4 --rate 0.0005 --gamma 0.99 --noise 0.1 --hold 8 --hidden 32"),
+    "EngineRun": Baseline(465_000, "--round 64 --batches 4 --rate 0.0005 --gamma 0.99 --noise 0.1 --hold 8 --hidden 32"),
     "KickTo": Baseline(
         400_000,
         "--round 30 --batches 4 --rate 0.001 --gamma 1 --noise 0.06 --hold 30 --hidden 32 --inputs command.*|motion.*",

@@ -63,7 +63,7 @@ class RoboNewbieEnv(gymnasium.Env):
     ``reward`` is the name of a measure such as ``"energy"``; without it the task decides what it pays. ``options`` change the
     episodes: ``x``, ``y`` (metres), ``heading`` (degrees), ``ball_x``, ``ball_y``, ``push`` (newtons by which pushes once per
     second get harder), ``delay`` (cycles until an action acts), ``cycles`` (how many an action lasts, 1), ``noise`` (standard deviation of errors on top of joint angles,
-    gyro and accelerometer), ``friction`` and ``mass`` (1 is the usual), and for ``Follow``
+    gyro and accelerometer), ``friction`` and ``mass`` (1 is the usual), and for ``Follow`` and its like
     ``forward``, ``left`` (m/s) and ``turn`` (degrees/s). Each is a number, or a pair (low, high) from which each
     episode draws its own. ``reset(options={...})`` changes the episode that begins.
 

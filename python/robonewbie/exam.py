@@ -1,7 +1,7 @@
 """Examines policies on episodes that nobody has learned from, beside doing nothing.
 
     python -m robonewbie.exam Stand Stand.policy                  128 episodes each
-    python -m robonewbie.exam Follow Follow.policy --option cycles=4 --episodes 256
+    python -m robonewbie.exam GetUp GetUp.policy --option cycles=5 --episodes 256
 """
 
 import argparse
@@ -80,7 +80,7 @@ def examine(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None
 def main(words=None):
     """Examines what the command line names."""
     parser = argparse.ArgumentParser(prog="python -m robonewbie.exam", description="Examines a policy beside doing nothing.")
-    parser.add_argument("task", help="Stand, Follow, Run, KickTo, GetUp, QuickGetUp, another task, or the name of a Java class of yours")
+    parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a Java class of yours")
     parser.add_argument("policy", nargs="?", type=Path, help="file of the policy; without it only doing nothing is examined")
     parser.add_argument("--episodes", type=int, default=128, help="how many (128)")
     parser.add_argument("--first-seed", type=int, default=FIRST_SEED, help=f"chooses the episodes ({FIRST_SEED})")

@@ -80,7 +80,7 @@ def options_of(words):
 
 def _arguments(words):
     parser = argparse.ArgumentParser(prog="python -m robonewbie.train", description="Learns a task by PPO.")
-    parser.add_argument("task", help="Stand, Follow, Run, KickTo, GetUp, QuickGetUp, another task, or the name of a Java class of yours")
+    parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a Java class of yours")
     parser.add_argument("--steps", type=int, default=300_000, help="cycles of all robots together (300000)")
     parser.add_argument("--robots", type=int, default=64, help="robots that learn side by side (64)")
     parser.add_argument("--round", type=int, default=64, help="actions of each robot between two updates (64)")

@@ -21,7 +21,7 @@ except ImportError:
 @unittest.skipUnless(PPO, "stable-baselines3 is not installed")
 class StableBaselinesTest(unittest.TestCase):
     def test_each_task_passes_its_checker(self):
-        for task in ["Stand", "Walk", "Follow", "GetUp", "Kick", "Reach", "Run", "KickTo", "QuickGetUp"]:
+        for task in ["Stand", "Walk", "Follow", "GetUp", "Kick", "Reach", "Run", "EngineFollow", "EngineRun", "KickTo", "QuickGetUp"]:
             with self.subTest(task), mock.patch("webbrowser.open"):
                 env = gymnasium.make(f"RoboNewbie/{task}-v1").unwrapped
                 check_env(env)

@@ -74,6 +74,13 @@ class TrainTest(unittest.TestCase):
 
         self.assertIn("numbers motion 400 0 -94.9\n", text)
 
+    def test_policy_that_corrects_the_walk_carries_its_numbers_and_moves_swing_leg_and_support_leg(self):
+        walk = {"step-millis": [200], "gait": [0.5, -1]}
+        text = train.policy_text("EngineRun", ["learned"], [("pitch.error", "10 degrees")], ["swing_KNEE_PITCH"], 20, [], walk=walk)
+
+        self.assertIn("numbers step-millis 200\nnumbers gait 0.5 -1\n", text)
+        self.assertIn("input pitch.error 10 degrees\noutput swing_KNEE_PITCH 20 degrees\n", text)
+
     def test_policy_says_how_long_an_action_lasts(self):
         text = train.policy_text("Stand", ["learned"], [("gyro.left", "degrees/s")], ["NECK_YAW"], 30, [], cycles=4)
 

@@ -85,7 +85,7 @@ class LearnCommandTest {
     void saysWhatIsWrong() {
         assertThatThrownBy(() -> command("fly").call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageStartingWith("There is no task \"fly\". There are: Follow, GetUp, ");
+                .hasMessageStartingWith("There is no task \"fly\". There are: EngineFollow, EngineRun, Follow, ");
         assertThatThrownBy(
                         () -> learn(folder.resolve("none.policy"), "--resume").call())
                 .isInstanceOf(CalledWronglyException.class)

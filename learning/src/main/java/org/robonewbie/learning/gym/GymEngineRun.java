@@ -22,7 +22,7 @@ final class GymEngineRun extends GymTask {
     private static final double MOST = 1.1;
     private static final double FOR_A_FALL = 3;
     private static final double MOST_NEWTONS = 40;
-    private static final double GOAL_METRES = 7;
+    private static final double GOAL_METRES = 5;
 
     private WalkVelocity wanted = WalkVelocity.ZERO;
     private double metres;
@@ -61,7 +61,7 @@ final class GymEngineRun extends GymTask {
         metres = first.place().ahead(now.place().point(0, 0, 0));
     }
 
-    /** {@return whether the robot has run 7 m and stands} */
+    /** {@return whether the robot has got 5 m ahead on its feet} */
     @Override
     public boolean isDone() {
         return !hasFallen() && metres >= GOAL_METRES;

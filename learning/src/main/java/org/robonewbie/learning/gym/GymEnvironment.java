@@ -93,7 +93,7 @@ final class GymEnvironment implements AutoCloseable {
 
     private void begin(long seed) {
         GymOptions.Drawn drawn = options.draw(seed);
-        cyclesPerAction = drawn.cycles();
+        cyclesPerAction = checkedCycles(drawn.cycles());
         cycles = 0;
         Moment first = trial.now();
         learners.forEach(learner -> learner.stand(first));
@@ -110,6 +110,14 @@ final class GymEnvironment implements AutoCloseable {
         now = trial.now();
         learners.forEach(learner -> learner.begin(now, trial.readings(learner.robot()), drawn, seed));
         audience.cycleEnded(trial);
+    }
+
+    private int checkedCycles(int wanted) {
+        if (wanted > 1 && task().walk().isPresent()) {
+            throw new IllegalArgumentException(
+                    "In this task an action corrects one cycle of a walk. Leave out cycles.");
+        }
+        return wanted;
     }
 
     private static Script pushes(double newtons, long seed) {

@@ -1,6 +1,7 @@
 package org.robonewbie.learning.gym;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
@@ -26,7 +27,20 @@ class GymEnvironmentTest {
     private static final double[] NOTHING = new double[12];
 
     @ParameterizedTest
-    @ValueSource(strings = {"Stand", "Walk", "Follow", "Run", "GetUp", "QuickGetUp", "Kick", "KickTo", "Reach"})
+    @ValueSource(
+            strings = {
+                "Stand",
+                "Walk",
+                "Follow",
+                "EngineFollow",
+                "Run",
+                "EngineRun",
+                "GetUp",
+                "QuickGetUp",
+                "Kick",
+                "KickTo",
+                "Reach"
+            })
     void equalSeedsGiveEqualEpisodesAndOthersOthers(String task) {
         GymEnvironment used = environment(task);
         track(used, 3);
@@ -174,6 +188,65 @@ class GymEnvironmentTest {
         assertThat(value(slow, slow.observation(), "command.forward")).isEqualTo(0.15);
         assertThat(atRest).isCloseTo(80 * 0.02, within(0.1));
         assertThat(atRest - tooSlow).isCloseTo(80 * 0.02 * 0.15 / 0.3, within(0.1));
+    }
+
+    @Test
+    void standingStillFollowsACommandToStandOnly() {
+        GymEnvironment still = following("0");
+        GymEnvironment lazy = following("0.5");
+        boolean atOnce = still.task().isDone();
+
+        IntStream.range(0, 100).forEach(i -> still.step(NOTHING));
+        IntStream.range(0, 100).forEach(i -> lazy.step(NOTHING));
+
+        assertThat(atOnce).isFalse();
+        assertThat(still.task().isDone()).isTrue();
+        assertThat(lazy.task().isDone()).isFalse();
+        assertThat(lazy.task().hasFallen()).isFalse();
+    }
+
+    @Test
+    void robotThatCorrectsNothingWalksByTheEngineAndIsPaidForTheWay() {
+        GymEnvironment run = environment("EngineRun");
+        run.reset(1);
+        double before = run.now().place().x();
+
+        double paid = IntStream.range(0, 60).mapToDouble(i -> reward(run)).sum();
+
+        assertThat(run.task().hasFallen()).isFalse();
+        assertThat(paid).isGreaterThan(0.2).isCloseTo(run.now().place().x() - before, within(0.02));
+        assertThat(value(run, run.observation(), "wanted.forward")).isBetween(0.7, 1.1);
+        assertThat(run.observation()).hasSize(19);
+    }
+
+    @Test
+    void correctedWalkIsPaidForTheWayThatItIsTold() {
+        GymEnvironment away = walking("180");
+        GymEnvironment ahead = walking("0");
+
+        IntStream.range(0, 60).forEach(i -> {
+            away.step(NOTHING);
+            ahead.step(NOTHING);
+        });
+
+        assertThat(ahead.task().value()).isGreaterThan(0.2);
+        assertThat(away.task().value()).isLessThan(ahead.task().value() / 2);
+    }
+
+    private static GymEnvironment walking(String degreesPerSecond) {
+        GymEnvironment walk = new GymEnvironment(
+                new GymOrder("EngineFollow", "").episodes(GymEnvironmentTest.class.getClassLoader()),
+                GymOptions.NONE.with("forward", "0.5").with("turn", degreesPerSecond));
+        walk.reset(1);
+        return walk;
+    }
+
+    @Test
+    void walkIsCorrectedCycleByCycle() {
+        assertThatThrownBy(() -> new GymEnvironment(
+                        new GymOrder("EngineRun", "").episodes(GymEnvironmentTest.class.getClassLoader()),
+                        GymOptions.NONE.with("cycles", "2")))
+                .hasMessage("In this task an action corrects one cycle of a walk. Leave out cycles.");
     }
 
     private static GymEnvironment following(String metresPerSecond) {

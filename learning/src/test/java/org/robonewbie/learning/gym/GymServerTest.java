@@ -74,7 +74,7 @@ class GymServerTest {
 
         assertThat(text(make("Fly", 1)))
                 .startsWith(
-                        "\1There is no task \"Fly\". There are: Follow, GetUp, KeeperAgainstAttacker, Kick, KickTo, Match11v11, Match1v1, Match2v2, QuickGetUp,"
+                        "\1There is no task \"Fly\". There are: EngineFollow, EngineRun, Follow, GetUp, KeeperAgainstAttacker, Kick, KickTo, Match11v11, Match1v1, Match2v2, QuickGetUp,"
                                 + " Reach, Run, Stand, Walk. A class of your own must extend");
         assertThat(text(make("Walk\nforward=0.5", 1)))
                 .isEqualTo(

@@ -18,7 +18,11 @@ import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.PolicyPlayer;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.agent.policy.file.PolicyFile;
+import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.Stance;
+import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.learning.policy.WalkCourse;
+import org.robonewbie.learning.rehearsal.MotorPuppet;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
@@ -33,6 +37,7 @@ import org.robonewbie.trial.Trial;
 class PlayedPolicyTest {
 
     private static final int CYCLES = 15;
+    private static final int CYCLES_OF_WALK = 30;
 
     @Test
     void agentMovesAsTheLearnerDid() {
@@ -47,6 +52,53 @@ class PlayedPolicyTest {
     @Test
     void agentCorrectsTheMotionAsTheLearnerDid() {
         movesAsTheLearnerDid(Nodding::new, 1, 20);
+    }
+
+    @Test
+    void walkEngineIsCorrectedAsByTheLearnerToTheBit() {
+        Policy policy = policyOfMarching();
+        MotorPuppet puppet = new MotorPuppet(new PolicyWalk(policy));
+        puppet.walk(Marching.VELOCITY);
+
+        assertThat(marched(puppet.performer()).toArray())
+                .isEqualTo(learnedToMarch(policy).toArray());
+    }
+
+    /** The engine of an agent begins to feel in its second cycle, so the angles differ a little. */
+    @Test
+    void agentCorrectsTheWalkAsTheLearnerDid() {
+        Policy policy = policyOfMarching();
+        Posture wanted = learnedToMarch(policy);
+
+        assertThat(marched(Performer.ofAgent(new Walker(policy))).largestDifference(wanted))
+                .isLessThan(0.5);
+        assertThat(wanted.largestDifference(Stance.POSTURE)).isGreaterThan(10);
+    }
+
+    private static Policy policyOfMarching() {
+        double[] numbers =
+                new Random(5).doubles(Network.size(19, 12), -0.05, 0.05).toArray();
+        return TaskCourse.of(Marching.class.getName(), ".*", 0, PlayedPolicyTest.class.getClassLoader())
+                .policy(List.of(), numbers);
+    }
+
+    private static Posture learnedToMarch(Policy policy) {
+        try (GymEnvironment learned = new GymEnvironment(() -> List.of(new GymEpisode(new Marching())))) {
+            learned.reset(1);
+            for (int i = 0; i < CYCLES_OF_WALK; i++) {
+                learned.step(policy.network().apply(learned.observation()));
+            }
+            return learned.now().robot().joints();
+        }
+    }
+
+    private static Posture marched(Performer walker) {
+        try (Trial trial = Trial.direct(new Marching().scene(new Chance(1)), 1, walker)) {
+            for (int i = 0; i < CYCLES_OF_WALK; i++) {
+                trial.step();
+            }
+            return trial.now().robot().joints();
+        }
     }
 
     @ParameterizedTest
@@ -121,6 +173,37 @@ class PlayedPolicyTest {
         @Override
         protected void think() {
             player.act(nao);
+        }
+    }
+
+    private static final class Walker extends Agent {
+
+        private final PolicyWalk learned;
+
+        private Walker(Policy policy) {
+            learned = new PolicyWalk(policy);
+        }
+
+        @Override
+        protected void think() {
+            walk.setPolicy(learned);
+            walk.towards(0.4, 0, 10);
+        }
+    }
+
+    /** Walks ahead and to the left. */
+    public static final class Marching extends Still {
+
+        private static final WalkVelocity VELOCITY = new WalkVelocity(0.4, 0, 10);
+
+        @Override
+        public Optional<Policy> walk() {
+            return Optional.of(WalkCourse.WALK.policy(List.of(), WalkCourse.WALK.start(0)));
+        }
+
+        @Override
+        protected WalkVelocity velocity() {
+            return VELOCITY;
         }
     }
 
