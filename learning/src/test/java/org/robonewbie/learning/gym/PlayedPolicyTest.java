@@ -2,6 +2,8 @@ package org.robonewbie.learning.gym;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,13 +18,16 @@ import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.agent.policy.Network;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.PolicyPlayer;
+import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.Stance;
+import org.robonewbie.agent.walk.WalkReflex;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.policy.WalkCourse;
 import org.robonewbie.learning.rehearsal.MotorPuppet;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
@@ -70,9 +75,36 @@ class PlayedPolicyTest {
         Policy policy = policyOfMarching();
         Posture wanted = learnedToMarch(policy);
 
-        assertThat(marched(Performer.ofAgent(new Walker(policy))).largestDifference(wanted))
+        assertThat(marched(Performer.ofAgent(new Walker(new PolicyWalk(policy), Marching.VELOCITY)))
+                        .largestDifference(wanted))
                 .isLessThan(0.5);
         assertThat(wanted.largestDifference(Stance.POSTURE)).isGreaterThan(10);
+    }
+
+    @Test
+    void agentKeepsOnItsFeetByThePolicyOfPpoWhereTheEngineAloneFalls() throws IOException {
+        Policy learned = PolicyText.parse(new String(
+                PlayedPolicyTest.class
+                        .getResourceAsStream("/policies/engine-run-by-ppo.policy")
+                        .readAllBytes(),
+                StandardCharsets.UTF_8));
+        WalkVelocity fast = new WalkVelocity(0.9, 0, 0);
+
+        assertThat(secondsOnItsFeet(new PolicyWalk(learned), fast)).isGreaterThan(4);
+        assertThat(secondsOnItsFeet(new PolicyWalk(new PolicyWalk(learned).style(), WalkReflex.NONE), fast))
+                .isLessThan(2.5);
+    }
+
+    private static double secondsOnItsFeet(PolicyWalk manner, WalkVelocity velocity) {
+        try (Trial trial =
+                Trial.direct(new Marching().scene(new Chance(1)), 1, Performer.ofAgent(new Walker(manner, velocity)))) {
+            int cycles = 0;
+            while (cycles < 250 && !trial.now().robot().isFallen()) {
+                trial.step();
+                cycles++;
+            }
+            return cycles * Cycle.SECONDS;
+        }
     }
 
     private static Policy policyOfMarching() {
@@ -178,16 +210,18 @@ class PlayedPolicyTest {
 
     private static final class Walker extends Agent {
 
-        private final PolicyWalk learned;
+        private final PolicyWalk manner;
+        private final WalkVelocity velocity;
 
-        private Walker(Policy policy) {
-            learned = new PolicyWalk(policy);
+        private Walker(PolicyWalk manner, WalkVelocity velocity) {
+            this.manner = manner;
+            this.velocity = velocity;
         }
 
         @Override
         protected void think() {
-            walk.setPolicy(learned);
-            walk.towards(0.4, 0, 10);
+            walk.setPolicy(manner);
+            walk.towards(velocity.forward(), velocity.left(), velocity.turn());
         }
     }
 
