@@ -24,7 +24,7 @@ final class GymEngineRun extends GymTask {
     private static final double MOST_NEWTONS = 40;
     private static final double GOAL_METRES = 5;
 
-    private WalkVelocity wanted = WalkVelocity.ZERO;
+    private Optional<WalkVelocity> wanted = Optional.empty();
     private double metres;
 
     @Override
@@ -39,13 +39,13 @@ final class GymEngineRun extends GymTask {
 
     @Override
     protected void takeCommand(WalkVelocity command) {
-        wanted = command;
+        wanted = Optional.of(command);
     }
 
     @Override
     public void begin(Trial trial) {
-        if (wanted.isZero()) {
-            wanted = new WalkVelocity(chance().between(LEAST, MOST), 0, 0);
+        if (wanted.isEmpty()) {
+            wanted = Optional.of(new WalkVelocity(chance().between(LEAST, MOST), 0, 0));
         }
         Place centre = new Place(0, 0, chance().between(-180, 180));
         trial.robot(0).push(centre.point(chance().between(0, MOST_NEWTONS), 0, 0));
@@ -53,7 +53,7 @@ final class GymEngineRun extends GymTask {
 
     @Override
     protected WalkVelocity velocity() {
-        return wanted;
+        return wanted.orElse(WalkVelocity.ZERO);
     }
 
     @Override
