@@ -14,6 +14,7 @@ import org.robonewbie.team.skill.Gaze;
 import org.robonewbie.team.skill.GetUp;
 import org.robonewbie.team.skill.Goalkeeping;
 import org.robonewbie.team.skill.Kick;
+import org.robonewbie.team.skill.KickKind;
 import org.robonewbie.team.skill.Limbs;
 import org.robonewbie.team.tactics.KickOffPlaces;
 import org.robonewbie.team.tactics.Plan;
@@ -52,6 +53,7 @@ public class Agent_Team extends Agent {
     private final Footwork feet = new Footwork(walk);
     private final Dribble dribble = new Dribble(walk, feet);
     private final Kick kick = new Kick(body, feet);
+    private final Kick farKick = new Kick(body, feet, KickKind.FAR);
     private final GetUp getUp = new GetUp(body);
     private final Goalkeeping keeping = new Goalkeeping(body);
     private final Gaze gaze = new Gaze(body);
@@ -182,6 +184,7 @@ public class Agent_Team extends Agent {
             case DRIBBLE -> dribble.bring(world, plan.target());
             case WAIT -> way = feet.go(world, behindBall(plan.headingDegrees()), plan.headingDegrees());
             case KICK -> kick.kick(world, plan.headingDegrees());
+            case FAR_KICK -> farKick.kick(world, plan.headingDegrees());
             case SEARCH -> walk.towards(0, 0, Roles.keepsAlone(world) ? KEEPER_TURN : SEARCH_TURN);
             case STAND -> walk.stop();
         }

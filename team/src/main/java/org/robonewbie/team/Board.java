@@ -81,7 +81,7 @@ final class Board {
     }
 
     private void showRay(KickChoice.Option option, double most) {
-        boolean kick = option.plan().action() == Plan.Action.KICK;
+        boolean kick = option.plan().isKick();
         Spot ray = Spot.polar(option.plan().headingDegrees(), LONGEST_RAY_METRES * option.gain() / most);
         nao.drawLine(seen(world.ball()), seen(world.ball().plus(ray)), kick ? KICK_COLOUR : DRIBBLE_COLOUR);
     }

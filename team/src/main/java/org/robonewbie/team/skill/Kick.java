@@ -12,17 +12,12 @@ import org.robonewbie.team.world.WorldModel;
  */
 public final class Kick {
 
-    /** How far the ball usually rolls, metres. */
-    public static final double METRES = 5.4;
-
-    private static final double USUAL_SECONDS = 1.4;
     private static final double HURRY_METRES = 1;
     private static final double HURRY = 1.4;
 
     private static final double STANCE_METRES = 0.016;
     private static final double CLOSER_METRES = 0.03;
     private static final double DRIFT = 1.4;
-    private static final double TURN_TOLERANCE = 8;
     private static final double FAR_METRES = 1;
     private static final double BEHIND_METRES = 0.1;
     private static final double AROUND_METRES = 0.33;
@@ -64,10 +59,11 @@ public final class Kick {
      *
      * @param world where the ball is
      * @param directionDegrees where the ball has to go, in the coordinates of the team
+     * @param kind how it is kicked
      * @return seconds, without the way to the ball
      */
-    public static double seconds(WorldModel world, double directionDegrees) {
-        return USUAL_SECONDS + Footwork.aroundSeconds(world, directionDegrees);
+    public static double seconds(WorldModel world, double directionDegrees, KickKind kind) {
+        return kind.seconds() + Footwork.aroundSeconds(world, directionDegrees);
     }
 
     /** Where the ball has to lie for the kick with the foot that suits the side on which it is. */
@@ -116,7 +112,7 @@ public final class Kick {
         return beyond(ball) > -kind.nearer()
                 && beyond(ball) < kind.farther()
                 && Math.abs(ball.y() - before(ball).y()) < factor * kind.aside()
-                && Math.abs(turn) < factor * factor * TURN_TOLERANCE;
+                && Math.abs(turn) < factor * factor * kind.turned();
     }
 
     /** How much too far away the ball lies, metres. */
@@ -137,7 +133,7 @@ public final class Kick {
         } else if (ahead < 0.1) {
             double side = ball.dot(aside) <= 0 ? 1 : -1;
             feet.step(world, ball.minus(direction.times(foot.x())).plus(aside.times(side * AROUND_METRES)), turn);
-        } else if (Math.abs(miss) > MISS_METRES || Math.abs(turn) > 2 * TURN_TOLERANCE) {
+        } else if (Math.abs(miss) > MISS_METRES || Math.abs(turn) > 2 * kind.turned()) {
             feet.step(world, place.minus(direction.times(BEHIND_METRES)), turn);
         } else {
             body.walk().towards(gentle(place.x() + CLOSER_METRES), gentle(place.y()), turn);

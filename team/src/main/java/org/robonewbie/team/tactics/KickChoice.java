@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.skill.Footwork;
 import org.robonewbie.team.skill.Kick;
+import org.robonewbie.team.skill.KickKind;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.Spot;
@@ -32,10 +33,12 @@ public final class KickChoice {
     private static final double SHARE_OF_RUN = 0.33;
     private static final double LOSS = 0.03;
     private static final double VALUE_METRES = 8;
+    private static final double STOPS = 0.9;
+    private static final double STOPS_HIGH = 0.2;
     private static final double LANE_METRES = 0.3;
     private static final double LANE_SLOPE = 0.1;
     private static final double SHOT_DEVIATION_DEGREES = 6;
-    private static final double PASS_METRES = 3.5;
+    private static final double PASS_SHARE = 0.7;
     private static final double LOYALTY = 0.6;
     private static final double SAME_DEGREES = 20;
 
@@ -102,7 +105,11 @@ public final class KickChoice {
         if (mayDribble) {
             all.add(dribble(degrees));
         }
-        all.add(kick(degrees));
+        for (KickKind kind : KickKind.values()) {
+            if (kind.isFor(world.type())) {
+                all.add(kick(kind, degrees));
+            }
+        }
     }
 
     private Option dribble(double degrees) {
@@ -115,28 +122,29 @@ public final class KickChoice {
         }
         Plan plan = new Plan(TeamRole.STRIKER, Plan.Action.DRIBBLE, end, degrees, 0);
         boolean near = world.ball().distanceTo(world.theirGoal()) < TAP_IN_METRES;
-        double goal = near ? goalProbability(world.ball(), degrees) : 0;
+        double goal = near ? goalProbability(KickKind.QUICK, world.ball(), degrees) : 0;
         double score = goal * (1 - value(world.ball())) / seconds;
         return new Option(plan, keeps * (score + (1 - goal) * gain(end, 1, seconds)));
     }
 
-    private Option kick(double degrees) {
+    private Option kick(KickKind kind, double degrees) {
         Spot ball = world.ball();
-        Spot end = ball.plus(Spot.polar(degrees, Kick.METRES));
-        double seconds = Kick.seconds(world, degrees);
-        double free = freeLane(ball, end);
-        double goal = goalProbability(ball, degrees);
+        Spot end = ball.plus(Spot.polar(degrees, kind.metres()));
+        double seconds = Kick.seconds(world, degrees, kind);
+        double free = freeLane(kind, ball, end);
+        double goal = goalProbability(kind, ball, degrees);
         Optional<Mate> receiver = nearest(end);
         double patience = SetPlay.patienceSeconds(world);
         double ours = secondsTo(receiver.map(Mate::place).orElse(world.place()), end, patience);
         double theirs = world.opponentDistance(end) / OPPONENT_SPEED;
-        double rest = free * gain(end, probability(theirs - ours), seconds + runShare() * ours);
+        double rest = free * gain(end, probability(theirs - ours), seconds + runShare(kind) * ours);
         double shot = free * (1 - value(ball)) / seconds;
         int number = receiver.filter(
-                        mate -> goal < 0.3 && mate.place().distanceTo(end) < PASS_METRES + patience * RUN_SPEED)
+                        mate -> goal < 0.3 && mate.place().distanceTo(end) < PASS_SHARE * kind.metres() + patience * RUN_SPEED)
                 .map(Mate::number)
                 .orElse(0);
-        Plan plan = new Plan(TeamRole.STRIKER, Plan.Action.KICK, end, degrees, number);
+        Plan.Action action = kind == KickKind.FAR ? Plan.Action.FAR_KICK : Plan.Action.KICK;
+        Plan plan = new Plan(TeamRole.STRIKER, action, end, degrees, number);
         return new Option(plan, undisturbed(seconds) * (goal * shot + (1 - goal) * rest));
     }
 
@@ -155,9 +163,13 @@ public final class KickChoice {
         return ((0.5 + 0.5 * keeps) * better - (1 - keeps) * LOSS) / seconds;
     }
 
-    /** With nobody near, the ball waits until a player gets there; else it counts that the ball is away from the opponents. */
-    private double runShare() {
-        return world.opponentDistance(world.ball()) > ALONE_METRES ? 1 : SHARE_OF_RUN;
+    /**
+     * How much the time counts until a player gets to the ball. With nobody near, the ball waits for it; else it counts that the ball is
+     * away from the opponents. After a far kick all run far, while a pass would already be played on, so there all of the time counts.
+     */
+    private double runShare(KickKind kind) {
+        boolean alone = world.opponentDistance(world.ball()) > ALONE_METRES;
+        return alone || kind == KickKind.FAR ? 1 : SHARE_OF_RUN;
     }
 
     private boolean isOnPitch(Spot spot) {
@@ -176,12 +188,13 @@ public final class KickChoice {
                 - PortableMath.exp(-spot.distanceTo(world.ourGoal()) / VALUE_METRES);
     }
 
-    /** How probable it is that a kick in a direction ends in the goal, if nobody stops it. */
-    private double goalProbability(Spot ball, double degrees) {
+    /** How probable it is that a kick in a direction ends in the goal, if nobody stops it. It must neither be too far away nor fly over the bar. */
+    private double goalProbability(KickKind kind, Spot ball, double degrees) {
+        double metres = ball.distanceTo(world.theirGoal());
         double post = world.field().goalWidth() / 2 - 0.1;
         Spot left = new Spot(world.theirGoal().x(), post).minus(ball);
         Spot right = new Spot(world.theirGoal().x(), -post).minus(ball);
-        if (!mayScore || ball.distanceTo(world.theirGoal()) > Kick.METRES || left.x() <= 0) {
+        if (!mayScore || metres > kind.metres() || kind.isHigh(metres) || left.x() <= 0) {
             return 0;
         }
         double toLeft = PortableMath.IEEEremainder(left.degrees() - degrees, 360) / SHOT_DEVIATION_DEGREES;
@@ -189,13 +202,17 @@ public final class KickChoice {
         return probability(1.7 * toLeft) * probability(1.7 * toRight);
     }
 
-    /** How probable it is that nobody stops the ball. No kick is quite straight, so the way that has to be free grows wider with its length. */
-    private double freeLane(Spot from, Spot to) {
+    /**
+     * How probable it is that nobody stops the ball. No kick is quite straight, so the way that has to be free grows wider with its length.
+     * Most balls get over the heads of those whom they meet while they are high.
+     */
+    private double freeLane(KickKind kind, Spot from, Spot to) {
         double free = 1;
         for (Spot opponent : world.opponents()) {
             double lane = LANE_METRES + LANE_SLOPE * opponent.distanceTo(from);
             double near = opponent.distanceToWay(from, to) / lane;
-            free *= 1 - 0.9 * PortableMath.exp(-near * near);
+            double stops = kind.isHigh(opponent.distanceTo(from)) ? STOPS_HIGH : STOPS;
+            free *= 1 - stops * PortableMath.exp(-near * near);
         }
         return free;
     }

@@ -23,6 +23,8 @@ public record Plan(TeamRole role, Action action, Spot target, double headingDegr
         DRIBBLE,
         /** Kicks the ball. */
         KICK,
+        /** Kicks the ball as far as it can. */
+        FAR_KICK,
         /** Stands behind the ball until the receiver of the kick is ready. */
         WAIT,
         /** Keeps the goal. */
@@ -41,9 +43,14 @@ public record Plan(TeamRole role, Action action, Spot target, double headingDegr
         return new Plan(role, other, target, headingDegrees, receiver);
     }
 
+    /** {@return whether the player kicks, or gets ready for that} */
+    public boolean kicksNow() {
+        return action == Action.KICK || action == Action.FAR_KICK;
+    }
+
     /** {@return whether the player kicks, or waits to kick} */
     public boolean isKick() {
-        return action == Action.KICK || action == Action.WAIT;
+        return kicksNow() || action == Action.WAIT;
     }
 
     /** A player that knows nothing yet. */

@@ -1,6 +1,6 @@
 package org.robonewbie.team.tactics;
 
-import org.robonewbie.team.skill.Kick;
+import org.robonewbie.team.skill.KickKind;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.Spot;
@@ -27,7 +27,7 @@ public final class SetPlay {
     private static final double SHOT_SECONDS = 2.5;
     private static final double ASK_METRES = 0.5;
     private static final double THREAT_METRES = 3;
-    private static final double FAR_METRES = Kick.METRES + 1;
+    private static final double FAR_METRES = KickKind.QUICK.metres() + 1;
 
     private Situation before = Situation.LINE_UP;
     private double forbiddenUntil;
@@ -104,7 +104,9 @@ public final class SetPlay {
      * @return whether to ask
      */
     public static boolean wantsPass(WorldModel world, Plan plan) {
-        return plan.action() == Plan.Action.KICK
+        boolean shot = plan.target().x() > world.field().length() / 2;
+        return plan.kicksNow()
+                && !shot
                 && !world.mates().isEmpty()
                 && (plan.receiver() > 0 || world.ball().distanceTo(world.theirGoal()) > FAR_METRES)
                 && world.situation() == Situation.OPEN_PLAY

@@ -61,7 +61,7 @@ public final class Strategy {
         setPlay.update(world, plan.role());
         TeamRole role = new Roles(world, plan.role(), secondsToBall()).own();
         Plan next = planOf(role);
-        if (plan.action() != Action.KICK || isOld(next)) {
+        if (!plan.kicksNow() || isOld(next)) {
             plan = next;
             planSeconds = world.seconds();
         }

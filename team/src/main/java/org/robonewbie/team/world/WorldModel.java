@@ -16,6 +16,7 @@ import org.robonewbie.nao.BodyPart;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.team.talk.TeamMessage;
 
 /**
@@ -56,6 +57,7 @@ public final class WorldModel {
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
     private double seconds;
     private int number;
+    private RobotType type = RobotType.TYPE_0;
     private boolean fallen;
     private boolean scored;
     private boolean placed;
@@ -73,6 +75,7 @@ public final class WorldModel {
     public void update(Robot nao, LocalFieldView view) {
         seconds = nao.getTime();
         number = nao.getNumber();
+        type = nao.getType();
         fallen = nao.isFallen();
         if (seconds - beamedSeconds > BEAM_SECONDS) {
             self.update(nao, view);
@@ -188,6 +191,11 @@ public final class WorldModel {
     /** {@return the robot's own number} */
     public int number() {
         return number;
+    }
+
+    /** {@return how the robot is built} */
+    public RobotType type() {
+        return type;
     }
 
     /** {@return whether the robot lies on the ground} */

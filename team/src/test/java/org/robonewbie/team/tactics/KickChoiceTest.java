@@ -1,0 +1,93 @@
+package org.robonewbie.team.tactics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.team.skill.Gaze;
+import org.robonewbie.team.skill.Limbs;
+import org.robonewbie.team.tactics.Plan.Action;
+import org.robonewbie.team.world.WorldModel;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/** When a player kicks far. */
+class KickChoiceTest {
+
+    private static final double GOAL_LINE = 15;
+
+    /** Stands, looks at the ball, and says what it would do. */
+    private static final class Choosing extends Agent {
+
+        private final WorldModel world = new WorldModel();
+        private final Gaze gaze = new Gaze(new Limbs(nao, walk, motions, lookAround));
+        private final boolean mayScore;
+
+        Choosing(boolean mayScore) {
+            this.mayScore = mayScore;
+            fieldView.setTransformation(CameraTransformation.KINEMATICS);
+        }
+
+        @Override
+        protected void think() {
+            world.update(nao, fieldView);
+            gaze.look(world);
+        }
+
+        Plan best() {
+            return new KickChoice(world, true, mayScore, Plan.NONE).best();
+        }
+    }
+
+    @Test
+    void itShootsFarOverTheHeadOfAnOpponent() {
+        Plan plan = choice(new Choosing(true), RobotType.TYPE_0, 10, 3);
+
+        assertThat(plan.action()).isEqualTo(Action.FAR_KICK);
+        assertThat(plan.headingDegrees()).isBetween(-6.0, 6.0);
+        assertThat(plan.target().x()).isGreaterThan(GOAL_LINE);
+    }
+
+    @Test
+    void itDoesNotShootOverTheBar() {
+        Plan plan = choice(new Choosing(true), RobotType.TYPE_0, 6, 3);
+
+        assertThat(plan.action()).isNotEqualTo(Action.FAR_KICK);
+    }
+
+    @Test
+    void itDoesNotShootWhereAGoalWouldNotCount() {
+        Plan plan = choice(new Choosing(false), RobotType.TYPE_0, 10, 3);
+
+        assertThat(plan.target().x()).isLessThan(GOAL_LINE);
+    }
+
+    @Test
+    void aRobotWithToesKicksAsUsual() {
+        Plan plan = choice(new Choosing(true), RobotType.TYPE_4, 10, 3);
+
+        assertThat(plan.action()).isNotEqualTo(Action.FAR_KICK);
+    }
+
+    /** What a player does whose ball lies before its feet, with an opponent ahead of it. */
+    private static Plan choice(Choosing player, RobotType type, double goalMetres, double opponentMetres) {
+        double x = GOAL_LINE - goalMetres;
+        List<RobotStart> robots = List.of(
+                new RobotStart("Team", 2, type, new Place(x - 0.3, 0, 0), List.of()),
+                new RobotStart("Others", 2, RobotType.TYPE_0, new Place(x + opponentMetres, 0, 180), List.of()));
+        Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(new Vector3(x, 0, 0)));
+        try (Trial trial = Trial.served(scene, 1, Performer.ofAgent(player), Performer.ofSpeeds())) {
+            trial.run(1.5);
+            return player.best();
+        }
+    }
+}
