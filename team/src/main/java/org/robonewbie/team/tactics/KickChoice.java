@@ -139,8 +139,8 @@ public final class KickChoice {
         double theirs = world.opponentDistance(end) / OPPONENT_SPEED;
         double rest = free * gain(end, probability(theirs - ours), seconds + runShare(kind) * ours);
         double shot = free * (1 - value(ball)) / seconds;
-        int number = receiver.filter(
-                        mate -> goal < 0.3 && mate.place().distanceTo(end) < PASS_SHARE * kind.metres() + patience * RUN_SPEED)
+        int number = receiver.filter(mate ->
+                        goal < 0.3 && mate.place().distanceTo(end) < PASS_SHARE * kind.metres() + patience * RUN_SPEED)
                 .map(Mate::number)
                 .orElse(0);
         Plan.Action action = kind == KickKind.FAR ? Plan.Action.FAR_KICK : Plan.Action.KICK;
