@@ -3,9 +3,8 @@ package org.robonewbie.app.command;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.Function;
+import java.util.function.LongFunction;
 import java.util.function.Predicate;
-import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import org.robonewbie.learning.measure.MotionCheck;
@@ -13,6 +12,7 @@ import org.robonewbie.learning.measure.Outcome;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.team.skill.CloseDribbleNumbers;
 import org.robonewbie.team.skill.KickKind;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Performer;
@@ -25,11 +25,9 @@ import org.robonewbie.trial.Trial;
 final class PlayerChecks {
 
     private static final Place START = new Place(-8, 0, 0);
+    private static final double BALL_AHEAD = 1.5;
     private static final double ASIDE_METRES = 0.1;
     private static final double MOST_SECONDS = 30;
-    private static final double DRIBBLED_METRES = 5;
-    private static final double DRIBBLE_SECONDS = 10;
-    private static final double CLOSE_METRES = 0.5;
     private static final double NEAR_METRES = 0.3;
     private static final double KICKED_METRES_PER_SECOND = 1;
     private static final double ROLLING_SECONDS = 4;
@@ -43,9 +41,6 @@ final class PlayerChecks {
     private PlayerChecks(RobotType type) {
         this.type = type;
     }
-
-    /** What a dribbling was like: seconds for the whole way, infinite if it was not done, and how far away the ball was at most. */
-    private record Dribbled(double seconds, double farthest) {}
 
     /** What a kick was like. */
     private record Kicked(double metres, double seconds, double degrees) {
@@ -73,14 +68,14 @@ final class PlayerChecks {
                         "dribble 5 m",
                         "the ball gets 5 m ahead within 10 s",
                         "s",
-                        Dribbled::seconds,
-                        dribbled -> dribbled.seconds <= DRIBBLE_SECONDS),
+                        DribbleTrial::seconds,
+                        DribbleTrial::isInTime),
                 dribble(
                         "dribble 5 m, close",
                         "it does, and the ball is never further away than 0.5 m",
                         "m, the farthest",
-                        Dribbled::farthest,
-                        dribbled -> dribbled.seconds <= DRIBBLE_SECONDS && dribbled.farthest <= CLOSE_METRES));
+                        DribbleTrial::farthest,
+                        DribbleTrial::isClose));
     }
 
     private List<MotionCheck> kicks(String name, KickKind kind, double metres) {
@@ -109,8 +104,19 @@ final class PlayerChecks {
     }
 
     private MotionCheck dribble(
-            String name, String rule, String unit, ToDoubleFunction<Dribbled> value, Predicate<Dribbled> success) {
-        return check(name, BallPlayer::dribbling, 0.25, rule, unit, value, success, this::dribble);
+            String name,
+            String rule,
+            String unit,
+            ToDoubleFunction<DribbleTrial> value,
+            Predicate<DribbleTrial> success) {
+        return check(
+                name,
+                DribbleTrial.BALL_AHEAD,
+                rule,
+                unit,
+                value,
+                success,
+                seed -> DribbleTrial.served(type, CloseDribbleNumbers.FOUND, seed));
     }
 
     private MotionCheck kick(
@@ -120,18 +126,21 @@ final class PlayerChecks {
             String unit,
             ToDoubleFunction<Kicked> value,
             Predicate<Kicked> success) {
-        return check(name, () -> BallPlayer.kicking(kind), 1.5, rule, unit, value, success, this::kick);
+        return check(name, BALL_AHEAD, rule, unit, value, success, seed -> {
+            try (Trial trial = trial(seed, new BallPlayer(kind))) {
+                return kick(trial);
+            }
+        });
     }
 
     private <T> MotionCheck check(
             String name,
-            Supplier<BallPlayer> player,
             double ballAhead,
             String rule,
             String unit,
             ToDoubleFunction<T> value,
             Predicate<T> success,
-            Function<Trial, T> act) {
+            LongFunction<T> act) {
         return new MotionCheck(
                 name + (type == RobotType.TYPE_0 ? "" : ", type " + type.ordinal()),
                 "a player of the example team on an own simulator with noise and the league's pitch, in the stance, ball "
@@ -139,32 +148,17 @@ final class PlayerChecks {
                 rule,
                 unit,
                 seed -> {
-                    try (Trial trial = trial(seed, ballAhead, player.get())) {
-                        T done = act.apply(trial);
-                        return new Outcome(success.test(done), value.applyAsDouble(done));
-                    }
+                    T done = act.apply(seed);
+                    return new Outcome(success.test(done), value.applyAsDouble(done));
                 });
     }
 
-    private Trial trial(long seed, double ballAhead, BallPlayer player) {
+    private Trial trial(long seed, BallPlayer player) {
         double aside = ASIDE_METRES * Math.sin((double) seed);
         Scene scene = Scene.of(RobotStart.at(START).withType(type).after("stand"))
                 .withParameters(SoccerParameters.league())
-                .withBall(START.pointAt(ballAhead, aside));
+                .withBall(START.pointAt(BALL_AHEAD, aside));
         return Trial.served(scene, seed, Performer.ofAgent(player));
-    }
-
-    private Dribbled dribble(Trial trial) {
-        Vector3 begin = trial.now().ball();
-        double farthest = 0;
-        while (trial.seconds() < MOST_SECONDS) {
-            Moment now = trial.step();
-            farthest = Math.max(farthest, now.place().distance(now.ball()));
-            if (now.ball().x() - begin.x() >= DRIBBLED_METRES) {
-                return new Dribbled(now.seconds(), farthest);
-            }
-        }
-        return new Dribbled(Double.POSITIVE_INFINITY, farthest);
     }
 
     private Kicked kick(Trial trial) {

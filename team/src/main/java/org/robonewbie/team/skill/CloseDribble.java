@@ -1,0 +1,91 @@
+package org.robonewbie.team.skill;
+
+import org.robonewbie.agent.walk.Walk;
+import org.robonewbie.agent.walk.WalkStyle;
+import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.world.WorldModel;
+
+/**
+ * Brings the ball forward and keeps it near, within half a metre at most times. It wants a walk of its own:
+ *
+ * <pre>{@code
+ * walk.setStyle(CloseDribble.STYLE);    // before the robot begins to walk
+ * dribble.bring(world, target);         // in each cycle
+ * }</pre>
+ *
+ * <p>A foot stands half of the time, so while it swings it is twice as fast as the robot, at least. A ball that it meets with more than 0.8 m/s
+ * bounces off. Three things keep it near:
+ *
+ * <ul>
+ *   <li>The feet swing as evenly as the motors can, so a foot is never much faster than that ({@link #STYLE}).
+ *   <li>The robot is never faster than it can still brake to a speed at which the foot will not meet the ball with much more than 0.8 m/s. A
+ *       ball that rolls away may be met with more.
+ *   <li>It runs after a ball that rolls away, faster than it could push it.
+ * </ul>
+ */
+public final class CloseDribble {
+
+    /** A walk with even swings of the feet; as fast as {@link Footwork#STYLE}, but less steady. */
+    public static final WalkStyle STYLE = CloseDribbleNumbers.FOUND.style();
+
+    private static final double CONE_METRES = 0.12;
+    private static final double CONE_SLOPE = 0.38;
+    private static final double LOOK_SECONDS = 0.05;
+
+    private final Walk walk;
+    private final Footwork feet;
+    private final CloseDribbleNumbers numbers;
+
+    /**
+     * Prepares the skill.
+     *
+     * @param walk the walk, with {@link #STYLE}
+     * @param feet walks to places
+     */
+    public CloseDribble(Walk walk, Footwork feet) {
+        this(walk, feet, CloseDribbleNumbers.FOUND);
+    }
+
+    /**
+     * Prepares the skill with other numbers, for a search.
+     *
+     * @param walk the walk, with the style of the numbers
+     * @param feet walks to places
+     * @param numbers how it dribbles
+     */
+    public CloseDribble(Walk walk, Footwork feet, CloseDribbleNumbers numbers) {
+        this.walk = walk;
+        this.feet = feet;
+        this.numbers = numbers;
+    }
+
+    /**
+     * Brings the ball one step nearer to a place.
+     *
+     * @param world where the ball is
+     * @param target where the ball has to go, in the coordinates of the team
+     */
+    public void bring(WorldModel world, Spot target) {
+        Spot now = world.ballAtFeetIn(0).onMap(world.pose());
+        BallOnWay way = BallOnWay.of(world, world.ballAtFeetIn(numbers.aheadSeconds()), now, target);
+        if (way.isInCone(CONE_METRES, CONE_SLOPE)) {
+            push(world, way);
+        } else {
+            way.getBehind(feet, world);
+        }
+    }
+
+    private void push(WorldModel world, BallOnWay way) {
+        double speed = Math.min(Footwork.speed(world), numbers.speed(way.ahead(), rolling(world, way)));
+        double aside = BallOnWay.beyond(way.aside(), numbers.calmMetres());
+        double turn = numbers.turn() * BallOnWay.beyond(way.turn(), numbers.calmDegrees())
+                + numbers.ballTurn() * way.ball().degrees();
+        walk.towards(speed, -aside / numbers.seconds(way.ahead(), speed), turn);
+    }
+
+    /** How fast the ball rolls along the way, metres per second; 0 if it comes back. */
+    private static double rolling(WorldModel world, BallOnWay way) {
+        Spot rolled = world.ballAtFeetIn(LOOK_SECONDS).minus(world.ballAtFeetIn(0));
+        return Math.max(0, rolled.dot(Spot.polar(way.turn(), 1))) / LOOK_SECONDS;
+    }
+}

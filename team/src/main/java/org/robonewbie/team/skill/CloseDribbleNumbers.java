@@ -1,0 +1,89 @@
+package org.robonewbie.team.skill;
+
+import java.util.Arrays;
+import org.robonewbie.agent.walk.FastWalk;
+import org.robonewbie.agent.walk.WalkStyle;
+import org.robonewbie.agent.walk.WalkVelocity;
+
+/**
+ * The numbers of {@link CloseDribble}. {@code DribbleDesign} of the module app looks for them and says how they were found.
+ *
+ * @param style the walk
+ * @param touchSpeed the speed at which the robot touches a ball that lies still, metres per second
+ * @param rollingShare how much faster it may be for each metre per second with which the ball rolls away
+ * @param braking how hard the robot counts on braking, metres per second squared
+ * @param touchMetres how far ahead of the robot the ball is when a foot touches it
+ * @param aheadSeconds for which moment the ball is foreseen, seconds from now
+ * @param calmMetres how far the ball may lie aside without a correction
+ * @param calmDegrees how far the robot may look aside without a correction
+ * @param turn degrees per second that it turns for each degree beyond that
+ * @param ballTurn degrees per second that it turns for each degree by which the ball is to its left
+ * @param leastSeconds the shortest time in which it corrects how far aside the ball is
+ * @param behindMetres how far ahead the ball should be by then
+ */
+public record CloseDribbleNumbers(
+        WalkStyle style,
+        double touchSpeed,
+        double rollingShare,
+        double braking,
+        double touchMetres,
+        double aheadSeconds,
+        double calmMetres,
+        double calmDegrees,
+        double turn,
+        double ballTurn,
+        double leastSeconds,
+        double behindMetres) {
+
+    private static final double[] COORDINATES = {
+        1.992, 0.333, 1.751, -2.452, 2.666, 0.121, -2.220, 0.835, -0.458, -0.201, -2.716, 0.139, -5.175, 1.533, 0.298,
+        0.476, -2.826, -0.110, 0.785, 0.819, -0.677, 2.647, 0.470, 2.055, -2.838, 3.360, 6.203, 3.957, 0.366, 0.496,
+        -0.556, 3.887, -1.148, 1.176, 4.717, 1.906, -2.716, -1.097, 15.039, 5.973, 5.132, 7.141, 7.875, 5.466, 6.004,
+        3.806, 3.572, 8.753, 4.546, 3.147, 2.818, 3.890, -0.912, 4.167, 6.844
+    };
+
+    /** The numbers that were found. */
+    public static final CloseDribbleNumbers FOUND = of(COORDINATES);
+
+    /** {@return the coordinates of {@link #FOUND}, a new array} */
+    public static double[] coordinates() {
+        return COORDINATES.clone();
+    }
+
+    /**
+     * Makes numbers from the coordinates of a search.
+     *
+     * @param x coordinates of {@link FastWalk}, and one for each number after them; 1 is a noticeable change
+     * @return the numbers
+     */
+    public static CloseDribbleNumbers of(double... x) {
+        int i = FastWalk.PARAMETERS;
+        WalkVelocity most = new WalkVelocity(0.05 * x[i++], 0.03 * x[i++], 20 * x[i++]);
+        WalkVelocity change = new WalkVelocity(0.02 * x[i++], 0.01 * x[i++], 4 * x[i++]);
+        return new CloseDribbleNumbers(
+                FastWalk.style(Arrays.copyOf(x, FastWalk.PARAMETERS)).within(most, change),
+                0.05 * x[i++],
+                0.1 * x[i++],
+                0.1 * x[i++],
+                0.02 * x[i++],
+                0.05 * x[i++],
+                0.005 * x[i++],
+                x[i++],
+                0.3 * x[i++],
+                0.2 * x[i++],
+                0.1 * x[i++],
+                0.03 * x[i]);
+    }
+
+    /** The speed from which the robot can still brake before it touches a ball that is so far ahead and rolls away so fast. */
+    double speed(double ahead, double rolling) {
+        double touch = touchSpeed + rollingShare * rolling;
+        double gap = Math.max(0, ahead - touchMetres);
+        return Math.sqrt(touch * touch + 2 * braking * gap);
+    }
+
+    /** In which time the robot corrects how far aside a ball is, if it walks with so much speed. */
+    double seconds(double ahead, double speed) {
+        return Math.max(leastSeconds, (ahead - behindMetres) / speed);
+    }
+}
