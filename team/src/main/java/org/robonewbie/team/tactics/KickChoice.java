@@ -38,7 +38,7 @@ public final class KickChoice {
     private static final double LANE_METRES = 0.3;
     private static final double LANE_SLOPE = 0.1;
     private static final double SHOT_DEVIATION_DEGREES = 6;
-    private static final double PASS_SHARE = 0.7;
+    private static final double PASS_SHARE = 3.5 / KickKind.QUICK.metres();
     private static final double LOYALTY = 0.6;
     private static final double SAME_DEGREES = 20;
 
@@ -101,12 +101,13 @@ public final class KickChoice {
         return List.copyOf(all);
     }
 
+    /** In a large team a far kick gains less than the passes that it replaces, so only small ones kick far. */
     private void add(List<Option> all, double degrees) {
         if (mayDribble) {
             all.add(dribble(degrees));
         }
         for (KickKind kind : KickKind.values()) {
-            if (kind.isFor(world.type())) {
+            if (kind == KickKind.QUICK || (world.isSmallTeam() && kind.isFor(world.type()))) {
                 all.add(kick(kind, degrees));
             }
         }

@@ -104,7 +104,8 @@ public final class SetPlay {
      * @return whether to ask
      */
     public static boolean wantsPass(WorldModel world, Plan plan) {
-        boolean shot = plan.target().x() > world.field().length() / 2;
+        boolean shot = plan.action() == Plan.Action.FAR_KICK
+                && plan.target().x() > world.field().length() / 2;
         return plan.kicksNow()
                 && !shot
                 && !world.mates().isEmpty()
