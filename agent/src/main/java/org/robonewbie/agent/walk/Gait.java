@@ -14,7 +14,7 @@ package org.robonewbie.agent.walk;
  * @param swayPhase fraction of a step by which the sway leads
  * @param rollDegrees how much the torso leans over the support foot
  * @param liftHeight how high the swing foot is lifted
- * @param liftSkew 0 lifts evenly; positive is highest late in the step
+ * @param liftSkew 0 lifts evenly; positive is highest early in the step
  * @param doubleSupport fraction of a step during which both feet are on the ground
  * @param swingHipDegrees how much the hip lifts the swing leg to the side, against the sinking of the pelvis
  * @param toeDegrees how much the toes rise at the beginning of the swing and sink at its end
@@ -63,7 +63,7 @@ public record Gait(
      * @param swayPhase fraction of a step by which the sway leads
      * @param rollDegrees how much the torso leans over the support foot
      * @param liftHeight how high the swing foot is lifted
-     * @param liftSkew 0 lifts evenly; positive is highest late in the step
+     * @param liftSkew 0 lifts evenly; positive is highest early in the step
      * @param doubleSupport fraction of a step during which both feet are on the ground
      * @param swingHipDegrees how much the hip lifts the swing leg to the side, against the sinking of the pelvis
      * @param toeDegrees how much the toes rise at the beginning of the swing and sink at its end
