@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-# Robots of a training have seeds one after the other; those of another one begin so far away.
+# A training that goes on has episodes whose seeds are so many times its own, far from those with which it began.
 SEEDS_APART = 1000
 
 
@@ -124,7 +124,6 @@ class Training:
             rounds = self.model.num_timesteps // (wanted.robots * wanted.round)
             self.model.set_random_seed(SEEDS_APART * wanted.seed + rounds)  # else it would meet its first episodes again
         else:
-            robots.seed(SEEDS_APART * wanted.seed)
             self.normalised = VecNormalize(robots, gamma=wanted.gamma)
             self.model = PPO("MlpPolicy", self.normalised, **self._settings())
             self._do_nothing_at_first()
