@@ -78,6 +78,10 @@ final class RunCommand implements Callable<Integer> {
                     + ExampleCatalogue.FIRST_EXAMPLE + " " + optionsBeforeTheAgent.get(0));
         }
         AgentFinder finder = new AgentFinder(ExampleCatalogue.load(), classPath.folders());
+        if (!(rehearsalSeconds >= 0)) {
+            throw new CalledWronglyException(
+                    "--rehearse " + rehearsalSeconds + ": give a number of seconds from 0 on.");
+        }
         if (agentAndOptions.isEmpty()) {
             throw new CalledWronglyException("Which agent do you want to run? Write for example: robonewbie run "
                     + ExampleCatalogue.FIRST_EXAMPLE + System.lineSeparator() + finder.listOfExamples());

@@ -69,6 +69,14 @@ class RunCommandTest {
     }
 
     @Test
+    void rehearsalOfLessThanNothingIsRefused() {
+        Printed answer = Printed.by("run", "--rehearse", "-1", "Agent_BasicStructure");
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err()).contains("--rehearse -1.0: give a number of seconds from 0 on.");
+    }
+
+    @Test
     void javaFileUsesItsNeighbours() throws IOException {
         write("Other.java", "class Other { static String word() { return \"neighbour\"; } }");
         Path file = write("Caller.java", program("Caller", "System.out.println(Other.word());"));
