@@ -1,14 +1,10 @@
 package org.robonewbie.app.command;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.Locale;
-import java.util.stream.Collectors;
 import org.robonewbie.learning.search.CostFunction;
 import org.robonewbie.learning.search.Search;
+import org.robonewbie.learning.search.SearchFile;
 import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.team.skill.CloseDribble;
 import org.robonewbie.team.skill.CloseDribbleNumbers;
@@ -41,28 +37,8 @@ public final class DribbleDesign implements CostFunction {
      * @throws IOException if the file cannot be read or written
      */
     public static void main(String[] arguments) throws IOException {
-        Path file = Path.of(arguments[0]);
-        double[] start = Files.exists(file) ? read(file) : CloseDribbleNumbers.coordinates();
-        new Search(PLAN, new DribbleDesign()).run(start, progress -> {
-            System.out.println(progress);
-            write(progress.mean(), file);
-        });
-    }
-
-    private static double[] read(Path file) throws IOException {
-        String[] words = Files.readString(file).trim().split("[, ]+");
-        return Arrays.stream(words).mapToDouble(Double::parseDouble).toArray();
-    }
-
-    private static void write(double[] coordinates, Path file) {
-        String text = Arrays.stream(coordinates)
-                .mapToObj(x -> String.format(Locale.ROOT, "%.3f", x))
-                .collect(Collectors.joining(", ", "", "\n"));
-        try {
-            Files.writeString(file, text);
-        } catch (IOException cause) {
-            throw new UncheckedIOException("The coordinates cannot be kept in " + file + ".", cause);
-        }
+        SearchFile.goOn(
+                Path.of(arguments[0]), CloseDribbleNumbers.coordinates(), new Search(PLAN, new DribbleDesign()));
     }
 
     @Override

@@ -1,19 +1,16 @@
 package org.robonewbie.learning.design;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.Random;
-import java.util.stream.Collectors;
 import org.robonewbie.agent.walk.FastWalk;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.rehearsal.WalkTrial;
 import org.robonewbie.learning.search.CostFunction;
 import org.robonewbie.learning.search.Search;
+import org.robonewbie.learning.search.SearchFile;
 import org.robonewbie.learning.search.SearchPlan;
 
 /**
@@ -41,28 +38,8 @@ public record FastWalkDesign(double newtons) implements CostFunction {
      * @throws IOException if the file cannot be read or written
      */
     public static void main(String[] arguments) throws IOException {
-        Path file = Path.of(arguments[0]);
-        double[] start = Files.exists(file) ? read(file) : FastWalk.coordinates();
-        new Search(PLAN, new FastWalkDesign(PUSH_NEWTONS)).run(start, progress -> {
-            System.out.println(progress);
-            write(progress.mean(), file);
-        });
-    }
-
-    private static double[] read(Path file) throws IOException {
-        String[] words = Files.readString(file).trim().split("[, ]+");
-        return Arrays.stream(words).mapToDouble(Double::parseDouble).toArray();
-    }
-
-    private static void write(double[] coordinates, Path file) {
-        String text = Arrays.stream(coordinates)
-                .mapToObj(x -> String.format(Locale.ROOT, "%.3f", x))
-                .collect(Collectors.joining(", ", "", "\n"));
-        try {
-            Files.writeString(file, text);
-        } catch (IOException cause) {
-            throw new UncheckedIOException("The coordinates cannot be kept in " + file + ".", cause);
-        }
+        SearchFile.goOn(
+                Path.of(arguments[0]), FastWalk.coordinates(), new Search(PLAN, new FastWalkDesign(PUSH_NEWTONS)));
     }
 
     @Override
