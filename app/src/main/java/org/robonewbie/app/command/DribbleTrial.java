@@ -2,12 +2,9 @@ package org.robonewbie.app.command;
 
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.skill.CloseDribbleNumbers;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Performer;
-import org.robonewbie.trial.Place;
-import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
@@ -24,8 +21,6 @@ record DribbleTrial(double seconds, double metres, double farthest, boolean fell
     /** How far ahead of the robot the ball lies at first. */
     static final double BALL_AHEAD = 0.25;
 
-    private static final Place START = new Place(-8, 0, 0);
-    private static final double ASIDE_METRES = 0.1;
     private static final double DRIBBLED_METRES = 5;
     private static final double MOST_SECONDS = 10;
     private static final double MOST_METRES = 0.5;
@@ -39,24 +34,18 @@ record DribbleTrial(double seconds, double metres, double farthest, boolean fell
 
     /** Dribbles with a whole simulator. */
     static DribbleTrial served(RobotType type, CloseDribbleNumbers numbers, long seed) {
-        try (Trial trial = Trial.served(scene(type, seed), seed, Performer.ofAgent(new Dribbler(numbers)))) {
+        try (Trial trial = Trial.served(
+                PlayerChecks.scene(type, BALL_AHEAD, seed), seed, Performer.ofAgent(new Dribbler(numbers)))) {
             return run(trial, Patience.LONG);
         }
     }
 
     /** Dribbles in the physical world alone, and gives up soon. */
     static DribbleTrial direct(CloseDribbleNumbers numbers, long seed) {
-        Scene scene = scene(RobotType.TYPE_0, seed);
+        Scene scene = PlayerChecks.scene(RobotType.TYPE_0, BALL_AHEAD, seed);
         try (Trial trial = Trial.direct(scene, seed, Performer.ofAgent(new Dribbler(numbers)))) {
             return run(trial, Patience.SHORT);
         }
-    }
-
-    private static Scene scene(RobotType type, long seed) {
-        double aside = ASIDE_METRES * Math.sin((double) seed);
-        return Scene.of(RobotStart.at(START).withType(type).after("stand"))
-                .withParameters(SoccerParameters.league())
-                .withBall(START.pointAt(BALL_AHEAD, aside));
     }
 
     private static DribbleTrial run(Trial trial, Patience patience) {

@@ -154,11 +154,15 @@ final class PlayerChecks {
     }
 
     private Trial trial(long seed, BallPlayer player) {
+        return Trial.served(scene(type, BALL_AHEAD, seed), seed, Performer.ofAgent(player));
+    }
+
+    /** A robot in the stance on the league's pitch; the ball is ahead, and a little aside by the seed. */
+    static Scene scene(RobotType type, double ballAhead, long seed) {
         double aside = ASIDE_METRES * Math.sin((double) seed);
-        Scene scene = Scene.of(RobotStart.at(START).withType(type).after("stand"))
+        return Scene.of(RobotStart.at(START).withType(type).after("stand"))
                 .withParameters(SoccerParameters.league())
-                .withBall(START.pointAt(BALL_AHEAD, aside));
-        return Trial.served(scene, seed, Performer.ofAgent(player));
+                .withBall(START.pointAt(ballAhead, aside));
     }
 
     private Kicked kick(Trial trial) {

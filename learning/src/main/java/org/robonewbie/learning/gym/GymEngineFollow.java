@@ -1,11 +1,9 @@
 package org.robonewbie.learning.gym;
 
-import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.walk.LearnedReflex;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.learning.policy.WalkCourse;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.trial.Chance;
@@ -19,7 +17,6 @@ import org.robonewbie.trial.Place;
  */
 final class GymEngineFollow extends GymFollow {
 
-    private static final Policy ENGINE = WalkCourse.RUN.policy(List.of(), WalkCourse.RUN.start(0));
     private static final double LEAST = 0.6;
     private static final double MOST = 1;
     private static final double MOST_TURN = 30;
@@ -42,7 +39,7 @@ final class GymEngineFollow extends GymFollow {
 
     @Override
     public Optional<Policy> walk() {
-        return Optional.of(ENGINE);
+        return Optional.of(WalkGuide.ENGINE);
     }
 
     @Override

@@ -1,11 +1,9 @@
 package org.robonewbie.learning.gym;
 
-import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.walk.LearnedReflex;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.learning.policy.WalkCourse;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.Trial;
@@ -17,7 +15,6 @@ import org.robonewbie.trial.Trial;
  */
 final class GymEngineRun extends GymTask {
 
-    private static final Policy ENGINE = WalkCourse.RUN.policy(List.of(), WalkCourse.RUN.start(0));
     private static final double LEAST = 0.7;
     private static final double MOST = 1.1;
     private static final double FOR_A_FALL = 3;
@@ -29,7 +26,7 @@ final class GymEngineRun extends GymTask {
 
     @Override
     public Optional<Policy> walk() {
-        return Optional.of(ENGINE);
+        return Optional.of(WalkGuide.ENGINE);
     }
 
     @Override

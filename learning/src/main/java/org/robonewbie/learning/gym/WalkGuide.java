@@ -2,12 +2,14 @@ package org.robonewbie.learning.gym;
 
 import java.util.List;
 import org.robonewbie.agent.perception.FootPressure;
+import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.walk.LearnedReflex;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.agent.walk.WalkMoment;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.learning.policy.WalkCourse;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
@@ -18,6 +20,9 @@ import org.robonewbie.nao.motion.PostureFollower;
  * for what is observed.
  */
 final class WalkGuide {
+
+    /** The engine that the tasks of this package correct: steps of 140 ms, and a network that changes nothing. */
+    static final Policy ENGINE = WalkCourse.RUN.policy(List.of(), WalkCourse.RUN.start(0));
 
     /** What is observed of a robot that walks. */
     static final List<ObservedQuantity> QUANTITIES = LearnedReflex.INPUTS.stream()
