@@ -14,7 +14,7 @@ from robonewbie.environment import EpisodeSeeds
 from robonewbie.simulator import RESET, SKIP, STEP, Connection
 from robonewbie.train import options_of
 
-# Trainings choose their episodes by small seeds.
+# Trainings choose their episodes by seeds from 10 million on.
 FIRST_SEED = 1_000_000
 
 

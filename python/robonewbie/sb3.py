@@ -7,7 +7,7 @@
 
 import numpy as np
 from gymnasium import spaces
-from stable_baselines3.common.vec_env import VecEnv as _VecEnv, VecEnvWrapper
+from stable_baselines3.common.vec_env import VecEnv as _VecEnv
 
 from robonewbie.environment import EpisodeSeeds, checked_render_mode, show, spaces_of
 from robonewbie.picture import draw
@@ -72,26 +72,3 @@ class VecEnv(_VecEnv):
 
     def env_is_wrapped(self, wrapper_class, indices=None):
         return [False] * len(list(self._get_indices(indices)))
-
-
-class _Inputs(VecEnvWrapper):
-    """Robots that observe only some of the numbers."""
-
-    def __init__(self, venv, places):
-        space = venv.observation_space
-        super().__init__(venv, observation_space=spaces.Box(space.low[places], space.high[places], dtype=space.dtype))
-        self._places = places
-
-    def reset(self):
-        return self.venv.reset()[:, self._places]
-
-    def step_wait(self):
-        observation, reward, done, infos = self.venv.step_wait()
-        for i in np.flatnonzero(done):
-            infos[i]["terminal_observation"] = infos[i]["terminal_observation"][self._places]
-        return observation[:, self._places], reward, done, infos
-
-
-def with_inputs(robots, places):
-    """Lets robots observe only the numbers at these places."""
-    return _Inputs(robots, list(places))

@@ -10,6 +10,7 @@ can be stopped at any moment. The observations' normalisation is folded into the
 
 import argparse
 import csv
+import math
 import os
 import re
 import sys
@@ -18,8 +19,8 @@ from pathlib import Path
 
 import numpy as np
 
-# A training that goes on has episodes whose seeds are so many times its own, far from those with which it began.
-SEEDS_APART = 1000
+# Stable-Baselines3 gives robot i the seed plus i, so neighbouring seeds would share most of their episodes.
+SEEDS_APART = 10_000_000
 
 
 def fold(weights, bias, mean, variance, epsilon):
@@ -52,14 +53,14 @@ def _numbers(layer):
     return layer.weight.detach().cpu().numpy().astype(float), layer.bias.detach().cpu().numpy().astype(float)
 
 
-def layers_of(model, normalisation):
-    """Takes the layers of a PPO model, with the normalisation folded into the first one."""
+def layers_of(model, normalisation, inputs):
+    """Takes the policy's layers of a PPO model, with the normalisation of its inputs, by their places, folded into the first one."""
     from torch.nn import Linear
 
     hidden = [layer for layer in model.policy.mlp_extractor.policy_net if isinstance(layer, Linear)]
     all_layers = [_numbers(layer) for layer in (*hidden, model.policy.action_net)]
     seen = normalisation.obs_rms
-    all_layers[0] = fold(*all_layers[0], seen.mean, seen.var, normalisation.epsilon)
+    all_layers[0] = fold(*all_layers[0], seen.mean[inputs], seen.var[inputs], normalisation.epsilon)
     return [(*layer, "tanh") for layer in all_layers[:-1]] + [(*all_layers[-1], "cut")]
 
 
@@ -86,13 +87,14 @@ def _arguments(words):
     parser.add_argument("--round", type=int, default=64, help="actions of each robot between two updates (64)")
     parser.add_argument("--batches", type=int, default=8, help="parts of a round from which it learns one after the other (8)")
     parser.add_argument("--epochs", type=int, default=10, help="how often it learns from a round (10)")
-    parser.add_argument("--rate", type=float, default=3e-4, help="how fast it learns (0.0003)")
+    parser.add_argument("--rate", type=float, default=3e-4, help="how fast it learns at first; falls evenly to nothing at the end of the steps (0.0003)")
     parser.add_argument("--gamma", type=float, default=0.99, help="what a reward is worth one action later (0.99)")
     parser.add_argument("--lambda", dest="trace", type=float, default=0.95, help="how far an action answers for what comes later: 0 only for what is expected then, 1 for all (0.95)")
     parser.add_argument("--noise", type=float, default=0.1, help="standard deviation of the first actions (0.1)")
     parser.add_argument("--hold", type=int, default=0, help="actions for which a robot errs in the same way, by gSDE; 0: each in another (0)")
     parser.add_argument("--hidden", type=int, default=64, help="neurons in each of the two hidden layers; 0 for none (64)")
     parser.add_argument("--inputs", default=".*", metavar="REGEX", help="names of what the policy takes (all that is observed)")
+    parser.add_argument("--critic", default=".*", metavar="REGEX", help="names of what the critic takes beside the time (all that is observed)")
     parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="changes the episodes, such as cycles=2, friction=0.7..1.3")
     parser.add_argument("--seed", type=int, default=1, help="chooses weights and episodes (1)")
     parser.add_argument("--out", type=Path, help="file of the policy (TASK.policy)")
@@ -110,22 +112,24 @@ class Training:
         from stable_baselines3 import PPO
         from stable_baselines3.common.vec_env import VecMonitor, VecNormalize
 
-        from robonewbie.sb3 import VecEnv, with_inputs
+        from robonewbie.critic import Timed, TwoViewsPolicy
+        from robonewbie.sb3 import VecEnv
 
         self.wanted = wanted
         self.out = wanted.out
         self.began = time.monotonic()
         self.task = VecEnv(wanted.task, wanted.robots, **wanted.options)
         self.inputs = chosen(self.task.description, wanted.inputs)
-        robots = VecMonitor(with_inputs(self.task, self.inputs))
+        longest = math.ceil(self.task.description["longestCycles"] / wanted.cycles)
+        robots = VecMonitor(Timed(self.task, longest))
         if wanted.resume:
             self.normalised = VecNormalize.load(str(self._beside(".normalisation")), robots)
             self.model = PPO.load(self._beside(".zip"), self.normalised, device="cpu")
-            rounds = self.model.num_timesteps // (wanted.robots * wanted.round)
-            self.model.set_random_seed(SEEDS_APART * wanted.seed + rounds)  # else it would meet its first episodes again
+            # With the seed alone it would meet its first episodes again.
+            self.model.set_random_seed(SEEDS_APART * wanted.seed + self.model.num_timesteps)
         else:
             self.normalised = VecNormalize(robots, gamma=wanted.gamma)
-            self.model = PPO("MlpPolicy", self.normalised, **self._settings())
+            self.model = PPO(TwoViewsPolicy, self.normalised, **self._settings())
             self._do_nothing_at_first()
 
     def _do_nothing_at_first(self):
@@ -147,11 +151,13 @@ class Training:
             "learning_rate": wanted.rate,
             "gamma": wanted.gamma,
             "gae_lambda": wanted.trace,
-            "seed": wanted.seed,
+            "seed": SEEDS_APART * wanted.seed,
             "device": "cpu",
             "use_sde": wanted.hold > 0,
             "sde_sample_freq": wanted.hold or -1,
             "policy_kwargs": {
+                "actor": self.inputs,
+                "critic": [*chosen(self.task.description, wanted.critic), len(self.task.description["observation"])],
                 "net_arch": {"pi": hidden, "vf": hidden or [64, 64]},
                 "log_std_init": float(np.log(_first_deviation(wanted, len(self.inputs)))),
             },
@@ -187,12 +193,12 @@ class Training:
                 f"learned by: python -m robonewbie.train {wanted.task} --steps {self.steps} --robots {wanted.robots} "
                 f"--round {wanted.round} --batches {wanted.batches} --epochs {wanted.epochs} --rate {wanted.rate:g} "
                 f"--gamma {wanted.gamma:g} --lambda {wanted.trace:g} --noise {wanted.noise:g} --hold {wanted.hold} --hidden {wanted.hidden} "
-                f"--inputs '{wanted.inputs}' {''.join(f'--option {word} ' for word in wanted.option)}--seed {wanted.seed}"
+                f"--inputs '{wanted.inputs}' --critic '{wanted.critic}' {''.join(f'--option {word} ' for word in wanted.option)}--seed {wanted.seed}"
             ],
             [(described["observation"][i]["name"], described["observation"][i]["unit"]) for i in self.inputs],
             described["action"],
             described["rangeDegrees"],
-            layers_of(self.model, self.normalised),
+            layers_of(self.model, self.normalised, self.inputs),
             described["motion"],
             wanted.cycles,
             described["walk"],
@@ -216,6 +222,8 @@ class Training:
     def run(self):
         """Learns, round by round."""
         while self.steps < self.wanted.steps:
+            rate = self.wanted.rate * (1 - self.steps / self.wanted.steps)
+            self.model.lr_schedule = lambda _, rate=rate: rate
             self.model.learn(self.wanted.robots * self.wanted.round, reset_num_timesteps=False)
             self.keep()
 

@@ -132,14 +132,14 @@ class TrainTest(unittest.TestCase):
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_baseline_has_a_row_for_the_table(self):
-        short = baselines.Baseline(256, "--round 32 --hidden 4", ("cycles=2", "push=60"))
+        short = baselines.Baseline(1024, "--round 32 --hidden 4", ("cycles=2", "push=60"))
         with tempfile.TemporaryDirectory() as folder, mock.patch.dict(baselines.TASKS, Stand=short), mock.patch.object(
             baselines, "EXAMINED", 4
         ), mock.patch.object(baselines, "COMMON", ["--robots", "4"]), mock.patch("sys.stdout", io.StringIO()) as told:
             baselines.main(["Stand", "--out", folder])
 
             self.assertTrue(Path(folder, "Stand.svg").exists())
-        self.assertRegex(told.getvalue(), r"\| `Stand` \| 256 \| .* \| 0 % \| 0 % \|")
+        self.assertRegex(told.getvalue(), r"\| `Stand` \| 1,024 \| .* \| 0 % \| 0 % \|")
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_goes_on_and_writes_a_policy_that_does_what_the_model_does(self):
@@ -155,14 +155,31 @@ class TrainTest(unittest.TestCase):
 
             training = train.Training(train._arguments([*words, "--resume"]))
             self.assertEqual(training.model.num_timesteps, 256)
-            self.assertEqual(training.task._seeds, [1004, 1005])
-            raw = training.task.reset()[0]
+            self.assertEqual(training.task._seeds, [10_000_256, 10_000_257])
+            raw = training.normalised.venv.reset()[0]
             wanted, _ = training.model.predict(training.normalised.normalize_obs(raw), deterministic=True)
             training.task.close()
-            values = raw.astype(float)
+            self.assertEqual(raw[-1], 0)  # what only the critic takes: nothing of the episode is over
+            values = raw[:-1].astype(float)
             for weights, bias, bend in layers(out.read_text(encoding="utf-8")):
                 values = bend(weights @ values + bias)
             np.testing.assert_allclose(values, wanted, atol=2e-3)
+
+    @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
+    def test_critic_sees_how_much_of_the_episode_is_over(self):
+        from robonewbie.critic import Timed
+        from robonewbie.sb3 import VecEnv
+
+        robots = Timed(VecEnv("Stand", 2, cycles=200, push=0), longest=3)
+        times, nothing = [robots.reset()[:, -1]], np.zeros((2, 12), dtype=np.float32)
+        for _ in range(3):
+            observation, _, done, infos = robots.step(nothing)
+            times.append(observation[:, -1])
+        robots.close()
+
+        np.testing.assert_allclose(times, [[0, 0], [1 / 3, 1 / 3], [2 / 3, 2 / 3], [0, 0]], atol=1e-6)
+        self.assertTrue(done.all())
+        self.assertAlmostEqual(infos[0]["terminal_observation"][-1], 1, places=6)
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_goes_on_in_the_same_way_from_the_same_round(self):

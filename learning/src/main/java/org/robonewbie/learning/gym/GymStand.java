@@ -1,5 +1,6 @@
 package org.robonewbie.learning.gym;
 
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.Moment;
 
@@ -10,8 +11,10 @@ import org.robonewbie.trial.Moment;
 final class GymStand extends GymTask {
 
     private static final double STEP_NEWTONS = 8;
+    private static final double BORNE_SECONDS = 6;
 
     private double earned;
+    private int cyclesOnItsFeet;
 
     @Override
     public double pushNewtons() {
@@ -25,7 +28,16 @@ final class GymStand extends GymTask {
 
     @Override
     protected void see(Moment first, Moment now) {
+        if (!hasFallen()) {
+            cyclesOnItsFeet++;
+        }
         earned += 1 - now.robot().tiltDegrees() / BodyState.FALLEN_DEGREES;
+    }
+
+    /** {@return whether the robot has stood for 6 s, in which it was pushed with up to 40 N} */
+    @Override
+    public boolean isDone() {
+        return cyclesOnItsFeet * Cycle.SECONDS >= BORNE_SECONDS;
     }
 
     @Override
