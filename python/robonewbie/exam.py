@@ -1,7 +1,7 @@
 """Examines policies on episodes that nobody has learned from, beside doing nothing.
 
     python -m robonewbie.exam Stand Stand.policy                  128 episodes each
-    python -m robonewbie.exam GetUp GetUp.policy --option cycles=5 --episodes 256
+    python -m robonewbie.exam QuickGetUp QuickGetUp.policy --option friction=2 --episodes 256
 """
 
 import argparse
@@ -22,12 +22,14 @@ class PlayedPolicy:
     """A policy as it stands in its file, without PyTorch: it gives the actions of all robots for what they observe."""
 
     def __init__(self, text):
-        self.inputs, self._layers = [], []
+        self.inputs, self.cycles, self._layers = [], 1, []
         lines = iter(text.splitlines())
         for line in lines:
             words = line.split(" ")
             if words[0] == "input":
                 self.inputs.append(words[1])
+            if words[:2] == ["numbers", "cycles-per-action"]:
+                self.cycles = int(words[2])
             if words[0] == "layer":
                 rows = np.array([[float(word) for word in next(lines).split()] for _ in range(int(words[2]))])
                 self._layers.append((rows[:, 1:].T, rows[:, 0], words[3]))
@@ -55,8 +57,11 @@ class Result:
 
 
 def examine(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None):
-    """Plays each episode once, all at the same time; without a policy all actions are zero. Gives a Result."""
-    robots = Connection(task, episodes, "", options)
+    """Plays each episode once, all at the same time; without a policy all actions are zero. Gives a Result.
+
+    An action lasts as long as while the policy was learned, unless the option cycles says something else.
+    """
+    robots = Connection(task, episodes, "", {**({"cycles": policy.cycles} if policy and policy.cycles > 1 else {}), **(options or {})})
     described = robots.description
     names = [entry["name"] for entry in described["observation"]]
     places = [names.index(name) for name in policy.inputs] if policy else []

@@ -30,6 +30,9 @@ public record Policy(
         List<Quantity> outputs,
         Network network) {
 
+    /** The name of the number that says how many cycles an action lasts, if it lasts more than one. */
+    public static final String CYCLES_PER_ACTION = "cycles-per-action";
+
     /**
      * Copies the lists and counts inputs and outputs.
      *
@@ -62,6 +65,11 @@ public record Policy(
                     + "\", but has " + found.size() + ".");
         }
         return found.stream().mapToDouble(Double::doubleValue).toArray();
+    }
+
+    /** {@return for how many cycles of 20 ms the robot keeps what the network gives, 1 unless it was learned in another way} */
+    public int cyclesPerAction() {
+        return numbers.containsKey(CYCLES_PER_ACTION) ? Math.max(1, (int) numbers(CYCLES_PER_ACTION, 1)[0]) : 1;
     }
 
     /**

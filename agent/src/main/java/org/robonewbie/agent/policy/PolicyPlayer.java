@@ -33,7 +33,6 @@ public final class PolicyPlayer {
     private static final String JOINT = "joint.";
     private static final String COMMAND = "command.";
     private static final String RANGE = "range-degrees";
-    private static final String CYCLES_PER_ACTION = "cycles-per-action";
 
     private final Network network;
     private final List<ToDoubleFunction<Robot>> inputs;
@@ -64,9 +63,7 @@ public final class PolicyPlayer {
         inputs = policy.inputs().stream().map(this::reading).toList();
         joints = policy.outputs().stream().map(PolicyPlayer::joint).toList();
         rangeDegrees = policy.numbers(RANGE, 1)[0];
-        cyclesPerAction = policy.numbers().containsKey(CYCLES_PER_ACTION)
-                ? Math.max(1, (int) policy.numbers(CYCLES_PER_ACTION, 1)[0])
-                : 1;
+        cyclesPerAction = policy.cyclesPerAction();
     }
 
     private ToDoubleFunction<Robot> reading(Quantity input) {

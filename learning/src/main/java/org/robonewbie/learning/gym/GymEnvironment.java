@@ -208,6 +208,16 @@ final class GymEnvironment implements AutoCloseable {
         return learners.stream().anyMatch(GymLearner::isOver);
     }
 
+    /** How many cycles the episode has lasted so far. */
+    int cycles() {
+        return cycles;
+    }
+
+    /** How many cycles an action lasts in this episode. */
+    int cyclesPerAction() {
+        return cyclesPerAction;
+    }
+
     /** Whether the episode has lasted as long as its task lasts. */
     boolean isLate() {
         return cycles >= task().longestCycles();

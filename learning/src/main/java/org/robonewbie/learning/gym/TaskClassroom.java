@@ -28,15 +28,18 @@ final class TaskClassroom implements Classroom {
         Network network = policy.network();
         int[] places = policy.inputs().stream().mapToInt(this::place).toArray();
         environment.reset(seed);
+        int steps = environment.cyclesPerAction() > 1 ? 1 : policy.cyclesPerAction();
+        double[] action = {};
         double reward = 0;
-        int cycles = 0;
-        while (!environment.isOver() && !environment.isLate()) {
-            environment.step(network.apply(taken(places, environment.observation())));
+        for (int i = 0; !environment.isOver() && !environment.isLate(); i++) {
+            if (i % steps == 0) {
+                action = network.apply(taken(places, environment.observation()));
+            }
+            environment.step(action);
             reward += environment.reward();
-            cycles++;
         }
         GymTask task = environment.task();
-        return LessonFigures.of(cycles, reward, task.hasFallen(), task.isDone());
+        return LessonFigures.of(environment.cycles(), reward, task.hasFallen(), task.isDone());
     }
 
     private static double[] taken(int[] places, double... observation) {

@@ -173,7 +173,23 @@ public final class TaskCourse implements Course {
     }
 
     @Override
+    public Policy policy(TrainingPlan plan, List<String> about, double... numbers) {
+        Policy learned = policy(about, numbers);
+        int cycles = options(plan).draw(plan.seed()).cycles();
+        if (cycles == 1) {
+            return learned;
+        }
+        Map<String, List<Double>> others = new TreeMap<>(learned.numbers());
+        others.put(Policy.CYCLES_PER_ACTION, List.of((double) cycles));
+        return new Policy(task, about, others, learned.inputs(), learned.outputs(), learned.network());
+    }
+
+    private static GymOptions options(TrainingPlan plan) {
+        return GymOrder.options(plan.options().stream());
+    }
+
+    @Override
     public Classroom open(TrainingPlan plan) {
-        return new TaskClassroom(environment(GymOrder.options(plan.options().stream())), this);
+        return new TaskClassroom(environment(options(plan)), this);
     }
 }

@@ -56,6 +56,18 @@ public interface Course {
     Policy policy(List<String> about, double... numbers);
 
     /**
+     * Makes a policy that was learned after a plan. It is played in the same way, such as with actions that last as many cycles.
+     *
+     * @param plan how it was learned
+     * @param about how it was learned, in lines for people
+     * @param numbers what was learned
+     * @return the policy
+     */
+    default Policy policy(TrainingPlan plan, List<String> about, double... numbers) {
+        return policy(about, numbers);
+    }
+
+    /**
      * Opens a world for lessons, one after the other.
      *
      * @param plan how somebody learns

@@ -147,6 +147,7 @@ public record PolicyTraining(Course course, TrainingPlan plan, Path output, List
 
     private Policy policy(EvolutionStrategy.State state) {
         String last = "learned by: robonewbie learn " + question() + " --generations " + state.generation();
-        return course.policy(Stream.concat(history.stream(), Stream.of(last)).toList(), state.mean());
+        return course.policy(
+                plan, Stream.concat(history.stream(), Stream.of(last)).toList(), state.mean());
     }
 }

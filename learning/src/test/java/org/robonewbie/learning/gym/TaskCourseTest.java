@@ -81,6 +81,20 @@ class TaskCourseTest {
     }
 
     @Test
+    void policyKeepsAnActionAsLongAsWhileItWasLearned() throws IOException {
+        Course stand = course("Stand");
+        TrainingPlan slow = new TrainingPlan(1, 1, 4, 0.5, 0.5, 9, 6, List.of("cycles=5"), 2);
+        TrainingPlan usual = new TrainingPlan(1, 1, 4, 0.5, 0.5, 9, 6, List.of(), 2);
+        PolicyTraining training = training(stand, slow);
+
+        Policy learned = training.run(training.begin(), line -> {});
+
+        assertThat(learned.cyclesPerAction()).isEqualTo(5);
+        assertThat(Exam.of(stand, usual, 4, learned).toString())
+                .isEqualTo(Exam.of(stand, slow, 4, learned).toString());
+    }
+
+    @Test
     void refusesWhatCannotBeLearned() {
         assertThatThrownBy(() -> course("Match1v1"))
                 .hasMessage("In Match1v1 several robots learn; choose a task for one.");
@@ -113,6 +127,7 @@ class TaskCourseTest {
         LessonFigures alone = Exam.of(stand, plan(1), 40, stand.policy(List.of(), stand.start(1)));
 
         assertThat(learned.seconds()).isGreaterThan(alone.seconds() + 40 * 0.2);
+        assertThat(learned.done()).isGreaterThan(alone.done() + 8);
     }
 
     @Test
