@@ -9,6 +9,7 @@ import org.robonewbie.simulator.cycle.SimulationCycle;
 final class AgentAcceptor {
 
     private static final int MAXIMUM_AGENTS = 256;
+    private static final int MOST_CHUNKS = 100;
 
     private final AgentPort port;
     private final SimulationCycle cycle;
@@ -53,6 +54,14 @@ final class AgentAcceptor {
         rung = false;
         admit(0);
         cycle.readMessages();
+    }
+
+    /** Takes in all that has arrived, such as an agent's last answer and then its end, unless somebody sends without end. */
+    void receiveAll() {
+        receive();
+        for (int chunks = 0; chunks < MOST_CHUNKS && admit(0); chunks++) {
+            cycle.readMessages();
+        }
     }
 
     /** Waits until there is something new; returns whether there is. */

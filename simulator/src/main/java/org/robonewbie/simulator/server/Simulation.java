@@ -170,7 +170,7 @@ final class Simulation implements SimulationControl, Runnable {
 
     /** Whether nothing is left to do: the last messages of agents that have ended still count, unless paused. */
     private boolean isFinished() {
-        acceptor.receive();
+        acceptor.receiveAll();
         return (paused && stepsLeft == 0)
                 || !settings.world().synchronous()
                 || settings.awaitedAgents() == 0

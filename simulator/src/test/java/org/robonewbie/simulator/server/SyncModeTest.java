@@ -7,6 +7,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -47,6 +49,23 @@ class SyncModeTest {
                 last = now;
             }
         }
+    }
+
+    @Test
+    void lastAnswerOfAnAgentThatHasEndedCountsHoweverSoonTheSimulatorIsClosed() throws IOException {
+        Set<Long> cycles = new TreeSet<>();
+        for (int i = 0; i < 40; i++) {
+            Simulator simulator = start(60);
+            try (TestAgent agent = agent(simulator)) {
+                agent.join("Stars", 1);
+                agent.send("(he1 1)(syn)");
+            } finally {
+                simulator.close();
+            }
+            cycles.add(simulator.cycles());
+        }
+
+        assertThat(cycles).hasSize(1);
     }
 
     @Test
