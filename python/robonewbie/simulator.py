@@ -146,11 +146,11 @@ def _connect():
     with _one_at_a_time():
         try:
             port = int(Path(_meeting_place).read_text(encoding="ascii"))
-            return socket.create_connection(("127.0.0.1", port), timeout=_PATIENCE_SECONDS)
+            return socket.create_connection(("127.0.0.1", port), timeout=_PATIENCE_SECONDS / 2)
         except (OSError, ValueError):
             _process, _owner = _Process(), os.getpid()
             Path(_meeting_place).write_text(str(_process.port), encoding="ascii")
-            return socket.create_connection(("127.0.0.1", _process.port), timeout=_PATIENCE_SECONDS)
+            return socket.create_connection(("127.0.0.1", _process.port), timeout=_PATIENCE_SECONDS / 2)
 
 
 @atexit.register
@@ -259,7 +259,10 @@ class Connection:
         data = bytearray(length)
         view = memoryview(data)
         while view:
-            count = self._socket.recv_into(view)
+            try:
+                count = self._socket.recv_into(view)
+            except TimeoutError:  # a program that was stopped (Control-Z) finds its wait over as soon as it goes on
+                count = self._socket.recv_into(view)
             if not count:
                 raise OSError("it was closed at the other end")
             view = view[count:]
