@@ -30,6 +30,9 @@ final class OrderOfArrival {
      * @param agents all agents; changed
      */
     static void arrange(List<ConnectedAgent> agents) {
+        if (isNobodyAwaited(agents)) {
+            return;
+        }
         sort(
                 agents,
                 agent -> agent.wantedRobot().isPresent(),
@@ -39,6 +42,15 @@ final class OrderOfArrival {
                 agent -> agent.wantedTeam().isPresent() && agent.player().isEmpty(),
                 Comparator.comparing(agent -> agent.wantedTeam().orElseThrow(), BY_NAME));
         distributeBodies(joining);
+    }
+
+    private static boolean isNobodyAwaited(List<ConnectedAgent> agents) {
+        for (int i = 0; i < agents.size(); i++) {
+            if (agents.get(i).connection().isAwaited()) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** Sorts those of interest among themselves; they keep their places in the list as a group. */

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.Consumer;
 import java.util.function.IntPredicate;
+import java.util.function.Predicate;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
@@ -200,21 +201,22 @@ public final class SimulationCycle implements Restorable {
 
     /** {@return the first agent for whose answer a synchronous world waits} */
     public Optional<ConnectedAgent> unsynchronisedAgent() {
-        for (int i = 0; i < agents.size(); i++) {
-            if (!agents.get(i).connection().isSynchronised()) {
-                return Optional.of(agents.get(i));
-            }
-        }
-        return Optional.empty();
+        return first(agent -> !agent.connection().isSynchronised());
     }
 
     /** {@return the first agent that is still there and has not yet answered, or has not said anything at all} */
     public Optional<ConnectedAgent> unansweredAgent() {
-        return agents.stream()
-                .filter(agent -> agent.connection().link().isOpen())
-                .filter(agent ->
-                        !agent.connection().isHeardOf() || !agent.connection().isSynchronised())
-                .findFirst();
+        return first(agent -> agent.connection().link().isOpen()
+                && !(agent.connection().isHeardOf() && agent.connection().isSynchronised()));
+    }
+
+    private Optional<ConnectedAgent> first(Predicate<ConnectedAgent> wanted) {
+        for (int i = 0; i < agents.size(); i++) {
+            if (wanted.test(agents.get(i))) {
+                return Optional.of(agents.get(i));
+            }
+        }
+        return Optional.empty();
     }
 
     /** Ends the connections to all agents. */
@@ -276,9 +278,7 @@ public final class SimulationCycle implements Restorable {
             effectors.execute(agent, agents);
         }
         OrderOfArrival.arrange(agents);
-        for (ConnectedAgent agent : agents) {
-            agent.connection().send();
-        }
+        agents.forEach(agent -> agent.connection().send());
         for (ConnectedAgent agent : agents) {
             agent.cycleBegins();
             effectors.prepareStep(agent);

@@ -244,7 +244,7 @@ public final class Match implements Restorable {
     }
 
     Optional<Player> playerOf(Robot robot) {
-        return players().stream().filter(player -> player.robot() == robot).findFirst();
+        return teams.playerOf(robot);
     }
 
     Vector3 ballVelocity() {

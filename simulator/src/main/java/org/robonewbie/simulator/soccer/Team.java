@@ -17,6 +17,7 @@ public final class Team {
     private final String name;
     private final SoccerParameters parameters;
     private final List<Player> players = new ArrayList<>();
+    private final List<Player> readOnly = Collections.unmodifiableList(players);
     private TeamSide side;
 
     Team(String name, TeamSide side, SoccerParameters parameters) {
@@ -37,7 +38,7 @@ public final class Team {
 
     /** {@return the players in the order in which they joined, unmodifiable} */
     public List<Player> players() {
-        return Collections.unmodifiableList(players);
+        return readOnly;
     }
 
     void changeSide() {

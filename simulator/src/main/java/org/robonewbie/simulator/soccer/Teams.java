@@ -18,6 +18,7 @@ public final class Teams {
     private final SoccerParameters parameters;
     private final List<Team> teams = new ArrayList<>();
     private final List<Player> players = new ArrayList<>();
+    private final List<Player> readOnly = Collections.unmodifiableList(players);
     private final StartPlaces leftPlaces;
     private final StartPlaces rightPlaces;
 
@@ -29,7 +30,7 @@ public final class Teams {
 
     /** {@return all players of both teams in the order in which they joined, unmodifiable} */
     public List<Player> players() {
-        return Collections.unmodifiableList(players);
+        return readOnly;
     }
 
     /**
@@ -39,7 +40,12 @@ public final class Teams {
      * @return the team; empty before it has joined
      */
     public Optional<Team> team(TeamSide side) {
-        return teams.stream().filter(team -> team.side() == side).findFirst();
+        for (int i = 0; i < teams.size(); i++) {
+            if (teams.get(i).side() == side) {
+                return Optional.of(teams.get(i));
+            }
+        }
+        return Optional.empty();
     }
 
     /**
@@ -63,6 +69,16 @@ public final class Teams {
         return players.stream()
                 .filter(player -> player.side() == side && player.number() == number)
                 .findFirst();
+    }
+
+    /** Looks up whose body a robot is. */
+    Optional<Player> playerOf(Robot robot) {
+        for (int i = 0; i < players.size(); i++) {
+            if (players.get(i).robot() == robot) {
+                return Optional.of(players.get(i));
+            }
+        }
+        return Optional.empty();
     }
 
     /**

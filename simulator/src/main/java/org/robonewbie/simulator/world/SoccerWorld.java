@@ -36,6 +36,7 @@ public final class SoccerWorld implements Restorable {
     private final Ball ball;
     private final PlacedThings things;
     private final List<Robot> robots = new ArrayList<>();
+    private final List<Robot> readOnlyRobots = Collections.unmodifiableList(robots);
     private final ContactReport report = new ContactReport();
 
     /**
@@ -125,7 +126,7 @@ public final class SoccerWorld implements Restorable {
 
     /** {@return all robots in the order in which they were added, unmodifiable} */
     public List<Robot> robots() {
-        return Collections.unmodifiableList(robots);
+        return readOnlyRobots;
     }
 
     /**
