@@ -14,6 +14,7 @@ import org.robonewbie.protocol.monitor.FoulType;
 final class EventBook implements Restorable {
 
     private final List<MatchEvent> events = new ArrayList<>();
+    private final List<MatchEvent> readOnly = Collections.unmodifiableList(events);
 
     void add(MatchEvent event) {
         events.add(event);
@@ -24,7 +25,7 @@ final class EventBook implements Restorable {
     }
 
     List<MatchEvent> events() {
-        return Collections.unmodifiableList(events);
+        return readOnly;
     }
 
     @Override

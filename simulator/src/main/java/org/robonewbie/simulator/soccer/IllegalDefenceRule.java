@@ -24,11 +24,9 @@ final class IllegalDefenceRule implements FoulRule {
 
     private void judge(TeamSide side) {
         Area area = match.penaltyArea(side);
-        for (Player player : match.players(side)) {
-            player.fouls().watchArea(area.contains(player.position()), match.currentTick());
-        }
         List<Player> inside = new ArrayList<>(0);
         for (Player player : match.players(side)) {
+            player.fouls().watchArea(area.contains(player.position()), match.currentTick());
             if (player.fouls().areaEntryTick() != FoulHistory.NEVER
                     && !player.fouls().isPunished()) {
                 inside.add(player);

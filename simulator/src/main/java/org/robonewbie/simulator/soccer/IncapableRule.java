@@ -19,15 +19,14 @@ final class IncapableRule implements FoulRule {
 
     @Override
     public void judge() {
-        for (Player player : match.players()) {
-            if (!player.fouls().isPunished()) {
-                judge(player);
-            }
-        }
+        match.players().forEach(this::judge);
     }
 
     private void judge(Player player) {
         FoulHistory fouls = player.fouls();
+        if (fouls.isPunished()) {
+            return;
+        }
         if (Math.abs(player.position().y()) < match.field().width() / 2 + MARGIN) {
             double height = player.position().z();
             fouls.countLying(height < GROUND_HEIGHT, height >= STANDING_HEIGHT, TICKS_UNTIL_STANDING);

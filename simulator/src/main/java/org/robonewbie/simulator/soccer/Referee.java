@@ -44,9 +44,7 @@ final class Referee implements Memory {
 
     /** Judges one tick. */
     void judge(boolean paused) {
-        for (Player player : match.players()) {
-            player.fouls().remember(player.robot().torsoVelocity());
-        }
+        match.players().forEach(player -> player.fouls().remember(player.robot().torsoVelocity()));
         if (paused) {
             match.players().forEach(player -> player.fouls().forgiveFouls());
             return;

@@ -27,9 +27,7 @@ final class TouchingRule implements FoulRule {
                 newcomer(group).flatMap(player -> offender(player, group)).ifPresent(player -> punish(player, group));
             }
         }
-        for (Player player : match.players()) {
-            player.fouls().setTouched(Set.of());
-        }
+        match.players().forEach(player -> player.fouls().setTouched(Set.of()));
         groups.forEach(group -> group.forEach(player -> player.fouls().setTouched(group)));
     }
 

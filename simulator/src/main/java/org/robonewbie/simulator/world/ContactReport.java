@@ -15,6 +15,8 @@ final class ContactReport {
 
     private final List<RobotPart> ballTouches = new ArrayList<>();
     private final List<RobotContact> robotContacts = new ArrayList<>();
+    private final List<RobotPart> readOnlyTouches = Collections.unmodifiableList(ballTouches);
+    private final List<RobotContact> readOnlyContacts = Collections.unmodifiableList(robotContacts);
     private final Set<TeamSide> goalsWithBall = EnumSet.noneOf(TeamSide.class);
 
     void read(List<Contact> contacts) {
@@ -31,11 +33,11 @@ final class ContactReport {
     }
 
     List<RobotPart> ballTouches() {
-        return Collections.unmodifiableList(ballTouches);
+        return readOnlyTouches;
     }
 
     List<RobotContact> robotContacts() {
-        return Collections.unmodifiableList(robotContacts);
+        return readOnlyContacts;
     }
 
     boolean isBallInGoal(TeamSide side) {
