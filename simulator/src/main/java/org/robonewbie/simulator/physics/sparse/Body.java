@@ -44,8 +44,6 @@ final class Body implements RigidBody, Restorable {
     int islandIndex;
     /** Whether this step has put the body in an island already. */
     boolean visited;
-    /** Whether the solver needs its acceleration now. */
-    boolean watched;
 
     private final MassDistribution usual;
     private double mass;

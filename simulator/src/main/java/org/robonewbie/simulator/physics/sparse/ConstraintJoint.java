@@ -19,8 +19,6 @@ abstract class ConstraintJoint {
     int firstRow;
     /** Whether this step has put the joint in an island already. */
     boolean visited;
-    /** Whether a row at its limit pushes, while the island is solved. */
-    boolean pushes;
     /** Whether its rows are those of a hinge: three along the axes of the world that hold a point, and three that only turn. */
     final boolean hinge;
 
@@ -59,19 +57,6 @@ abstract class ConstraintJoint {
 
     /** Takes from the rows what has to be remembered after the step. */
     void readForces(ConstraintRows rows) {}
-
-    /** Lets the solver compute the accelerations of its bodies. */
-    final void watch() {
-        first.watched = true;
-        if (second != null) {
-            second.watched = true;
-        }
-    }
-
-    /** Whether the solver needs the acceleration of one of its bodies. */
-    final boolean isWatched() {
-        return first.watched || (second != null && second.watched);
-    }
 
     /** The body at the other end of the joint. */
     final @Nullable Body opposite(Body body) {

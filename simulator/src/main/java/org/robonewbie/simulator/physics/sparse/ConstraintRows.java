@@ -179,54 +179,6 @@ final class ConstraintRows {
         }
     }
 
-    /** Adds what the forces of a joint's rows do to the accelerations of the bodies. */
-    void accelerate(ConstraintJoint joint) {
-        add(firstResponse, joint, joint.first.acceleration);
-        if (joint.second != null) {
-            add(secondResponse, joint, joint.second.acceleration);
-        }
-    }
-
-    private void add(double[] response, ConstraintJoint joint, double[] acceleration) {
-        int from = joint.firstRow;
-        int end = from + joint.rowCount();
-        if (joint.hinge) {
-            int at = 6 * from;
-            acceleration[0] += response[at] * force[from];
-            acceleration[1] += response[at + 7] * force[from + 1];
-            acceleration[2] += response[at + 14] * force[from + 2];
-        } else {
-            add(response, from, end, acceleration, 0);
-        }
-        add(response, from, end, acceleration, 3);
-    }
-
-    /** Adds the linear or the angular half. */
-    private void add(double[] response, int from, int end, double[] acceleration, int half) {
-        double x = acceleration[half];
-        double y = acceleration[half + 1];
-        double z = acceleration[half + 2];
-        for (int row = from; row < end; row++) {
-            int at = 6 * row + half;
-            double factor = force[row];
-            x += response[at] * factor;
-            y += response[at + 1] * factor;
-            z += response[at + 2] * factor;
-        }
-        acceleration[half] = x;
-        acceleration[half + 1] = y;
-        acceleration[half + 2] = z;
-    }
-
-    /** The residual of a row: (A λ - b), with the accelerations of the present forces. */
-    double excess(ConstraintJoint joint, int row) {
-        double motion = dot6(first, 6 * row, joint.first.acceleration);
-        if (joint.second != null) {
-            motion += dot6(second, 6 * row, joint.second.acceleration);
-        }
-        return motion + softness[row] * force[row] - wanted[row];
-    }
-
     static double dot6(double[] jacobian, int at, double[] motion) {
         return Rotations.dot(jacobian, at, motion, 0) + Rotations.dot(jacobian, at + 3, motion, 3);
     }

@@ -27,6 +27,7 @@ final class ForceSolver {
     private static final double MOTION_TOLERANCE = 1e-9;
 
     private final ConstraintRows rows;
+    private final Accelerations accelerations;
     private final BlockCholesky cholesky = new BlockCholesky();
     private int[] limited = {};
     private int[] limitedJoint = {};
@@ -39,17 +40,20 @@ final class ForceSolver {
 
     ForceSolver(ConstraintRows rows) {
         this.rows = rows;
+        accelerations = new Accelerations(rows);
     }
 
     /** Solves; afterwards the rows hold the forces and the bodies the accelerations that come from them. */
     void solve(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
         cholesky.assemble(plan, rows);
+        accelerations.begin(joints, bodies.size());
         findLimits(plan, joints);
-        if (rows.count > MOST_ROWS_OF_A_ROBOT || !searchNearby(plan, joints, bodies)) {
-            search(plan, joints, bodies);
+        if (rows.count > MOST_ROWS_OF_A_ROBOT || !searchNearby(plan, joints)) {
+            search(plan);
         }
-        watch(bodies, true);
-        accelerate(joints, bodies);
+        accelerations.watchAll(true);
+        accelerations.addAll();
+        accelerations.tell(bodies);
     }
 
     /**
@@ -58,14 +62,14 @@ final class ForceSolver {
      *
      * @return whether that went well and no row is so near to another state that rounding could decide
      */
-    private boolean searchNearby(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
+    private boolean searchNearby(EliminationPlan plan, List<ConstraintJoint> joints) {
         guess();
         for (int i = 0; i < joints.size(); i++) {
             joints.get(i).guessStates(rows);
         }
         for (int round = ROUNDS_NEARBY; round > 0; round--) {
-            computeForces(plan, joints, bodies);
-            if (countWrong(joints, bodies) == 0) {
+            computeForces(plan);
+            if (countWrong() == 0) {
                 return isBeyondDoubt();
             }
             changeMostWrong();
@@ -82,14 +86,14 @@ final class ForceSolver {
         return true;
     }
 
-    private void search(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
+    private void search(EliminationPlan plan) {
         cholesky.allRowsChanged();
         guess();
         int fewest = Integer.MAX_VALUE;
         int patience = ROUNDS_WITHOUT_PROGRESS;
         for (int round = mostRounds(); round > 0; round--) {
-            computeForces(plan, joints, bodies);
-            int wrong = countWrong(joints, bodies);
+            computeForces(plan);
+            int wrong = countWrong();
             if (wrong == 0) {
                 break;
             }
@@ -141,17 +145,12 @@ final class ForceSolver {
         }
     }
 
-    private void computeForces(EliminationPlan plan, List<ConstraintJoint> joints, List<Body> bodies) {
+    private void computeForces(EliminationPlan plan) {
         cholesky.factorise(rows.state);
-        if (setLimits(joints, bodies)) {
-            clearAccelerations(bodies);
-            for (int i = 0; i < joints.size(); i++) {
-                if (joints.get(i).pushes) {
-                    rows.accelerate(joints.get(i));
-                }
-            }
+        if (setLimits()) {
+            accelerations.addPushes();
             for (int k = 0; k < plan.joints(); k++) {
-                demand(joints.get(plan.order[k]), plan.firstRow[k], plan.firstRow[k + 1]);
+                demand(plan.order[k], plan.firstRow[k], plan.firstRow[k + 1]);
             }
         } else {
             System.arraycopy(rows.wanted, 0, rows.solution, 0, rows.count);
@@ -165,29 +164,25 @@ final class ForceSolver {
     }
 
     /** What is left to the free rows of a joint when rows at their limits push. Bodies that are not pushed spare the sums. */
-    private void demand(ConstraintJoint joint, int from, int to) {
-        boolean moved = joint.isWatched();
+    private void demand(int joint, int from, int to) {
+        boolean moved = accelerations.isWatched(joint);
         for (int row = from; row < to; row++) {
-            rows.solution[row] = moved ? -rows.excess(joint, row) : -(0 - rows.wanted[row]);
+            rows.solution[row] = moved ? -accelerations.excess(joint, row) : -(0 - rows.wanted[row]);
         }
     }
 
     /** Sets the forces of all rows at a limit, clears the others, watches bodies that are pushed; returns whether any is. */
-    private boolean setLimits(List<ConstraintJoint> joints, List<Body> bodies) {
+    private boolean setLimits() {
         Arrays.fill(rows.force, 0, rows.count, 0);
-        for (int i = 0; i < joints.size(); i++) {
-            joints.get(i).pushes = false;
-        }
-        watch(bodies, false);
+        accelerations.stopPushing();
+        accelerations.watchAll(false);
         boolean pushed = false;
         for (int i = 0; i < limits; i++) {
             int row = limited[i];
             if (rows.state[row] != ConstraintRows.FREE) {
                 rows.force[row] = rows.state[row] == ConstraintRows.LOW ? rows.lower[row] : rows.upper[row];
                 if (rows.force[row] != 0) {
-                    ConstraintJoint joint = joints.get(limitedBy[i]);
-                    joint.pushes = true;
-                    joint.watch();
+                    accelerations.push(limitedBy[i]);
                     pushed = true;
                 }
             }
@@ -195,60 +190,37 @@ final class ForceSolver {
         return pushed;
     }
 
-    private static void watch(List<Body> bodies, boolean watched) {
-        for (int i = 0; i < bodies.size(); i++) {
-            bodies.get(i).watched = watched;
-        }
-    }
-
-    private static void clearAccelerations(List<Body> bodies) {
-        for (int i = 0; i < bodies.size(); i++) {
-            bodies.get(i).clearAcceleration();
-        }
-    }
-
-    /** Accelerates the watched bodies. */
-    private void accelerate(List<ConstraintJoint> joints, List<Body> bodies) {
-        clearAccelerations(bodies);
-        for (int i = 0; i < joints.size(); i++) {
-            ConstraintJoint joint = joints.get(i);
-            if (joint.isWatched()) {
-                rows.accelerate(joint);
-            }
-        }
-    }
-
     /** Only bodies that are held by a row at its limit need their accelerations for this. */
-    private int countWrong(List<ConstraintJoint> joints, List<Body> bodies) {
-        watch(bodies, false);
+    private int countWrong() {
+        accelerations.watchAll(false);
         boolean any = false;
         for (int i = 0; i < limits; i++) {
             if (rows.state[limited[i]] != ConstraintRows.FREE) {
-                joints.get(limitedBy[i]).watch();
+                accelerations.watch(limitedBy[i]);
                 any = true;
             }
         }
         if (any) {
-            accelerate(joints, bodies);
+            accelerations.addAll();
         }
         int wrong = 0;
         for (int i = 0; i < limits; i++) {
             int row = limited[i];
-            wrongness[i] = wrongness(joints.get(limitedBy[i]), row);
+            wrongness[i] = wrongness(limitedBy[i], row);
             rows.next[row] = nextState(row, wrongness[i]);
             wrong += rows.next[row] == rows.state[row] ? 0 : 1;
         }
         return wrong;
     }
 
-    private double wrongness(ConstraintJoint joint, int row) {
+    private double wrongness(int joint, int row) {
         if (rows.state[row] == ConstraintRows.FREE) {
             return Math.max(rows.lower[row] - rows.force[row], rows.force[row] - rows.upper[row]);
         }
         if (rows.lower[row] == rows.upper[row]) {
             return Double.NEGATIVE_INFINITY;
         }
-        double excess = rows.excess(joint, row);
+        double excess = accelerations.excess(joint, row);
         return rows.state[row] == ConstraintRows.LOW ? -excess : excess;
     }
 
