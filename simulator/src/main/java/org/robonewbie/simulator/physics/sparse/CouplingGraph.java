@@ -30,7 +30,13 @@ final class CouplingGraph {
 
     private int[] ends = {};
     private long[] neighbours = {};
+    /** How many rows the neighbours of each joint have together. */
+    private int[] rowsAround = {};
+
     private final IntegerList members = new IntegerList();
+    /** Which words of a set of joints the members are in. */
+    private final IntegerList memberWords = new IntegerList();
+
     private final Tournament fewestRows = new Tournament();
 
     /**
@@ -55,6 +61,7 @@ final class CouplingGraph {
     private void makeRoom() {
         if (rows.length < size) {
             rows = new int[size + size / 2];
+            rowsAround = new int[rows.length];
             ends = new int[2 * rows.length];
         }
         if (endsStart.length <= bodies + 1) {
@@ -124,7 +131,8 @@ final class CouplingGraph {
         }
         fewestRows.begin(size);
         for (int joint = 0; joint < size; joint++) {
-            fewestRows.enter(joint, rowsOfNeighbours(joint));
+            rowsAround[joint] = rowsOfNeighbours(joint);
+            fewestRows.enter(joint, rowsAround[joint]);
         }
         fewestRows.play();
     }
@@ -148,34 +156,51 @@ final class CouplingGraph {
                 int other = members.numbers[i];
                 coupled.add(other);
                 join(other, joint);
-                fewestRows.change(other, rowsOfNeighbours(other));
+                fewestRows.change(other, rowsAround[other]);
             }
         }
         coupledStart[size] = coupled.size();
     }
 
-    /** Couples a joint with all neighbours of the one that goes, and no more with that one. */
+    /** Couples a joint with all neighbours of the one that goes, and no more with that one. On a tree it knows them all already. */
     private void join(int other, int joint) {
-        for (int word = 0; word < words; word++) {
-            neighbours[other * words + word] |= neighbours[joint * words + word];
-        }
-        neighbours[other * words + other / 64] &= ~(1L << (other % 64));
         neighbours[other * words + joint / 64] &= ~(1L << (joint % 64));
+        rowsAround[other] -= rows[joint];
+        for (int i = 0; i < memberWords.size(); i++) {
+            int word = memberWords.numbers[i];
+            int at = other * words + word;
+            long more = neighbours[joint * words + word] & ~neighbours[at];
+            if (word == other / 64) {
+                more &= ~(1L << (other % 64));
+            }
+            neighbours[at] |= more;
+            rowsAround[other] += rowsOf(word, more);
+        }
     }
 
     private int rowsOfNeighbours(int joint) {
         int sum = 0;
         for (int word = 0; word < words; word++) {
-            for (long bits = neighbours[joint * words + word]; bits != 0; bits &= bits - 1) {
-                sum += rows[64 * word + Long.numberOfTrailingZeros(bits)];
-            }
+            sum += rowsOf(word, neighbours[joint * words + word]);
+        }
+        return sum;
+    }
+
+    private int rowsOf(int word, long joints) {
+        int sum = 0;
+        for (long bits = joints; bits != 0; bits &= bits - 1) {
+            sum += rows[64 * word + Long.numberOfTrailingZeros(bits)];
         }
         return sum;
     }
 
     private void findMembers(int set) {
         members.clear();
+        memberWords.clear();
         for (int word = 0; word < words; word++) {
+            if (neighbours[set + word] != 0) {
+                memberWords.add(word);
+            }
             for (long bits = neighbours[set + word]; bits != 0; bits &= bits - 1) {
                 members.add(64 * word + Long.numberOfTrailingZeros(bits));
             }
