@@ -49,12 +49,12 @@ TASKS = {
     "EngineFollow": _ENGINE,
     "EngineRun": _ENGINE,
     "KickTo": Baseline(
-        1_000_000,
+        1_500_000,
         "--robots 256 --round 60 --rate 0.001 --gamma 1 --noise 0.06 --hold 60 --hidden 32 --inputs command.*|motion.*",
         ("cycles=5",),
     ),
     "QuickGetUp": Baseline(
-        4_000_000,
+        2_000_000,
         "--robots 256 --round 100 --rate 0.001 --gamma 0.99 --noise 0.1 --hold 100 --hidden 0"
         " --inputs motion.*|gyro.left|accelerometer.(forward|up)",
         ("cycles=2", "friction=0.5..2", "mass=0.9..1.1"),

@@ -108,13 +108,17 @@ class TrainTest(unittest.TestCase):
         self.assertFalse(first.successes.any())
         self.assertIn("success 0 of 3", str(first))
 
-    def test_what_ppo_has_learned_on_top_of_the_walk_engine_pays_more_than_the_engine_alone(self):
-        file = Path(__file__).parents[2] / "learning/src/test/resources/policies/engine-run-by-ppo.policy"
-        learned = exam.examine("EngineRun", exam.PlayedPolicy(file.read_text(encoding="utf-8")), 16)
-        nothing = exam.examine("EngineRun", None, 16)
+    def test_what_ppo_has_learned_pays_more_than_doing_nothing_in_each_task(self):
+        gains = {"Stand": 10, "EngineFollow": 3, "EngineRun": 4, "KickTo": 0.1, "QuickGetUp": 0.2}
+        for task, baseline in baselines.TASKS.items():
+            with self.subTest(task):
+                options = train.options_of(baseline.options)
+                policy = Path(__file__).parents[1] / "baselines" / f"{task}-1.policy"
+                learned = exam.examine(task, exam.PlayedPolicy(policy.read_text(encoding="utf-8")), 64, options=options)
+                nothing = exam.examine(task, None, 64, options=options)
 
-        self.assertGreater(np.mean(learned.rewards), np.mean(nothing.rewards) + 3)
-        self.assertGreater(np.mean(learned.actions), 3 * np.mean(nothing.actions))
+                self.assertGreater(np.mean(learned.rewards), np.mean(nothing.rewards) + gains[task])
+                self.assertGreater(np.mean(learned.successes), np.mean(nothing.successes))
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_begins_with_doing_nothing_and_takes_what_it_is_told_to_take(self):

@@ -20,17 +20,12 @@ final class GymEngineFollow extends GymFollow {
     private static final double LEAST = 0.6;
     private static final double MOST = 1;
     private static final double MOST_TURN = 30;
-    private static final double TOLERATED = 0.6;
     private static final double FOR_A_FALL = 3;
+    private static final double GOAL_METRES = 5;
 
     private Optional<Place> before = Optional.empty();
     private double turned;
     private double metres;
-
-    /** Creates the task. */
-    GymEngineFollow() {
-        super(TOLERATED);
-    }
 
     @Override
     WalkVelocity any(Chance chance, WalkVelocity last) {
@@ -49,13 +44,18 @@ final class GymEngineFollow extends GymFollow {
 
     @Override
     protected void see(Moment first, Moment now) {
-        super.see(first, now);
         Vector3 here = now.robot().position();
         before.ifPresent(place -> {
             turned += velocity().turn() * Cycle.SECONDS;
             metres += new Place(place.x(), place.y(), first.place().degrees() + turned).ahead(here);
         });
         before = Optional.of(now.place());
+    }
+
+    /** {@return whether the robot has got 5 m ahead, as it was told, on its feet} */
+    @Override
+    public boolean isDone() {
+        return !hasFallen() && metres >= GOAL_METRES;
     }
 
     @Override

@@ -3,7 +3,7 @@ package org.robonewbie.learning.gym;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,7 +18,6 @@ import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.agent.policy.Network;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.PolicyPlayer;
-import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.PolicyWalk;
@@ -83,11 +82,7 @@ class PlayedPolicyTest {
 
     @Test
     void agentKeepsOnItsFeetByThePolicyOfPpoWhereTheEngineAloneFalls() throws IOException {
-        Policy learned = PolicyText.parse(new String(
-                PlayedPolicyTest.class
-                        .getResourceAsStream("/policies/engine-run-by-ppo.policy")
-                        .readAllBytes(),
-                StandardCharsets.UTF_8));
+        Policy learned = PolicyFile.read(Path.of("../python/baselines/EngineRun-3.policy"));
         WalkVelocity fast = new WalkVelocity(0.9, 0, 0);
 
         assertThat(secondsOnItsFeet(new PolicyWalk(learned), fast)).isGreaterThan(4);
