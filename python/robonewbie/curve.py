@@ -62,7 +62,8 @@ def svg(curves):
         y, x = low + (high - low) * i / 4, most * i / 4
         parts.append(f'<polyline points="{points([0, most], [y, y])}" stroke="#ddd" fill="none"/>')
         parts.append(f'<text x="{LEFT - 6}" y="{points([0], [y]).split(",")[1]}" text-anchor="end">{y:.1f}</text>')
-        parts.append(f'<text x="{points([x], [0]).split(",")[0]}" y="{HEIGHT - 22}" text-anchor="middle">{x:.1f}</text>')
+        anchor = "middle" if i < 4 else "end"
+        parts.append(f'<text x="{points([x], [0]).split(",")[0]}" y="{HEIGHT - 22}" text-anchor="{anchor}">{x:.1f}</text>')
     for i, (name, xs, ys, *spread) in enumerate(curves):
         colour = COLOURS[i % len(COLOURS)]
         if spread:
