@@ -61,7 +61,7 @@ class RepeatedTrainingTest {
         Course stand = TaskCourse.of("Stand", "gyro.(forward|left)", 0, CLASSES);
         TrainingPlan plan = new TrainingPlan(1, 1, 24, 0.02, 0.006, 9, 6, List.of(), 2);
 
-        assertThat(firstLine(stand, plan)).isEqualTo("1,48,12903,244.8772,48,,,0");
+        assertThat(firstLine(stand, plan)).isEqualTo("1,48,12903,244.8772,48,,,4");
     }
 
     @Test
