@@ -170,17 +170,11 @@ final class Accelerations {
 
     /** The residual of a row: (A λ - b), with the accelerations that were summed up last. */
     double excess(int joint, int row) {
-        double motion = along(rows.first, row, first[joint]);
+        double motion = ConstraintRows.dot6(rows.first, NUMBERS * row, numbers, NUMBERS * first[joint]);
         if (second[joint] != CouplingGraph.FIXED) {
-            motion += along(rows.second, row, second[joint]);
+            motion += ConstraintRows.dot6(rows.second, NUMBERS * row, numbers, NUMBERS * second[joint]);
         }
         return motion + rows.softness[row] * rows.force[row] - rows.wanted[row];
-    }
-
-    private double along(double[] jacobian, int row, int body) {
-        int at = NUMBERS * row;
-        int from = NUMBERS * body;
-        return Rotations.dot(jacobian, at, numbers, from) + Rotations.dot(jacobian, at + 3, numbers, from + 3);
     }
 
     /** Gives the bodies their accelerations. */

@@ -180,6 +180,10 @@ final class ConstraintRows {
     }
 
     static double dot6(double[] jacobian, int at, double[] motion) {
-        return Rotations.dot(jacobian, at, motion, 0) + Rotations.dot(jacobian, at + 3, motion, 3);
+        return dot6(jacobian, at, motion, 0);
+    }
+
+    static double dot6(double[] jacobian, int at, double[] motions, int from) {
+        return Rotations.dot(jacobian, at, motions, from) + Rotations.dot(jacobian, at + 3, motions, from + 3);
     }
 }
