@@ -61,7 +61,7 @@ def examine(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None
 
     An action lasts as long as while the policy was learned, unless the option cycles says something else.
     """
-    robots = Connection(task, episodes, "", {**({"cycles": policy.cycles} if policy and policy.cycles > 1 else {}), **(options or {})})
+    robots = Connection(task, episodes, "", {"cycles": policy.cycles if policy else 1, **(options or {})})
     described = robots.description
     names = [entry["name"] for entry in described["observation"]]
     places = [names.index(name) for name in policy.inputs] if policy else []

@@ -1,8 +1,6 @@
 package org.robonewbie.learning.gym;
 
 import java.util.Optional;
-import org.robonewbie.agent.policy.Policy;
-import org.robonewbie.agent.walk.LearnedReflex;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
@@ -15,13 +13,11 @@ import org.robonewbie.trial.Place;
  * another one every 3 s. A robot that corrects nothing falls within a few seconds. It pays 1 per metre into the direction in which
  * the robot would look if it had turned as it was told, and a fall costs 3.
  */
-final class GymEngineFollow extends GymFollow {
+final class GymEngineFollow extends GymEngineTask {
 
     private static final double LEAST = 0.6;
     private static final double MOST = 1;
     private static final double MOST_TURN = 30;
-    private static final double FOR_A_FALL = 3;
-    private static final double GOAL_METRES = 5;
 
     private Optional<Place> before = Optional.empty();
     private double turned;
@@ -30,16 +26,6 @@ final class GymEngineFollow extends GymFollow {
     @Override
     WalkVelocity any(Chance chance, WalkVelocity last) {
         return new WalkVelocity(chance.between(LEAST, MOST), 0, chance.between(-MOST_TURN, MOST_TURN));
-    }
-
-    @Override
-    public Optional<Policy> walk() {
-        return Optional.of(WalkGuide.ENGINE);
-    }
-
-    @Override
-    public double rangeDegrees() {
-        return LearnedReflex.RANGE_DEGREES;
     }
 
     @Override
@@ -52,14 +38,8 @@ final class GymEngineFollow extends GymFollow {
         before = Optional.of(now.place());
     }
 
-    /** {@return whether the robot has got 5 m ahead, as it was told, on its feet} */
     @Override
-    public boolean isDone() {
-        return !hasFallen() && metres >= GOAL_METRES;
-    }
-
-    @Override
-    public double value() {
-        return metres - (hasFallen() ? FOR_A_FALL : 0);
+    double metres() {
+        return metres;
     }
 }

@@ -213,11 +213,6 @@ final class GymEnvironment implements AutoCloseable {
         return cycles;
     }
 
-    /** How many cycles an action lasts in this episode. */
-    int cyclesPerAction() {
-        return cyclesPerAction;
-    }
-
     /** Whether the episode has lasted as long as its task lasts. */
     boolean isLate() {
         return cycles >= task().longestCycles();

@@ -3,25 +3,22 @@ package org.robonewbie.learning.gym;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
-import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
-import org.robonewbie.trial.Trial;
 
 /**
  * Follow a commanded velocity, another one every 3 s. Each second pays 1, less the error of the velocity in the last 0.4 s (1 for 0.3
  * m/s or 90°/s, together 1.5 at most); a fall costs 5, so that a dive never pays. The options {@code forward}, {@code left}
  * and {@code turn} set one command for the whole episode.
  */
-class GymFollow extends GymTask {
+class GymFollow extends GymCommandedTask {
 
     private static final WalkVelocity MOST = new WalkVelocity(0.8, 0.2, 90);
     private static final double BACKWARD = 0.3;
-    private static final int CYCLES_OF_COMMAND = 150;
     private static final int WINDOW = 20;
     private static final double USUAL_METRES_PER_SECOND = 0.3;
     private static final double DEGREES_PER_SECOND = 90;
@@ -30,12 +27,9 @@ class GymFollow extends GymTask {
     private static final double DONE_PART = 0.5;
 
     private final Deque<Place> places = new ArrayDeque<>();
-    private Optional<WalkVelocity> fixed = Optional.empty();
-    private WalkVelocity wanted = WalkVelocity.ZERO;
     private final double toleratedMetresPerSecond;
     private double earned;
     private double possible;
-    private int cycle;
 
     /** Creates the task. */
     GymFollow() {
@@ -48,39 +42,12 @@ class GymFollow extends GymTask {
     }
 
     @Override
-    protected void takeCommand(WalkVelocity command) {
-        fixed = Optional.of(command);
-    }
-
-    @Override
-    public void begin(Trial trial) {
-        choose();
-    }
-
-    @Override
-    public void act(Trial trial) {
-        cycle++;
-        if (cycle % CYCLES_OF_COMMAND == 0) {
-            choose();
-        }
-    }
-
-    private void choose() {
-        wanted = fixed.orElseGet(() -> any(chance(), wanted));
-    }
-
-    /** Draws the next velocity to follow; the one before is zero at first. */
     WalkVelocity any(Chance chance, WalkVelocity before) {
         return new WalkVelocity(
                         chance.between(-BACKWARD, MOST.forward()),
                         chance.between(-MOST.left(), MOST.left()),
                         chance.between(-MOST.turn(), MOST.turn()))
                 .within(MOST, BACKWARD);
-    }
-
-    @Override
-    protected WalkVelocity velocity() {
-        return wanted;
     }
 
     @Override
@@ -98,7 +65,7 @@ class GymFollow extends GymTask {
 
     @Override
     public double[] extras() {
-        return new double[] {wanted.forward(), wanted.left(), wanted.turn()};
+        return new double[] {velocity().forward(), velocity().left(), velocity().turn()};
     }
 
     @Override
@@ -116,9 +83,9 @@ class GymFollow extends GymTask {
         double turned = PortableMath.IEEEremainder(now.degrees() - before.degrees(), 360);
         Place middle = new Place(before.x(), before.y(), before.degrees() + turned / 2);
         double error = PortableMath.hypot(
-                middle.ahead(now.point(0, 0, 0)) / seconds - wanted.forward(),
-                middle.left(now.point(0, 0, 0)) / seconds - wanted.left());
-        double turnError = Math.abs(turned / seconds - wanted.turn());
+                middle.ahead(now.point(0, 0, 0)) / seconds - velocity().forward(),
+                middle.left(now.point(0, 0, 0)) / seconds - velocity().left());
+        double turnError = Math.abs(turned / seconds - velocity().turn());
         return Math.min(MOST_ERROR, error / toleratedMetresPerSecond + turnError / DEGREES_PER_SECOND);
     }
 

@@ -132,6 +132,11 @@ final class GymOptions {
         return new GymOptions(changed);
     }
 
+    /** These options, with actions that last so many cycles unless the options say something else. */
+    GymOptions withUsualCycles(int cycles) {
+        return ranges.containsKey(Name.CYCLES) ? this : with(Name.CYCLES.word(), Integer.toString(cycles));
+    }
+
     /** Draws the numbers of an episode: independent of the chance that the task itself uses. */
     Drawn draw(long seed) {
         Chance chance = new Chance(~seed);

@@ -11,10 +11,12 @@ import org.robonewbie.learning.policy.LessonFigures;
 final class TaskClassroom implements Classroom {
 
     private final GymEnvironment environment;
+    private final GymOptions options;
     private final TaskCourse course;
 
-    TaskClassroom(GymEnvironment environment, TaskCourse course) {
+    TaskClassroom(GymEnvironment environment, GymOptions options, TaskCourse course) {
         this.environment = environment;
+        this.options = options;
         this.course = course;
     }
 
@@ -27,15 +29,11 @@ final class TaskClassroom implements Classroom {
     public LessonFigures examine(long seed, Policy policy) {
         Network network = policy.network();
         int[] places = policy.inputs().stream().mapToInt(this::place).toArray();
+        environment.setOptions(options.withUsualCycles(policy.cyclesPerAction()));
         environment.reset(seed);
-        int steps = environment.cyclesPerAction() > 1 ? 1 : policy.cyclesPerAction();
-        double[] action = {};
         double reward = 0;
-        for (int i = 0; !environment.isOver() && !environment.isLate(); i++) {
-            if (i % steps == 0) {
-                action = network.apply(taken(places, environment.observation()));
-            }
-            environment.step(action);
+        while (!environment.isOver() && !environment.isLate()) {
+            environment.step(network.apply(taken(places, environment.observation())));
             reward += environment.reward();
         }
         GymTask task = environment.task();

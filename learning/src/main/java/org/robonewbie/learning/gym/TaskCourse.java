@@ -165,23 +165,23 @@ public final class TaskCourse implements Course {
 
     @Override
     public Policy policy(List<String> about, double... numbers) {
-        Map<String, List<Double>> others =
-                new TreeMap<>(model.walk().map(Policy::numbers).orElse(Map.of()));
-        others.put(RANGE, List.of(model.rangeDegrees()));
-        model.motion().ifPresent(motion -> others.put(MotionGuide.MOTION, MotionGuide.numbers(motion)));
-        return new Policy(task, about, others, inputs(), model.outputs(), Network.of(layers, numbers));
+        return policy(1, about, numbers);
     }
 
     @Override
     public Policy policy(TrainingPlan plan, List<String> about, double... numbers) {
-        Policy learned = policy(about, numbers);
-        int cycles = options(plan).draw(plan.seed()).cycles();
-        if (cycles == 1) {
-            return learned;
+        return policy(options(plan).draw(plan.seed()).cycles(), about, numbers);
+    }
+
+    private Policy policy(int cyclesPerAction, List<String> about, double... numbers) {
+        Map<String, List<Double>> others =
+                new TreeMap<>(model.walk().map(Policy::numbers).orElse(Map.of()));
+        others.put(RANGE, List.of(model.rangeDegrees()));
+        if (cyclesPerAction > 1) {
+            others.put(Policy.CYCLES_PER_ACTION, List.of((double) cyclesPerAction));
         }
-        Map<String, List<Double>> others = new TreeMap<>(learned.numbers());
-        others.put(Policy.CYCLES_PER_ACTION, List.of((double) cycles));
-        return new Policy(task, about, others, learned.inputs(), learned.outputs(), learned.network());
+        model.motion().ifPresent(motion -> others.put(MotionGuide.MOTION, MotionGuide.numbers(motion)));
+        return new Policy(task, about, others, inputs(), model.outputs(), Network.of(layers, numbers));
     }
 
     private static GymOptions options(TrainingPlan plan) {
@@ -190,6 +190,7 @@ public final class TaskCourse implements Course {
 
     @Override
     public Classroom open(TrainingPlan plan) {
-        return new TaskClassroom(environment(options(plan)), this);
+        GymOptions options = options(plan);
+        return new TaskClassroom(environment(options), options, this);
     }
 }
