@@ -1,0 +1,233 @@
+package org.robonewbie.nao.text;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The text of a file that a person wrote. A byte order mark decides the encoding; without one it is UTF-8, or Windows-1252 if
+ * the bytes are no UTF-8. {@link #encode} gives the same bytes back. Unmodifiable.
+ *
+ * <pre>{@code
+ * DecodedText text = DecodedText.of(bytes);
+ * for (String line : text.lines()) { ... }
+ * byte[] changed = text.encode(text.content().replace("30", "45"));
+ * }</pre>
+ *
+ * @param encoding how the bytes were encoded
+ * @param hasByteOrderMark whether they began with a byte order mark, which {@code content} does not contain
+ * @param content all characters, with the line ends of the file
+ */
+public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, String content) {
+
+    /** What to do about a text that cannot be decoded; a sentence. */
+    public static final String SAVE_AS_UTF_8 = "Save it as UTF-8 (most editors: Save As, Encoding).";
+
+    private static final HexFormat HEXADECIMAL = HexFormat.of();
+
+    private static final char MARK = '\uFEFF';
+
+    /** A text without any character, in UTF-8. */
+    public static final DecodedText EMPTY = new DecodedText(TextEncoding.UTF_8, false, "");
+
+    /**
+     * Decodes the bytes of a file.
+     *
+     * @param bytes all of them
+     * @return the text
+     * @throws UndecodableTextException if they are no text in any {@link TextEncoding}; it names the line
+     */
+    public static DecodedText of(byte[] bytes) throws UndecodableTextException {
+        Optional<String> wide = utf16(bytes);
+        if (wide.isPresent()) {
+            boolean isLittle = bytes[0] == (byte) 0xFF;
+            return marked(isLittle ? TextEncoding.UTF_16_LE : TextEncoding.UTF_16_BE, wide.get());
+        }
+        try {
+            return marked(
+                    TextEncoding.UTF_8,
+                    StandardCharsets.UTF_8
+                            .newDecoder()
+                            .decode(ByteBuffer.wrap(bytes))
+                            .toString());
+        } catch (CharacterCodingException noUnicode) {
+            refuseDamagedUtf8(bytes);
+            return marked(TextEncoding.WINDOWS_1252, windows1252(bytes));
+        }
+    }
+
+    /** {@return the lines, without their ends: carriage return, line feed, or both} */
+    public List<String> lines() {
+        return content.lines().toList();
+    }
+
+    /**
+     * Says that the encoding was inferred, so that the reader of a garbled letter knows why.
+     *
+     * @return where a letter was read as Windows-1252, such as {@code line 3 is not UTF-8 and was read as Windows-1252:
+     *     "// grüße". Save it as UTF-8 …}; empty if the encoding is certain
+     */
+    public Optional<String> note() {
+        if (encoding != TextEncoding.WINDOWS_1252) {
+            return Optional.empty();
+        }
+        List<String> lines = lines();
+        int first = 0;
+        while (lines.get(first).chars().allMatch(character -> character < 0x80)) {
+            first++;
+        }
+        return Optional.of("line " + (first + 1) + " is not UTF-8 and was read as Windows-1252: \""
+                + shortened(lines.get(first).strip()) + "\". " + SAVE_AS_UTF_8);
+    }
+
+    /**
+     * Encodes a text as the file was: in the same encoding with the same byte order mark, or in UTF-8 if that encoding lacks one
+     * of its characters.
+     *
+     * @param changed the text
+     * @return the bytes for the file
+     */
+    public byte[] encode(String changed) {
+        String marked = hasByteOrderMark ? MARK + changed : changed;
+        return switch (encoding) {
+            case UTF_8 -> marked.getBytes(StandardCharsets.UTF_8);
+            case UTF_16_LE -> utf16(marked, 0);
+            case UTF_16_BE -> utf16(marked, 1);
+            case WINDOWS_1252 -> windows1252(marked).orElseGet(() -> marked.getBytes(StandardCharsets.UTF_8));
+        };
+    }
+
+    private static DecodedText marked(TextEncoding encoding, String decoded) throws UndecodableTextException {
+        int zero = decoded.indexOf('\0');
+        if (zero >= 0) {
+            throw new UndecodableTextException(
+                    lineAt(decoded, zero),
+                    "contains a zero byte, as in files that are no text, or in UTF-16 without a byte order mark");
+        }
+        boolean hasMark = !decoded.isEmpty() && decoded.charAt(0) == MARK;
+        return new DecodedText(encoding, hasMark, hasMark ? decoded.substring(1) : decoded);
+    }
+
+    /** Few bytes that are no UTF-8 among many letters that are: the file is damaged, and no other encoding would help. */
+    private static void refuseDamagedUtf8(byte[] bytes) throws UndecodableTextException {
+        int letters = 0;
+        int wrong = 0;
+        int firstWrong = bytes.length;
+        int i = 0;
+        while (i < bytes.length) {
+            int length = utf8Length(bytes, i);
+            letters += length > 1 ? 1 : 0;
+            wrong += length == 0 ? 1 : 0;
+            firstWrong = length == 0 ? Math.min(firstWrong, i) : firstWrong;
+            i += Math.max(1, length);
+        }
+        if (letters > wrong) {
+            String before = new String(bytes, 0, firstWrong, StandardCharsets.UTF_8);
+            throw new UndecodableTextException(
+                    lineAt(before, before.length()), "is not UTF-8, though the rest of the file is: it is damaged");
+        }
+    }
+
+    /** How many bytes the character there has in UTF-8; 0 if it is none. */
+    private static int utf8Length(byte[] bytes, int at) {
+        int lead = bytes[at] & 0xFF;
+        int length = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 0;
+        for (int i = at + 1; i < at + length; i++) {
+            if (i >= bytes.length || (bytes[i] & 0xC0) != 0x80) {
+                return 0;
+            }
+        }
+        return length;
+    }
+
+    private static Optional<String> utf16(byte[] bytes) throws UndecodableTextException {
+        int first = bytes.length < 2 ? 0 : char16(bytes, 0, 1);
+        if (first != 0xFEFF && first != 0xFFFE) {
+            return Optional.empty();
+        }
+        int high = first == 0xFEFF ? 0 : 1;
+        char[] characters = new char[bytes.length / 2];
+        for (int i = 0; i < characters.length; i++) {
+            characters[i] = (char) char16(bytes, 2 * i + high, 2 * i + 1 - high);
+        }
+        String decoded = new String(characters);
+        int wrong = bytes.length % 2 == 1 ? characters.length : unpairedSurrogate(decoded);
+        if (wrong >= 0) {
+            throw new UndecodableTextException(lineAt(decoded, wrong), "is cut within a character of UTF-16");
+        }
+        return Optional.of(decoded);
+    }
+
+    private static int char16(byte[] bytes, int high, int low) {
+        return ((bytes[high] & 0xFF) << 8) | (bytes[low] & 0xFF);
+    }
+
+    private static int unpairedSurrogate(String text) {
+        for (int i = 0; i < text.length(); i++) {
+            if (Character.isSurrogate(text.charAt(i))) {
+                boolean isPair = i + 1 < text.length() && Character.isSurrogatePair(text.charAt(i), text.charAt(i + 1));
+                if (!isPair) {
+                    return i;
+                }
+                i++;
+            }
+        }
+        return -1;
+    }
+
+    private static byte[] utf16(String text, int low) {
+        byte[] bytes = new byte[2 * text.length()];
+        for (int i = 0; i < text.length(); i++) {
+            bytes[2 * i + low] = (byte) text.charAt(i);
+            bytes[2 * i + 1 - low] = (byte) (text.charAt(i) >> 8);
+        }
+        return bytes;
+    }
+
+    private static String windows1252(byte[] bytes) throws UndecodableTextException {
+        StringBuilder text = new StringBuilder(bytes.length);
+        for (byte each : bytes) {
+            char character = Windows1252.decode(each);
+            if (character == '\0') {
+                throw new UndecodableTextException(
+                        lineAt(text, text.length()),
+                        "is neither UTF-8 nor Windows-1252 (byte 0x" + HEXADECIMAL.formatHex(new byte[] {each}) + ")");
+            }
+            text.append(character);
+        }
+        return text.toString();
+    }
+
+    private static Optional<byte[]> windows1252(String text) {
+        byte[] bytes = new byte[text.length()];
+        for (int i = 0; i < bytes.length; i++) {
+            int code = Windows1252.encode(text.charAt(i));
+            if (code < 0) {
+                return Optional.empty();
+            }
+            bytes[i] = (byte) code;
+        }
+        return Optional.of(bytes);
+    }
+
+    private static int lineAt(CharSequence text, int index) {
+        long ends = text.subSequence(0, Math.min(index, text.length()))
+                .toString()
+                .lines()
+                .count();
+        boolean isAtStart = index == 0 || isLineEnd(text.charAt(Math.min(index, text.length()) - 1));
+        return (int) ends + (isAtStart ? 1 : 0);
+    }
+
+    private static boolean isLineEnd(char character) {
+        return character == '\n' || character == '\r';
+    }
+
+    private static String shortened(String line) {
+        int most = 60;
+        return line.length() <= most ? line : line.substring(0, most) + "…";
+    }
+}
