@@ -111,18 +111,14 @@ public final class EffectorMessageReader {
         }
     }
 
+    /** Takes the first word, as rcssserver3d does: whatever follows it within the parentheses is skipped. */
     private void readSay() {
         if (reader.next() != Token.ATOM) {
             ignore("\"say\" was ignored: it needs a text of 1 to 20 characters without blanks and parentheses");
             return;
         }
         try {
-            Say say = new Say(reader.text());
-            if (reader.next() == Token.CLOSE) {
-                commands.accept(say);
-            } else {
-                ignore("\"say\" was ignored: it needs one text without blanks and parentheses");
-            }
+            finish(new Say(reader.text()));
         } catch (IllegalArgumentException refused) {
             ignore("\"say\" was ignored. " + refused.getMessage());
         }

@@ -125,7 +125,6 @@ class EffectorMessageReaderTest {
                 "(he1 (2)) | Joint command \"he1\" was ignored: it needs one number, the speed in radians per second",
                 "(beam 1 2) | \"beam\" was ignored: it needs three numbers, x and y in metres and the heading in degrees",
                 "(say) | \"say\" was ignored: it needs a text of 1 to 20 characters without blanks and parentheses",
-                "(say two words) | \"say\" was ignored: it needs one text without blanks and parentheses",
                 "(scene) | \"scene\" was ignored: it needs a file name such as rsg/agent/nao/nao.rsg",
             })
     void saysWhatItIgnored(String text, String problem) {
@@ -133,6 +132,28 @@ class EffectorMessageReaderTest {
 
         assertThat(problems).containsExactly(problem);
         assertThat(commands).containsExactly(new Synchronise());
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "(say a b c),a",
+        "(say a(b)c),a",
+        "(say\ta\tb),a",
+        "(say pass 123456789012345678901),pass",
+        "(say a ()),a"
+    })
+    void takesTheFirstWordOfATextAsTheOriginalDoes(String text, String heard) {
+        read(text + "(syn)");
+
+        assertThat(commands).containsExactly(new Say(heard), new Synchronise());
+        assertThat(problems).isEmpty();
+    }
+
+    @Test
+    void dropsATextThatIsNotClosed() {
+        read("(say a b");
+
+        assertThat(commands).isEmpty();
     }
 
     @Test

@@ -40,6 +40,9 @@ final class FreeKickRule implements PlayModeRule {
         double distance = match.parameters().get(SoccerParameter.FREE_KICK_DISTANCE);
         double moveDistance = match.parameters().get(SoccerParameter.FREE_KICK_MOVE_DISTANCE);
         match.repositioning().clearCircle(side.opponent(), spot, distance, moveDistance);
+        if (preparation.dropIfLate(spot)) {
+            return;
+        }
         Optional<Player> taker = preparation.holdBall(spot);
         if (taker.isPresent()) {
             match.setSetPiece(Optional.of(new SetPiece(side, taker, match.currentTick(), indirect, false)));

@@ -35,8 +35,12 @@ final class GoalKickRule implements PlayModeRule {
         Area area = match.penaltyArea(side);
         double moveDistance = match.parameters().get(SoccerParameter.FREE_KICK_MOVE_DISTANCE);
         match.repositioning().clearArea(side.opponent(), area, moveDistance);
+        Vector3 spot = Spots.goalKick(match, side);
+        if (preparation.dropIfLate(spot)) {
+            return;
+        }
         if (taker.isEmpty()) {
-            taker = preparation.holdBall(Spots.goalKick(match, side));
+            taker = preparation.holdBall(spot);
         }
         Vector3 ball = match.ball().position();
         if (taker.isPresent() && !area.contains(ball)) {

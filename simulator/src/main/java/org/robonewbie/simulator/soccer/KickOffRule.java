@@ -32,7 +32,7 @@ final class KickOffRule implements PlayModeRule {
         if (toucher.isPresent()) {
             match.setSetPiece(Optional.of(new SetPiece(side, toucher, match.currentTick(), true, true)));
             match.setPlayMode(PlayMode.PLAY_ON);
-        } else if (match.state().modeSeconds() > match.parameters().get(SoccerParameter.RULE_DROP_BALL_TIME)) {
+        } else if (KickPreparation.isLate(match)) {
             match.dropBall(match.ball().position());
         }
     }

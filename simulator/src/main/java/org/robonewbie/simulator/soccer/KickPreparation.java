@@ -15,7 +15,6 @@ final class KickPreparation {
     private final Match match;
     private final TeamSide side;
     private final double pauseSeconds;
-    private final double dropBallSeconds;
     private long firstTouchTick;
     private boolean repelled;
 
@@ -23,7 +22,6 @@ final class KickPreparation {
         this.match = match;
         this.side = side;
         pauseSeconds = match.parameters().get(SoccerParameter.RULE_KICK_IN_PAUSE_TIME);
-        dropBallSeconds = match.parameters().get(SoccerParameter.RULE_DROP_BALL_TIME);
     }
 
     void begin() {
@@ -35,21 +33,40 @@ final class KickPreparation {
         return match.state().modeSeconds() < pauseSeconds;
     }
 
-    /** Holds the ball and returns who has kicked it; gives it free for all when it takes too long. */
+    /** Whether a kick has not been taken for so long that the ball is free for all; never if the time for that is 0. */
+    static boolean isLate(Match match) {
+        double limit = match.parameters().get(SoccerParameter.RULE_DROP_BALL_TIME);
+        return limit > 0 && match.state().modeSeconds() > limit;
+    }
+
+    /** Gives the ball free for all when the kick takes too long; returns whether it did. */
+    boolean dropIfLate(Vector3 spot) {
+        boolean late = isLate(match);
+        if (late) {
+            match.dropBall(spot);
+        }
+        return late;
+    }
+
+    /**
+     * Holds the ball and returns who has kicked it. As in SimSpark, the ball is left where it is while no robot has touched it in the
+     * whole game, which happens only when a trainer sets the play mode.
+     */
     Optional<Player> holdBall(Vector3 spot) {
+        Optional<Player> toucher = match.ball().touchedAfter(firstTouchTick);
+        if (toucher.isEmpty() && match.ball().lastTouch().isPresent()) {
+            repelOnce(spot);
+            match.ball().place(spot);
+        }
+        return toucher;
+    }
+
+    private void repelOnce(Vector3 spot) {
         if (!repelled) {
             repelled = true;
             double distance = match.parameters().get(SoccerParameter.KICK_REPEL_DISTANCE);
             match.repositioning().pushAway(side, spot, distance, distance);
         }
-        Optional<Player> toucher = match.ball().touchedAfter(firstTouchTick);
-        if (toucher.isEmpty()) {
-            match.ball().place(spot);
-            if (match.state().modeSeconds() > dropBallSeconds) {
-                match.dropBall(spot);
-            }
-        }
-        return toucher;
     }
 
     void save(StateWriter out) {

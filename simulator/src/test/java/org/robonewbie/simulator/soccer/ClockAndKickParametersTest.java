@@ -105,7 +105,7 @@ class ClockAndKickParametersTest {
     @Test
     void ballRollsOnDuringThePauseBeforeAKickWhichCanBeSet() {
         Game game = playing("RuleKickInPauseTime=2");
-        game.join("Stars", 1);
+        game.touchAndLeave(game.join("Stars", 1));
         game.roll(4, 9.8, 0, 0);
         game.cycle();
         game.match.setPlayMode(PlayMode.KICK_IN_LEFT);
@@ -135,6 +135,7 @@ class ClockAndKickParametersTest {
     @Test
     void placeOfTheGoalKickCanBeSet() {
         Game game = playing("GoalKickDist=2.5");
+        game.touchAndLeave(game.join("Stars", 1));
         game.match.setPlayMode(PlayMode.GOAL_KICK_LEFT);
 
         game.cycles(1.1);
@@ -159,6 +160,9 @@ class ClockAndKickParametersTest {
     void kickingTeamIsPushedFromTheBallOnce() {
         Game game = playing("KickRepelDist=0.8");
         Player kicker = game.join("Stars", 2);
+        game.touchAndLeave(kicker);
+        game.roll(0, 0, 0, 0);
+        game.cycle();
         game.put(kicker, -0.3, 0);
         game.match.setPlayMode(PlayMode.FREE_KICK_LEFT);
 
@@ -183,6 +187,7 @@ class ClockAndKickParametersTest {
     @Test
     void sizeOfThePenaltyAreaCanBeSet() {
         Game game = playing("PenaltyLength=4", "PenaltyWidth=6");
+        game.touchAndLeave(game.join("Stars", 1));
         game.roll(12, 3, 0, 0);
         game.cycle();
         game.match.setPlayMode(PlayMode.FREE_KICK_LEFT);

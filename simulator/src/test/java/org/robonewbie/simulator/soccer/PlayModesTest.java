@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
@@ -224,6 +226,36 @@ class PlayModesTest {
                 .isGreaterThan(2.3);
     }
 
+    @ParameterizedTest
+    @EnumSource(names = {"KICK_IN_LEFT", "CORNER_KICK_LEFT", "CORNER_KICK_RIGHT", "FREE_KICK_LEFT", "GOAL_KICK_RIGHT"})
+    void ballThatNoRobotHasTouchedIsNotPlacedForAKick(PlayMode kick) {
+        game.join("Stars", 1);
+        game.match.setPlayMode(PlayMode.PLAY_ON);
+        game.roll(20, 9.96, 0, 0);
+        game.cycle();
+
+        game.match.setPlayMode(kick);
+        game.cycles(3);
+
+        assertThat(game.playMode()).isEqualTo(kick);
+        assertThat(game.ballDistance(20, 9.96)).isLessThan(0.01);
+    }
+
+    @Test
+    void goalKickThatStaysInThePenaltyAreaBecomesDropBall() {
+        Player player = game.join("Stars", 1);
+        game.match.setPlayMode(PlayMode.PLAY_ON);
+        game.touchAndLeave(player);
+        game.match.setPlayMode(PlayMode.GOAL_KICK_LEFT);
+        game.cycles(1.2);
+        game.touch(player);
+
+        game.cycles(15);
+
+        assertThat(game.playMode()).isEqualTo(PlayMode.PLAY_ON);
+        assertThat(game.ballDistance(-13.2, 3)).isLessThan(0.1);
+    }
+
     @Test
     void kickThatNobodyTakesBecomesDropBall() {
         game.join("Stars", 1);
@@ -237,6 +269,8 @@ class PlayModesTest {
     @Test
     void goalKickIsOverWhenTheBallHasLeftThePenaltyArea() {
         Player player = game.join("Stars", 1);
+        game.match.setPlayMode(PlayMode.PLAY_ON);
+        game.touchAndLeave(player);
         game.match.setPlayMode(PlayMode.GOAL_KICK_LEFT);
         game.cycles(1.2);
         game.touch(player);
@@ -251,7 +285,8 @@ class PlayModesTest {
 
     @Test
     void freeKickInsidePenaltyAreaIsTakenFromItsCorner() {
-        game.join("Stars", 1);
+        game.match.setPlayMode(PlayMode.PLAY_ON);
+        game.touchAndLeave(game.join("Stars", 1));
         game.roll(14.5, 1, 0, 0);
         game.cycle();
 
