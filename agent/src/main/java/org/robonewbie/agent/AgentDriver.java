@@ -89,7 +89,7 @@ public final class AgentDriver {
         agent.begin(options);
         link.offerState(new AgentState(agent));
         LinkPort wire = new LinkPort(link, agent.clockwork().senses().buffer());
-        new StartDialogue(wire, agent.clockwork(), options).run(() -> {});
+        new StartDialogue(wire, agent.clockwork(), options).run(() -> {}, () -> {});
         session = new Session(agent.clockwork(), wire, options.seconds(), CycleWatch.NONE);
     }
 

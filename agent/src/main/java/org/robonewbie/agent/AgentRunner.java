@@ -12,9 +12,9 @@ import org.robonewbie.agent.cycle.Clockwork;
 import org.robonewbie.agent.cycle.CycleWatch;
 import org.robonewbie.agent.cycle.LinkPort;
 import org.robonewbie.agent.cycle.Session;
+import org.robonewbie.agent.running.JoinTurn;
 import org.robonewbie.agent.running.LogPrinter;
 import org.robonewbie.agent.running.PunctualPort;
-import org.robonewbie.agent.running.SideBySide;
 import org.robonewbie.agent.running.SilenceNotice;
 import org.robonewbie.agent.running.SimulatorConnection;
 import org.robonewbie.agent.running.Watchdog;
@@ -68,15 +68,27 @@ final class AgentRunner {
 
     /** Brings a robot into the game, to its first place. */
     static Session join(
-            Clockwork robot, SimulatorConnection simulator, AgentLink link, Options options, CycleWatch watch)
+            Clockwork robot,
+            SimulatorConnection simulator,
+            AgentLink link,
+            Options options,
+            CycleWatch watch,
+            JoinTurn turn)
             throws IOException {
         robot.telemetry().publishTo(simulator.telemetry());
         LinkPort port = new LinkPort(link, robot.senses().buffer());
         try (SilenceNotice notice = SilenceNotice.of(simulator.place())) {
-            new StartDialogue(port, robot, options).run(notice::close);
+            new StartDialogue(port, robot, options).run(both(notice::close, turn::answered), turn::end);
         }
         OptionalDouble life = simulator.endsByItself() ? OptionalDouble.empty() : options.seconds();
         return new Session(robot, new PunctualPort(port, robot, watch::slowPlace, System::nanoTime), life, watch);
+    }
+
+    private static Runnable both(Runnable first, Runnable second) {
+        return () -> {
+            first.run();
+            second.run();
+        };
     }
 
     private static void check(List<Agent> agents) {
@@ -90,26 +102,66 @@ final class AgentRunner {
         }
     }
 
-    /** The agents connect in order, so that each seed gives the same game. */
+    /**
+     * The agents connect in order, so that each seed gives the same game. Each joins a server when the one before it is at its place,
+     * unless the server waits for all of them.
+     */
     private int runAll(List<Agent> agents, List<Options> options) {
-        List<Runnable> lives = new ArrayList<>();
+        if (agents.size() == 1) {
+            live(agents.get(0), connect(), options.get(0), new JoinTurn());
+            return exitCode.get();
+        }
+        List<Thread> lives = new ArrayList<>();
+        boolean oneByOne = simulator.admitsOneByOne();
+        for (int i = 0; i < agents.size(); i++) {
+            JoinTurn turn = new JoinTurn();
+            lives.add(start(agents.get(i), connect(), options.get(i), turn));
+            oneByOne = oneByOne && endOf(turn);
+        }
+        lives.forEach(AgentRunner::await);
+        return exitCode.get();
+    }
+
+    private AgentLink connect() {
         try {
-            for (int i = 0; i < agents.size(); i++) {
-                Agent agent = agents.get(i);
-                Options own = options.get(i);
-                AgentLink link = simulator.connect();
-                lives.add(() -> live(agent, link, own));
-            }
+            return simulator.connect();
         } catch (IOException unreachable) {
             throw new StartUpException(String.valueOf(unreachable.getMessage()));
         }
-        SideBySide.run(lives);
-        return exitCode.get();
+    }
+
+    private Thread start(Agent agent, AgentLink link, Options options, JoinTurn turn) {
+        Thread life = new Thread(() -> {
+            try {
+                live(agent, link, options, turn);
+            } finally {
+                turn.end();
+            }
+        });
+        life.start();
+        return life;
+    }
+
+    private static boolean endOf(JoinTurn turn) {
+        try {
+            return turn.await();
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
+    }
+
+    private static void await(Thread life) {
+        try {
+            life.join();
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     @SuppressWarnings({"try", "ClosingStandardOutputStreams"
     }) // the printer prints when it is closed, to a stream that stays open
-    private void live(Agent agent, AgentLink link, Options options) {
+    private void live(Agent agent, AgentLink link, Options options, JoinTurn turn) {
         int code;
         agent.begin(options);
         agent.numbers().reportUnknown();
@@ -117,7 +169,7 @@ final class AgentRunner {
         try (LogPrinter printer = new LogPrinter(agent.clockwork().log(), System.out, simulator::close);
                 link;
                 Watchdog watchdog = Watchdog.start(agent.clockwork().mistakes(), giveUp(options));
-                Session session = join(agent.clockwork(), simulator, link, options, watchdog)) {
+                Session session = join(agent.clockwork(), simulator, link, options, watchdog, turn)) {
             agent.run(session);
             if (options.isHeadless()) {
                 sayWhatHappened(agent.clockwork());

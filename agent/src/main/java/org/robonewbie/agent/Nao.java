@@ -7,6 +7,7 @@ import org.robonewbie.agent.cycle.Session;
 import org.robonewbie.agent.motion.LookAround;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.perception.LocalFieldView;
+import org.robonewbie.agent.running.JoinTurn;
 import org.robonewbie.agent.running.LogPrinter;
 import org.robonewbie.agent.running.SimulatorConnection;
 import org.robonewbie.agent.walk.Walk;
@@ -79,7 +80,8 @@ public final class Nao extends Robot implements AutoCloseable {
     static Nao join(Options options, SimulatorConnection simulator) {
         Clockwork clockwork = new Clockwork("the robot");
         try {
-            Session session = AgentRunner.join(clockwork, simulator, simulator.connect(), options, CycleWatch.NONE);
+            Session session = AgentRunner.join(
+                    clockwork, simulator, simulator.connect(), options, CycleWatch.NONE, new JoinTurn());
             LogPrinter printer = new LogPrinter(clockwork.log(), System.out, simulator::close);
             return new Nao(clockwork, session, simulator, printer::close);
         } catch (IOException lost) {

@@ -37,7 +37,7 @@ public final class NaoDriver {
         Clockwork clockwork = new Clockwork("the robot");
         clockwork.telemetry().publishTo(viewer);
         LinkPort port = new LinkPort(link, clockwork.senses().buffer());
-        new StartDialogue(port, clockwork, options).run(() -> {});
+        new StartDialogue(port, clockwork, options).run(() -> {}, () -> {});
         return new NaoDriver(clockwork, new Session(clockwork, port, options.seconds(), CycleWatch.NONE), link);
     }
 

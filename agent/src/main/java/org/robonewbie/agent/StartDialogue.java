@@ -36,8 +36,9 @@ final class StartDialogue {
      * Runs the dialogue.
      *
      * @param atFirstMessage what to do when the simulator has answered
+     * @param inPlace what to do when the robot has answered the message after its beam
      */
-    void run(Runnable atFirstMessage) throws IOException {
+    void run(Runnable atFirstMessage, Runnable inPlace) throws IOException {
         robot.senses().setTeam(options.team());
         robot.senses().setType(options.robotType());
         answer(Optional.of(createRobot()));
@@ -51,6 +52,9 @@ final class StartDialogue {
         for (int i = 0; i < MESSAGES_TO_SETTLE; i++) {
             receive();
             answer(Optional.empty());
+            if (i == 0) {
+                inPlace.run();
+            }
         }
         robot.senses().falls().reset();
     }

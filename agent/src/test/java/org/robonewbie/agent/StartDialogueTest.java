@@ -8,6 +8,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
@@ -175,6 +176,55 @@ class StartDialogueTest {
         assertThatThrownBy(() -> AgentRunner.run(List.of(), List.of()))
                 .isInstanceOf(StartUpException.class)
                 .hasMessage("There is no agent to play: give runTogether at least one, such as new MyAgent().");
+    }
+
+    @Test
+    void robotsOfAProgramJoinAServerOneAfterAnother() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(2, 30))) {
+            AgentRunner.run(arguments(server), List.of(new Agent() {}, new Agent() {}, new Agent() {}));
+
+            for (int client = 1; client < 3; client++) {
+                List<ScriptedServer.Heard> before = server.heard().subList(0, firstOf(client + 1, server));
+                assertThat(before.stream().filter(ofClient(client)).map(ScriptedServer.Heard::message))
+                        .startsWith("(scene rsg/agent/nao/nao.rsg)(syn)")
+                        .contains("(beam -1 -2 0)(syn)")
+                        .hasSizeGreaterThanOrEqualTo(5);
+            }
+        }
+    }
+
+    @Test
+    void robotsJoinTogetherWhereAServerWaitsForAllOfThem() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(2, 30), 3)) {
+            int code = AgentRunner.run(arguments(server), List.of(new Agent() {}, new Agent() {}, new Agent() {}));
+
+            assertThat(server.heard().subList(0, 3))
+                    .allMatch(heard -> heard.message().startsWith("(scene"));
+            assertThat(code).isZero();
+        }
+    }
+
+    @Test
+    void robotThatIsRefusedDoesNotKeepTheNextOneOut() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(2, 5))) {
+            int code = AgentRunner.run(arguments(server), List.of(new Agent() {}, new Agent() {}));
+
+            assertThat(server.heard()).anyMatch(ofClient(2));
+            assertThat(code).isEqualTo(2);
+        }
+    }
+
+    private static int firstOf(int client, ScriptedServer server) {
+        List<ScriptedServer.Heard> heard = server.heard();
+        return heard.indexOf(heard.stream().filter(ofClient(client)).findFirst().orElseThrow());
+    }
+
+    private static Predicate<ScriptedServer.Heard> ofClient(int client) {
+        return heard -> heard.client() == client;
+    }
+
+    private static List<String> arguments(ScriptedServer server) {
+        return List.of("--host", "127.0.0.1", "--port", Integer.toString(server.port()));
     }
 
     private static Options options(ScriptedServer server) {

@@ -63,6 +63,11 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
     /** {@return whether the simulator itself ends the run after the wanted time} */
     public abstract boolean endsByItself();
 
+    /** {@return whether the robots of a program should join one after another} */
+    public boolean admitsOneByOne() {
+        return false;
+    }
+
     /** Ends the connection, and the simulator if it is one of this process. */
     @Override
     public abstract void close();
@@ -173,6 +178,11 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
         @Override
         public boolean endsByItself() {
             return false;
+        }
+
+        @Override
+        public boolean admitsOneByOne() {
+            return true;
         }
 
         @Override
