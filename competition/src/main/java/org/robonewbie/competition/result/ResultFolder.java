@@ -17,7 +17,6 @@ import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Results;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.team.Fingerprint;
-import org.robonewbie.competition.team.TeamFolder;
 import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.competition.trial.TrialFiles;
 import org.robonewbie.nao.file.AtomicFile;
@@ -27,6 +26,9 @@ import org.robonewbie.nao.file.AtomicFile;
  * interrupted contest continues where it was.
  */
 public final class ResultFolder implements Results, AutoCloseable {
+
+    /** The file that one contest at a time holds. */
+    private static final String LOCK = "competition.lock";
 
     private final Path folder;
     private final FileChannel lockFile;
@@ -52,8 +54,8 @@ public final class ResultFolder implements Results, AutoCloseable {
         for (String part : new String[] {"trials", "recordings", "logs", "work", "certificates"}) {
             Files.createDirectories(folder.resolve(part));
         }
-        FileChannel channel = FileChannel.open(
-                folder.resolve(TeamFolder.RESULTS_LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        FileChannel channel =
+                FileChannel.open(folder.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
         FileLock lock;
         try {
             lock = channel.tryLock();

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -63,20 +64,26 @@ public final class TeamProcess implements AutoCloseable {
         Files.createDirectories(workFolder);
         Optional<Path> own = program.folder();
         if (own.isPresent() && enclosure.door().isEmpty()) {
-            TeamFolder.copy(own.get(), workFolder);
+            TeamFolder.of(own.get(), List.of()).copyTo(workFolder);
         }
         ProcessBuilder builder = new ProcessBuilder(enclosure.around(
                         new ProgramCommand(program, start, limits).words(enclosure.temporary(workFolder)), program))
                 .directory(workFolder.toFile())
                 .redirectErrorStream(true);
-        builder.environment()
-                .keySet()
-                .removeIf(name -> name.startsWith("ROBONEWBIE_") || name.endsWith("JAVA_OPTIONS"));
-        builder.environment().remove("JAVA_TOOL_OPTIONS");
+        clearEnvironment(builder.environment());
         String mark = UUID.randomUUID().toString();
         builder.environment().put("ROBONEWBIE_PROGRAM", mark);
         Process process = builder.start();
         return new TeamProcess(process, LogPump.start(process.getInputStream(), log), limits, workFolder, mark);
+    }
+
+    /** Takes out what would tell a Java of a team, or the compiler for it, more than its command line does. */
+    static void clearEnvironment(Map<String, String> environment) {
+        environment
+                .keySet()
+                .removeIf(name -> name.startsWith("ROBONEWBIE_")
+                        || name.endsWith("JAVA_OPTIONS")
+                        || name.equals("JAVA_TOOL_OPTIONS"));
     }
 
     /** {@return whether the program is still running} */

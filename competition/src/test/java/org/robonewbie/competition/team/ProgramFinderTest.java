@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -41,11 +42,12 @@ class ProgramFinderTest {
     void resultsOfContestsInTheFolderOfATeamAreNoPartOfIt() throws IOException {
         write("red/Striker.java", AGENT.formatted("Striker"));
         TeamProgram before = find("Red=red");
-        write("red/results/" + TeamFolder.RESULTS_LOCK, "");
         write("red/results/work/walk-Red/Striker.java", "this does not compile");
 
-        assertThat(TeamFolder.filesOf(folder.resolve("red"))).containsExactly(folder.resolve("red/Striker.java"));
-        assertThat(find("Red=red").fingerprint()).isEqualTo(before.fingerprint());
+        TeamProgram during = find("Red=red");
+
+        assertThat(during).isInstanceOf(TeamProgram.OfJava.class);
+        assertThat(during.fingerprint()).isEqualTo(before.fingerprint());
     }
 
     @Test
@@ -145,8 +147,12 @@ class ProgramFinderTest {
     }
 
     private TeamProgram find(String... lines) throws IOException {
-        return new ProgramFinder(folder, folder.resolve("classes"), Map.of())
-                .find(TeamList.parse(List.of(lines)).get(0));
+        List<TeamEntry> teams = TeamList.parse(List.of(lines));
+        ProgramFinder finder =
+                new ProgramFinder(folder, folder.resolve("classes"), Map.of(), Fence.none("of this test"));
+        List<Path> foreign = new ArrayList<>(finder.folders(teams));
+        foreign.add(folder.resolve("red/results"));
+        return finder.find(teams.get(0), foreign);
     }
 
     private void write(String name, String text) throws IOException {

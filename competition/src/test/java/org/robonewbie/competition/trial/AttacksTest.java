@@ -131,7 +131,8 @@ class AttacksTest {
     @EnumSource
     void memoryOfAnyProgramIsLimited(Ground ground) throws Exception {
         String eats = "import time; food = []\nwhile True: food.append(bytearray(b'x') * 10_000_000); time.sleep(0.01)";
-        TeamProgram python = new TeamProgram.OfCommand(List.of("python3", "-c", eats), Optional.empty(), false, "none");
+        TeamProgram python = new TeamProgram.OfCommand(
+                List.of("python3", "-c", eats), Optional.empty(), Optional.empty(), false, "none");
 
         TrialResult result = solo(ground, python);
 
@@ -172,11 +173,26 @@ class AttacksTest {
                     "port " + organisers.getLocalPort());
             Files.write(own.resolve("targets"), targets);
             TeamProgram honest = new TeamProgram.OfJava(
-                    List.of(), Map.of(Role.MAIN, Stands.class.getName()), Optional.of(other), false, "none");
+                    List.of(),
+                    Map.of(Role.MAIN, Stands.class.getName()),
+                    Optional.of(other),
+                    Optional.empty(),
+                    false,
+                    "none");
             TeamProgram nested = new TeamProgram.OfJava(
-                    List.of(), Map.of(Role.MAIN, Stands.class.getName()), Optional.of(within), false, "");
+                    List.of(),
+                    Map.of(Role.MAIN, Stands.class.getName()),
+                    Optional.of(within),
+                    Optional.empty(),
+                    false,
+                    "");
             TeamProgram evil = new TeamProgram.OfJava(
-                    List.of(own), Map.of(Role.MAIN, Snoops.class.getName()), Optional.of(own), false, "none");
+                    List.of(own),
+                    Map.of(Role.MAIN, Snoops.class.getName()),
+                    Optional.of(own),
+                    Optional.empty(),
+                    false,
+                    "none");
 
             TrialResult result = solo(ground, Map.of("Evil", evil, "Honest", honest, "Nested", nested), LIMITS);
 
@@ -199,6 +215,7 @@ class AttacksTest {
         }
         TeamProgram client = new TeamProgram.OfCommand(
                 List.of("python3", script.toString(), "{host}", "{port}", "{team}", "{number}"),
+                Optional.empty(),
                 Optional.empty(),
                 false,
                 "none");
@@ -259,6 +276,6 @@ class AttacksTest {
     private static TeamProgram java(Class<?> main, Path... classPath) {
         Map<Role, String> roles = new LinkedHashMap<>();
         Stream.of(Role.values()).forEach(role -> roles.put(role, main.getName()));
-        return new TeamProgram.OfJava(List.of(classPath), roles, Optional.empty(), false, "none");
+        return new TeamProgram.OfJava(List.of(classPath), roles, Optional.empty(), Optional.empty(), false, "none");
     }
 }
