@@ -23,9 +23,9 @@ import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.result.ResultFolder;
 import org.robonewbie.competition.result.TableFiles;
 import org.robonewbie.competition.team.Fingerprint;
+import org.robonewbie.competition.team.ProcessTree;
 import org.robonewbie.competition.team.ProgramFinder;
 import org.robonewbie.competition.team.TeamEntry;
-import org.robonewbie.competition.team.TeamProcess;
 import org.robonewbie.competition.team.TeamProgram;
 import org.robonewbie.competition.trial.ChallengePlayer;
 import org.robonewbie.competition.trial.ContestProgress;
@@ -107,7 +107,7 @@ public final class Competition {
         if (settings.fence().isUp()) {
             return List.of("Programs were fenced in by bubblewrap; each team had a port that no other one can reach.");
         }
-        String connections = TeamProcess.knowsConnections()
+        String connections = ProcessTree.knowsConnections()
                 ? "Whose connection came to the port of a team was checked."
                 : "Whose connection came to the port of a team was not checked, since this system does not tell.";
         return List.of("Programs were not fenced in (" + settings.fence().absence() + ").", connections);
