@@ -206,6 +206,7 @@ final class Build {
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:+UseSerialGC",
+                "-XX:+DisableAttachMechanism",
                 "-Drobonewbie.home=" + home,
                 "-jar",
                 program().orElseThrow().toString()));

@@ -1,4 +1,5 @@
 /** How far somebody is with the exercises; the browser keeps it. */
+import { csvCell } from '../state/csv-cell.js';
 
 const KEY = 'robonewbie-page-progress';
 const MOST_POINTS = 10;
@@ -72,7 +73,7 @@ export class CourseProgress {
       sum: `${passed} of ${lessons.length} exercises passed, ${points.toFixed(1)} of ${lessons.length * MOST_POINTS} points, ${work}`,
       badges: badges.filter((badge) => this.#hasEarned(badge)).map(({ title }) => title),
       csv: [COLUMNS, ...lessons.map(({ name, fullName }) => row(fullName, this.#of(name)))]
-        .map((cells) => `${cells.join(',')}\r\n`)
+        .map((cells) => `${cells.map(csvCell).join(',')}\r\n`)
         .join(''),
     };
   }

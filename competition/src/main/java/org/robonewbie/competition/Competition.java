@@ -15,6 +15,7 @@ import java.util.concurrent.Future;
 import org.robonewbie.competition.contest.ChallengeContest;
 import org.robonewbie.competition.contest.Contest;
 import org.robonewbie.competition.contest.ContestTrial;
+import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Entrant;
 import org.robonewbie.competition.contest.JudgedContest;
 import org.robonewbie.competition.contest.Table;
@@ -22,14 +23,15 @@ import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.result.ResultFolder;
 import org.robonewbie.competition.result.TableFiles;
 import org.robonewbie.competition.team.Fingerprint;
+import org.robonewbie.competition.team.ProcessTree;
 import org.robonewbie.competition.team.ProgramFinder;
 import org.robonewbie.competition.team.TeamEntry;
-import org.robonewbie.competition.team.TeamProcess;
 import org.robonewbie.competition.team.TeamProgram;
 import org.robonewbie.competition.trial.ChallengePlayer;
 import org.robonewbie.competition.trial.ContestProgress;
 import org.robonewbie.competition.trial.TrialPlayer;
 import org.robonewbie.competition.trial.TrialRunner;
+import org.robonewbie.nao.text.PrintableText;
 
 /**
  * Holds a contest from the first trial to the table. Finished trials are kept in its folder at once; whoever holds the same
@@ -45,6 +47,7 @@ public final class Competition {
     private final List<TeamEntry> teams;
     private final CompetitionSettings settings;
     private final PrintStream out;
+    private final List<String> refused = new ArrayList<>();
     private int finished;
     private int planned;
 
@@ -80,7 +83,7 @@ public final class Competition {
      */
     public Table hold() throws IOException, InterruptedException {
         try (ResultFolder folder = ResultFolder.open(settings.results())) {
-            Map<String, TeamProgram> programs = programs(folder.file("work").resolve("classes"));
+            Map<String, TeamProgram> programs = programs(folder.file("work").resolve("programs"));
             TrialPlayer runner = player(programs);
             ExecutorService trials = Executors.newFixedThreadPool(settings.parallelTrials());
             try {
@@ -104,7 +107,7 @@ public final class Competition {
         if (settings.fence().isUp()) {
             return List.of("Programs were fenced in by bubblewrap; each team had a port that no other one can reach.");
         }
-        String connections = TeamProcess.knowsConnections()
+        String connections = ProcessTree.knowsConnections()
                 ? "Whose connection came to the port of a team was checked."
                 : "Whose connection came to the port of a team was not checked, since this system does not tell.";
         return List.of("Programs were not fenced in (" + settings.fence().absence() + ").", connections);
@@ -114,18 +117,34 @@ public final class Competition {
         return teams.stream().map(TeamEntry::name).toList();
     }
 
-    private Map<String, TeamProgram> programs(Path classes) throws IOException {
-        ProgramFinder finder = new ProgramFinder(settings.teamsFolder(), classes, settings.examples());
+    private Map<String, TeamProgram> programs(Path copies) throws IOException {
+        ProgramFinder finder = new ProgramFinder(settings.teamsFolder(), copies, settings.examples(), settings.fence());
+        List<Path> foreign = new ArrayList<>(finder.folders(teams));
+        foreign.add(settings.results());
         Map<String, TeamProgram> programs = new LinkedHashMap<>();
         for (TeamEntry team : teams) {
-            TeamProgram program = finder.find(team);
+            TeamProgram program = finder.find(team, foreign);
             programs.put(team.name(), program);
             if (program instanceof TeamProgram.Broken broken) {
-                out.println("Team " + team.name() + " does not compile and loses its trials:");
-                out.println(broken.complaint().strip());
+                tell(team, broken);
             }
         }
         return programs;
+    }
+
+    private void tell(TeamEntry team, TeamProgram.Broken broken) {
+        boolean isRefused = broken.ending() == Ending.REFUSED;
+        out.println(
+                "Team " + team.name() + (isRefused ? " is refused" : " does not compile") + " and loses its trials:");
+        broken.complaint().strip().lines().map(PrintableText::of).forEach(out::println);
+        if (isRefused) {
+            refused.add(team.name());
+        }
+    }
+
+    /** {@return the teams whose files were refused, once the contest is held; the others have played} */
+    public List<String> refusedTeams() {
+        return List.copyOf(refused);
     }
 
     private List<ContestTrial> missing(ResultFolder folder, Map<String, TeamProgram> programs) throws IOException {

@@ -64,6 +64,8 @@ import picocli.CommandLine.Parameters;
             "  robonewbie competition exercise:dance --rounds 3 Red=red Blue=blue",
             "  robonewbie competition scoring \"Green=python3 green.py --port {port} --team {team}\"",
             "",
+            "Exit code: 0, or 1 if the files of a team were refused and the others have played.",
+            "",
             "A team is NAME=PROGRAM; a program is a folder with Java files, a jar, a .java file, an example, or a"
                     + " command. A file of teams has one on each line. docs/competition.md explains everything, with the rules"
                     + " to hand out."
@@ -154,37 +156,45 @@ final class CompetitionCommand implements Callable<Integer> {
             // a contest that does not exist is named before its teams are missed
             Function<Conditions, Contest> contest = contest();
             List<TeamEntry> teams = teams();
-            hold(contest.apply(conditions(teams)), teams);
-            return ExitCode.OK;
+            return hold(contest.apply(conditions(teams)), teams);
         } catch (WrongEntryException wrong) {
             throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         }
     }
 
-    private void hold(Contest contest, List<TeamEntry> teams) throws IOException, InterruptedException {
+    private int hold(Contest contest, List<TeamEntry> teams) throws IOException, InterruptedException {
         Path folder = results.orElse(Path.of("competition-" + contest.name()));
         System.out.println(contest.title() + ": " + contest.rule());
         if (!watched || headless) {
-            hold(contest, teams, settings(folder, Spectators.NOBODY));
-            return;
+            return hold(new Competition(contest, teams, settings(folder, Spectators.NOBODY), System.out), folder);
         }
         try (ContestStudio studio = ContestStudio.open(contest, folder)) {
             System.out.println("Watch at " + studio.address());
             if (!withoutBrowser) {
                 studio.showBrowser();
             }
-            studio.isOver(hold(contest, teams, settings(folder, studio)));
+            int exitCode = hold(new Competition(contest, teams, settings(folder, studio), System.out), folder);
+            studio.isOver(place(folder));
+            return exitCode;
         }
     }
 
-    /** Holds the contest and returns where its results are. */
-    private static String hold(Contest contest, List<TeamEntry> teams, CompetitionSettings settings)
-            throws IOException, InterruptedException {
-        print(new Competition(contest, teams, settings, System.out).hold());
-        String results =
-                "Table, certificates and recordings: " + settings.results().resolve("table.html");
-        System.out.println(results);
-        return results;
+    /** Holds the contest and returns whether all teams could take part. */
+    private static int hold(Competition competition, Path results) throws IOException, InterruptedException {
+        print(competition.hold());
+        System.out.println(place(results));
+        List<String> refused = competition.refusedTeams();
+        if (refused.isEmpty()) {
+            return ExitCode.OK;
+        }
+        System.err.println(
+                "Refused: " + String.join(", ", refused) + ". The reasons stand above; all others have played."
+                        + " The same command lets them play when their files are in order.");
+        return ExitCode.SOFTWARE;
+    }
+
+    private static String place(Path results) {
+        return "Table, certificates and recordings: " + results.resolve("table.html");
     }
 
     private CompetitionSettings settings(Path folder, Spectators spectators) {

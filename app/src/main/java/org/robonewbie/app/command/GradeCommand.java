@@ -177,6 +177,7 @@ final class GradeCommand implements Callable<Integer> {
                 Runtime.getRuntime().availableProcessors(),
                 classPath.path(),
                 Path.of("").toAbsolutePath(),
+                false,
                 recording,
                 System.err::println);
     }

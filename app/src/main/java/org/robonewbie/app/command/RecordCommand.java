@@ -19,6 +19,7 @@ import org.robonewbie.app.recording.RunOrder;
 import org.robonewbie.app.recording.RunsOnCall;
 import org.robonewbie.learning.dataset.DataSet;
 import org.robonewbie.learning.dataset.TableFormat;
+import org.robonewbie.nao.file.FolderLock;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -49,6 +50,8 @@ import picocli.CommandLine.Spec;
             "  robonewbie record MyTeam.java --robots 4           a program that brings four robots"
         })
 final class RecordCommand implements Callable<Integer> {
+
+    private static final String LOCK = ".record.lock";
 
     private static final int MOST_ROBOTS = 22;
 
@@ -110,8 +113,11 @@ final class RecordCommand implements Callable<Integer> {
             new RunsOnCall(order, programs, DataSet.joined(folder, format, messages, facts(order))).serve();
         }
         DataSet set = create(order);
+        FolderLock lock = FolderLock.take(folder.resolve(LOCK))
+                .orElseThrow(() -> new CalledWronglyException("Another recording is using the folder " + folder
+                        + ". Wait for its end, or choose another folder with --out."));
         RecordingGuard guard = RecordingGuard.begin(set, runs);
-        try {
+        try (lock) {
             if (set.runs() > 0) {
                 System.out.println(set.runs() + " runs are complete already and kept.");
             }

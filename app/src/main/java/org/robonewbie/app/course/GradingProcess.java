@@ -3,6 +3,8 @@ package org.robonewbie.app.course;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,8 +15,10 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.robonewbie.app.program.StudentJava;
 import org.robonewbie.app.program.TemporaryFolder;
+import org.robonewbie.competition.team.ProcessTree;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Performance;
@@ -65,20 +69,18 @@ public final class GradingProcess {
     }
 
     private Optional<Grade> run(Path complaints) throws IOException {
-        Process process = new ProcessBuilder(command(complaints))
+        ProcessBuilder builder = new ProcessBuilder(command(complaints))
                 .directory(conditions.folder().toFile())
-                .redirectErrorStream(true)
-                .start();
-        try (OutputStream calls = process.getOutputStream()) {
-            Student student = new Student(process, calls, complaints);
+                .redirectErrorStream(true);
+        try (ProcessTree processes = ProcessTree.start(builder, conditions.ownFolder());
+                OutputStream calls = processes.process().getOutputStream()) {
+            Student student = new Student(processes, calls, complaints);
             StudentOutput output = StudentOutput.of(student, conditions.output());
             List<Grade.SeededScore> scores = judge(student);
             exitCode = student.isReady() ? 0 : student.exitCode();
             student.end();
             output.awaitEnd();
             return student.isReady() ? Optional.of(new Grade(exercise.fullName(), scores)) : Optional.empty();
-        } finally {
-            process.destroyForcibly();
         }
     }
 
@@ -122,7 +124,10 @@ public final class GradingProcess {
         if (stuck) {
             return Score.notTried();
         }
-        try (GuestDoor door = GuestDoor.open(0, 0)) {
+        AtomicInteger port = new AtomicInteger();
+        InetSocketAddress here = new InetSocketAddress(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}), 0);
+        try (GuestDoor door = GuestDoor.open(here, 0, guest -> student.isWelcome(port.get(), guest))) {
+            port.set(door.port());
             Score score = Performance.of(
                     exercise,
                     seed,
@@ -156,7 +161,7 @@ public final class GradingProcess {
         try {
             AtomicFile.write(file, text);
         } catch (IOException unwritable) {
-            throw new UncheckedIOException("The file " + file + " cannot be written.", unwritable);
+            throw new UncheckedIOException(unwritable.getMessage(), unwritable);
         }
     }
 

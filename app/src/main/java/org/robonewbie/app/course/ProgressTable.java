@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.robonewbie.competition.result.Csv;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.progress.Badge;
 import org.robonewbie.exercises.progress.ExerciseProgress;
 import org.robonewbie.exercises.progress.Progress;
+import org.robonewbie.nao.text.Csv;
 
 /**
  * Progress as people read it, and as a teacher's table.

@@ -2,28 +2,40 @@ package org.robonewbie.app.course;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.competition.team.ProcessTree;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
+import org.robonewbie.nao.file.RegularFile;
 import org.robonewbie.trial.guest.AbsentProgramException;
 
 /**
  * The process of a student's program, as its judge sees it.
  *
- * @param process the process
+ * @param processes the process, with all that it starts
  * @param calls where it hears what robots are wanted
  * @param complaints folder in which it says why robots have given up
  */
-record Student(Process process, OutputStream calls, Path complaints) {
+record Student(ProcessTree processes, OutputStream calls, Path complaints) {
 
     private static final int OUT_OF_MEMORY = 3;
     private static final int MILLISECONDS_TO_END = 500;
-    private static final int MOST_CHARACTERS = 1000;
+    private static final int MAX_BYTES = 4000;
+
+    Process process() {
+        return processes.process();
+    }
+
+    /** Whether a connection to the door of a trial may pass: programs that are graded at the same time have doors of their own. */
+    boolean isWelcome(int door, InetSocketAddress guest) {
+        return !ProcessTree.knowsConnections() || processes.holds(guest.getPort(), door);
+    }
 
     /** Whether the program could be compiled and loaded. */
     boolean isReady() {
@@ -41,14 +53,14 @@ record Student(Process process, OutputStream calls, Path complaints) {
 
     /** Why the robots of a trial gave up: what they say themselves, or that the process has ended. */
     Optional<Score> reason(int port) {
-        return complaint(port).or(() -> process.isAlive() ? Optional.empty() : Optional.of(ending()));
+        return complaint(port).or(() -> process().isAlive() ? Optional.empty() : Optional.of(ending()));
     }
 
+    /** The program could have put anything in place of the file. */
     private Optional<Score> complaint(int port) {
         try {
-            String text = Files.readString(complaints.resolve(Integer.toString(port)));
-            String[] lines =
-                    text.substring(0, Math.min(MOST_CHARACTERS, text.length())).split("\n", 2);
+            byte[] told = RegularFile.read(complaints.resolve(Integer.toString(port)), MAX_BYTES);
+            String[] lines = new String(told, StandardCharsets.UTF_8).split("\n", 2);
             return Optional.of(Score.failed(0, lines[0], lines.length > 1 ? lines[1] : Performance.MEND));
         } catch (IOException none) {
             return Optional.empty();
@@ -65,7 +77,9 @@ record Student(Process process, OutputStream calls, Path complaints) {
     /** Waits a moment for the end, since connections end before their process does. */
     int exitCode() {
         try {
-            return process.waitFor(MILLISECONDS_TO_END, TimeUnit.MILLISECONDS) ? process.exitValue() : 1;
+            return process().waitFor(MILLISECONDS_TO_END, TimeUnit.MILLISECONDS)
+                    ? process().exitValue()
+                    : 1;
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
             return 1;
@@ -74,7 +88,6 @@ record Student(Process process, OutputStream calls, Path complaints) {
 
     /** Ends the program with all that it has started. */
     void end() {
-        process.descendants().forEach(ProcessHandle::destroyForcibly);
-        process.destroyForcibly();
+        processes.close();
     }
 }

@@ -30,7 +30,7 @@ final class ExerciseCheckup {
             Path file = folder.path().resolve(exercise.className() + ".java");
             Files.writeString(file, exercise.startCode());
             GradingConditions conditions =
-                    new GradingConditions(1, 1, "", folder.path(), Optional.empty(), output::add);
+                    new GradingConditions(1, 1, "", folder.path(), true, Optional.empty(), output::add);
             return of(exercise, new GradingProcess(exercise, file.toString(), conditions).run(), output);
         } catch (IOException failed) {
             return Finding.broken(SUBJECT, String.valueOf(failed.getMessage()), ADVICE);

@@ -1,22 +1,21 @@
 package org.robonewbie.app.marking;
 
 import java.io.IOException;
-import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.SimpleFileVisitor;
-import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.exercises.Exercise;
+import org.robonewbie.nao.file.SubmittedFolder;
+import org.robonewbie.nao.file.UnreadableFileException;
 
 /**
  * What a class has handed in: a folder for each student, or files named after student and class, such as {@code anna_Kick.java}. A
@@ -25,7 +24,6 @@ import org.robonewbie.exercises.Exercise;
 final class ClassFolder {
 
     private static final String JAVA = ".java";
-    private static final int DEEPEST = 12;
 
     private final List<Exercise> exercises;
     private final Path copies;
@@ -42,18 +40,22 @@ final class ClassFolder {
      *
      * @param folder what was handed in
      * @param exercises the exercises that count
-     * @param copies folder for files that need another name to be compiled
+     * @param copies folder for copies of what is admitted, which are graded
+     * @param results folder of the results, which may lie in that of the class
      * @throws CalledWronglyException if there is nothing to be graded
      */
-    static ClassFolder read(Path folder, List<Exercise> exercises, Path copies) throws IOException {
+    static ClassFolder read(Path folder, List<Exercise> exercises, Path copies, Path results) throws IOException {
         if (!Files.isDirectory(folder)) {
             throw new CalledWronglyException(
                     "There is no folder " + folder + ". It has to have one folder for each student, with .java files.");
         }
         ClassFolder all = new ClassFolder(exercises, copies);
         try (Stream<Path> entries = Files.list(folder)) {
+            Path own = results.toAbsolutePath().normalize();
             for (Path entry : entries.sorted().toList()) {
-                all.add(entry);
+                if (!entry.toAbsolutePath().normalize().equals(own)) {
+                    all.add(entry);
+                }
             }
         }
         if (all.submissions.isEmpty()) {
@@ -80,29 +82,42 @@ final class ClassFolder {
         if (name.startsWith(".")) {
             return;
         }
-        if (Files.isDirectory(entry)) {
-            addStudent(name, entry);
-        } else if (name.endsWith(JAVA)) {
+        if (name.endsWith(JAVA) && !Files.isDirectory(entry)) {
             addFlat(name, entry);
+        } else if (Files.isDirectory(entry) || Files.isSymbolicLink(entry)) {
+            addStudent(name, entry);
         }
     }
 
-    private void addStudent(String student, Path folder) {
+    private void addStudent(String student, Path folder) throws IOException {
         submissions.computeIfAbsent(student, any -> new ArrayList<>());
-        List<Path> programs = new ArrayList<>();
+        Path copy = copies.resolve(student);
         try {
-            Files.walkFileTree(folder, Set.of(), DEEPEST, new Programs(programs));
-        } catch (IOException unreadable) {
-            trouble(student, "The folder cannot be read: " + unreadable.getMessage());
+            new SubmittedFolder(folder, ClassFolder::isLeftOut).copyTo(copy);
+        } catch (UnreadableFileException refused) {
+            trouble(student, String.valueOf(refused.getMessage()));
+            return;
         }
-        Collections.sort(programs);
+        List<Path> programs = new SubmittedFolder(copy, place -> false)
+                .files().stream().filter(ClassFolder::isProgram).toList();
         for (Path program : programs) {
             String type = typeOf(String.valueOf(program.getFileName()));
-            exercise(type).ifPresent(exercise -> addSubmission(new Submission(student, exercise, program, folder)));
+            exercise(type).ifPresent(exercise -> addSubmission(new Submission(student, exercise, program, copy)));
         }
         if (submissions.getOrDefault(student, List.of()).isEmpty()) {
             trouble(student, nothingIn(programs));
         }
+    }
+
+    /** Hidden folders and those of builds do not count. */
+    private static boolean isLeftOut(Path folder) {
+        String name = String.valueOf(folder.getFileName());
+        return name.startsWith(".") || name.equals("target") || name.equals("__MACOSX");
+    }
+
+    private static boolean isProgram(Path file) {
+        String name = String.valueOf(file.getFileName());
+        return name.endsWith(JAVA) && !name.startsWith(".");
     }
 
     /** A file whose name also says whose it is; Java wants it to be named after its class alone. */
@@ -126,11 +141,16 @@ final class ClassFolder {
         }
         String student =
                 type.substring(0, type.length() - exercise.get().className().length() - 1);
-        Path folder = Files.createDirectories(copies.resolve(student));
-        Path copy = folder.resolve(exercise.get().className() + JAVA);
-        Files.write(copy, Files.readAllBytes(file));
         submissions.computeIfAbsent(student, any -> new ArrayList<>());
-        addSubmission(new Submission(student, exercise.get(), copy, folder));
+        try {
+            Path admitted = new SubmittedFolder(file, place -> false).files().get(0);
+            Path folder = Files.createDirectories(copies.resolve(student));
+            Path copy = folder.resolve(exercise.get().className() + JAVA);
+            Files.copy(admitted, copy, StandardCopyOption.REPLACE_EXISTING);
+            addSubmission(new Submission(student, exercise.get(), copy, folder));
+        } catch (UnreadableFileException refused) {
+            trouble(student, String.valueOf(refused.getMessage()));
+        }
     }
 
     private void addSubmission(Submission submission) {
@@ -173,36 +193,5 @@ final class ClassFolder {
 
     private static String typeOf(String name) {
         return name.substring(0, name.length() - JAVA.length());
-    }
-
-    /** Collects Java files, without hidden folders and those of builds. */
-    private static final class Programs extends SimpleFileVisitor<Path> {
-
-        private final List<Path> programs;
-
-        Programs(List<Path> programs) {
-            this.programs = programs;
-        }
-
-        @Override
-        public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
-            String name = String.valueOf(folder.getFileName());
-            boolean skipped = name.startsWith(".") || name.equals("target") || name.equals("__MACOSX");
-            return skipped ? FileVisitResult.SKIP_SUBTREE : FileVisitResult.CONTINUE;
-        }
-
-        @Override
-        public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
-            String name = String.valueOf(file.getFileName());
-            if (name.endsWith(JAVA) && !name.startsWith(".") && attributes.isRegularFile()) {
-                programs.add(file);
-            }
-            return FileVisitResult.CONTINUE;
-        }
-
-        @Override
-        public FileVisitResult visitFileFailed(Path file, IOException unreadable) {
-            return FileVisitResult.CONTINUE;
-        }
     }
 }

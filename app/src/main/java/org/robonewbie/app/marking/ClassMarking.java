@@ -3,9 +3,11 @@ package org.robonewbie.app.marking;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -14,8 +16,15 @@ import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import org.robonewbie.app.course.GradingConditions;
 import org.robonewbie.app.course.GradingProcess;
+import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.program.TemporaryFolder;
+import org.robonewbie.competition.team.Fingerprint;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
+import org.robonewbie.nao.file.FolderLock;
+import org.robonewbie.nao.file.SubmittedFolder;
+import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.nao.text.PrintableText;
 
 /**
  * Grades all programs of a class, as many at once as there are processors, into one table, and says which programs are copies. What was
@@ -25,17 +34,17 @@ public final class ClassMarking {
 
     private static final String NO_REASON = "The program could not be started.";
 
-    private final ClassFolder all;
+    private final Path folder;
     private final List<Exercise> exercises;
     private final int seeds;
-    private final KeptMarks kept;
     private final Path results;
+    private final String version;
     private final Consumer<String> progress;
     private int done;
     private int reused;
 
     /**
-     * Reads what was handed in.
+     * Prepares a marking.
      *
      * @param folder a folder for each student, or files such as {@code anna_Kick.java}
      * @param exercises the exercises that count
@@ -43,18 +52,14 @@ public final class ClassMarking {
      * @param results folder for tables and kept marks
      * @param version this version of the judge; a mark of another one is not reused
      * @param progress hears a sentence for each mark
-     * @throws IOException if a folder cannot be read or written
      */
     public ClassMarking(
-            Path folder, List<Exercise> exercises, int seeds, Path results, String version, Consumer<String> progress)
-            throws IOException {
-        Path kept = results.resolve("kept");
-        Files.createDirectories(kept);
-        this.all = ClassFolder.read(folder, exercises, results.resolve("renamed"));
+            Path folder, List<Exercise> exercises, int seeds, Path results, String version, Consumer<String> progress) {
+        this.folder = folder;
         this.exercises = List.copyOf(exercises);
         this.seeds = seeds;
-        this.kept = new KeptMarks(kept, seeds, version);
         this.results = results;
+        this.version = version;
         this.progress = progress;
     }
 
@@ -63,19 +68,34 @@ public final class ClassMarking {
      *
      * @return the page with the table
      * @throws IOException if a file cannot be written
+     * @throws CalledWronglyException if there is nothing to be graded, or another grading uses the folder of results
      */
     public Path run() throws IOException {
+        Path kept = results.resolve("kept");
+        Files.createDirectories(kept);
+        FolderLock lock = FolderLock.take(kept.resolve("lock"))
+                .orElseThrow(() -> new CalledWronglyException("Another grading is using the folder " + results
+                        + ". Wait for its end, or choose another folder with --results."));
+        try (lock;
+                TemporaryFolder copies = TemporaryFolder.create("class")) {
+            ClassFolder all = ClassFolder.read(folder, exercises, copies.path(), results);
+            return run(all, new KeptMarks(kept, JudgesKey.ofUser()));
+        }
+    }
+
+    private Path run(ClassFolder all, KeptMarks kept) throws IOException {
         List<Submission> submissions =
                 all.submissions().values().stream().flatMap(List::stream).toList();
-        List<Mark> marks = markAll(submissions);
-        ClassTable table = new ClassTable(
-                exercises,
-                List.copyOf(all.submissions().keySet()),
-                marks,
-                all.troubles(),
-                CopyCheck.pairs(submissions),
-                seeds);
+        List<CopyCheck.Pair> pairs = CopyCheck.pairs(submissions); // before a program runs that could change the copies
+        List<Mark> marks = markAll(submissions, kept);
+        int changed = kept.repair();
+        ClassTable table =
+                new ClassTable(exercises, List.copyOf(all.submissions().keySet()), marks, all.troubles(), pairs, seeds);
         Path page = table.write(results);
+        if (changed > 0) {
+            progress.accept("Kept marks that were changed while programs ran, and are again as the judge gave them: "
+                    + changed + ".");
+        }
         progress.accept(String.format(
                 Locale.ROOT,
                 "%d students, %d programs, %d of them graded before. %s",
@@ -86,21 +106,36 @@ public final class ClassMarking {
         return page;
     }
 
-    private List<Mark> markAll(List<Submission> submissions) throws IOException {
+    /** What was kept is read before the first program runs, which could write something else. */
+    private List<Mark> markAll(List<Submission> submissions, KeptMarks kept) throws IOException {
+        Map<Submission, String> fingerprints = new LinkedHashMap<>();
+        Map<Submission, Mark> marks = new HashMap<>();
+        for (Submission submission : submissions) {
+            String fingerprint = fingerprint(submission, submission.folder());
+            fingerprints.put(submission, fingerprint);
+            kept.find(submission, fingerprint).ifPresent(mark -> marks.put(submission, mark));
+        }
+        marks.values().forEach(mark -> tell(mark, submissions.size(), true));
+        fingerprints.keySet().removeAll(marks.keySet());
+        marks.putAll(gradeAll(fingerprints, kept, submissions.size()));
+        return submissions.stream().map(marks::get).toList();
+    }
+
+    private Map<Submission, Mark> gradeAll(Map<Submission, String> fingerprints, KeptMarks kept, int count)
+            throws IOException {
         ExecutorService threads =
                 Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
         try {
-            List<Future<Mark>> coming = new ArrayList<>();
-            for (Submission submission : submissions) {
-                coming.add(threads.submit(() -> mark(submission, submissions.size())));
-            }
-            List<Mark> marks = new ArrayList<>();
-            for (Future<Mark> mark : coming) {
-                marks.add(mark.get());
+            Map<Submission, Future<Mark>> coming = new LinkedHashMap<>();
+            fingerprints.forEach((submission, fingerprint) ->
+                    coming.put(submission, threads.submit(() -> mark(submission, fingerprint, kept, count))));
+            Map<Submission, Mark> marks = new HashMap<>();
+            for (Map.Entry<Submission, Future<Mark>> mark : coming.entrySet()) {
+                marks.put(mark.getKey(), mark.getValue().get());
             }
             return marks;
         } catch (ExecutionException failed) {
-            throw new IOException("A program could not be graded: " + failed.getCause(), failed);
+            throw failed.getCause() instanceof IOException unwritable ? unwritable : new IOException(failed.getCause());
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
             throw new IOException("The grading was stopped. The same command goes on where it was.", stopped);
@@ -109,32 +144,46 @@ public final class ClassMarking {
         }
     }
 
-    private Mark mark(Submission submission, int count) throws IOException {
-        Optional<Mark> before = kept.find(submission);
-        if (before.isPresent()) {
-            tell(before.get(), count, true);
-            return before.get();
+    /** Whatever a program does to its judge costs itself the mark and no other one. */
+    private Mark mark(Submission submission, String fingerprint, KeptMarks kept, int count) throws IOException {
+        Mark mark;
+        try (TemporaryFolder work = TemporaryFolder.create("program")) {
+            Path copy = work.path().toRealPath();
+            new SubmittedFolder(submission.folder(), place -> false).copyTo(copy);
+            if (fingerprint(submission, copy).equals(fingerprint)) {
+                mark = grade(submission, copy);
+                kept.keep(submission, fingerprint, mark);
+            } else {
+                mark = broken(submission, "Its files were changed while the class was graded. Grade it again.");
+            }
+        } catch (UnreadableFileException | RuntimeException | StackOverflowError | OutOfMemoryError failed) {
+            mark = broken(submission, "It could not be graded: " + failed + ".");
         }
-        Mark mark = grade(submission);
-        kept.keep(submission, mark);
         tell(mark, count, false);
         return mark;
     }
 
-    private Mark grade(Submission submission) throws IOException {
+    private Mark grade(Submission submission, Path copy) throws IOException {
         FirstLines output = new FirstLines();
-        GradingConditions conditions =
-                new GradingConditions(seeds, 1, "", submission.folder().toAbsolutePath(), Optional.empty(), output);
-        Optional<Grade> grade = new GradingProcess(
-                        submission.exercise(),
-                        submission.file().toAbsolutePath().toString(),
-                        conditions)
-                .run();
-        return new Mark(
-                submission.student(),
-                submission.exercise().name(),
-                grade,
-                grade.isPresent() ? "" : output.reason(submission.file()).orElse(NO_REASON));
+        GradingConditions conditions = new GradingConditions(seeds, 1, "", copy, true, Optional.empty(), output);
+        Path file =
+                copy.resolve(submission.folder().relativize(submission.file()).toString());
+        Optional<Grade> grade = new GradingProcess(submission.exercise(), file.toString(), conditions).run();
+        return grade.isPresent()
+                ? new Mark(submission.student(), submission.exercise().name(), grade, "")
+                : broken(submission, output.reason(file).orElse(NO_REASON));
+    }
+
+    private static Mark broken(Submission submission, String reason) {
+        return new Mark(submission.student(), submission.exercise().name(), Optional.empty(), reason);
+    }
+
+    /** All that a mark depends on: the student's files, the number of seeds, this version. */
+    private String fingerprint(Submission submission, Path copy) throws IOException {
+        return new Fingerprint()
+                .add(seeds + " " + version + " " + submission.folder().relativize(submission.file()))
+                .add(new SubmittedFolder(copy, place -> false))
+                .text();
     }
 
     private synchronized void tell(Mark mark, int count, boolean reuse) {
@@ -145,10 +194,10 @@ public final class ClassMarking {
                 "%4d of %d  %-20s %-16s %4.1f points %s%s",
                 done,
                 count,
-                mark.student(),
+                PrintableText.of(mark.student()),
                 mark.exercise(),
                 mark.points(),
-                mark.passed() ? "passed" : "  " + mark.finding(),
+                mark.passed() ? "passed" : "  " + PrintableText.of(mark.finding()),
                 reuse ? " (graded before)" : ""));
     }
 }

@@ -9,11 +9,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.robonewbie.competition.result.Csv;
 import org.robonewbie.competition.result.Html;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.text.Csv;
 
 /**
  * The marks of a class, a line for each student and a column for each exercise.

@@ -2,11 +2,11 @@ package org.robonewbie.app.marking;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import org.robonewbie.exercises.Exercise;
+import org.robonewbie.nao.file.RegularFile;
 
 /** Finds programs of a class that are too much alike to be the work of two people. The program to begin with does not count. */
 final class CopyCheck {
@@ -15,6 +15,9 @@ final class CopyCheck {
     private static final int LEAST_OWN_RUNS = 40;
 
     private static final double ALIKE = 0.8;
+
+    /** Larger sources are no work of a person. */
+    private static final int MAX_BYTES = 1 << 18;
 
     private CopyCheck() {}
 
@@ -72,7 +75,7 @@ final class CopyCheck {
 
     private static String text(Submission submission) {
         try {
-            return new String(Files.readAllBytes(submission.file()), StandardCharsets.UTF_8);
+            return new String(RegularFile.read(submission.file(), MAX_BYTES), StandardCharsets.UTF_8);
         } catch (IOException unreadable) {
             return "";
         }

@@ -12,6 +12,10 @@ final class FirstLines implements Consumer<String> {
     private static final int MOST = 100;
     private static final String ERROR = ": error: ";
 
+    /** How the compiler begins to say that its stack or memory was too small. */
+    private static final List<String> OVERTAXED =
+            List.of("An exception has occurred in the compiler", "The system is out of resources");
+
     private final List<String> lines = new ArrayList<>();
 
     @Override
@@ -23,6 +27,10 @@ final class FirstLines implements Consumer<String> {
 
     /** The first error of the compiler, without the path of the file, or else the first line. */
     synchronized Optional<String> reason(Path file) {
+        if (lines.stream().anyMatch(line -> OVERTAXED.stream().anyMatch(line::startsWith))) {
+            return Optional.of(
+                    "It does not compile: its author nested expressions or blocks too deeply for the compiler.");
+        }
         return lines.stream()
                 .filter(line -> line.contains(ERROR))
                 .map(line -> "It does not compile: " + shortened(line, file))

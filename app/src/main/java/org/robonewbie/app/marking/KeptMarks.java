@@ -7,57 +7,66 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
-import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.file.RegularFile;
 
 /**
  * Marks that are kept in a folder, one file for each student and exercise, so that a program that has not changed is not graded twice.
- * A file carries the fingerprint of all that the mark depends on: the student's folder, the number of seeds, this program.
+ * A file carries the fingerprint of all that the mark depends on, and the judge's signature. Files are read before the first program
+ * runs; afterwards only what the judge remembers counts, and {@link #repair} writes it again.
  */
 final class KeptMarks {
 
     private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
+    private static final int MAX_BYTES = 1 << 20;
 
     private final Path folder;
-    private final int seeds;
-    private final String program;
+    private final JudgesKey key;
+    private final Map<Path, String> remembered = new TreeMap<>();
 
     /**
      * Opens the marks.
      *
      * @param folder where they are
-     * @param seeds how many trials each mark has
-     * @param program what distinguishes this version of the judge from others
+     * @param key signs them
      */
-    KeptMarks(Path folder, int seeds, String program) {
+    KeptMarks(Path folder, JudgesKey key) {
         this.folder = folder;
-        this.seeds = seeds;
-        this.program = program;
+        this.key = key;
     }
 
     /** What a file holds; anything may be missing. */
     private record Kept(
             @Nullable String fingerprint,
             @Nullable Grade grade,
-            @Nullable String reason) {}
+            @Nullable String reason,
+            @Nullable String signature) {
 
-    Optional<Mark> find(Submission submission) {
+        Kept signedWith(@Nullable String other) {
+            return new Kept(fingerprint, grade, reason, other);
+        }
+    }
+
+    /** Looks for the mark of a program that has not changed since. */
+    synchronized Optional<Mark> find(Submission submission, String fingerprint) {
         try {
-            @Nullable Kept kept = GSON.fromJson(Files.readString(file(submission)), Kept.class);
-            return Optional.ofNullable(kept)
-                    .filter(read -> fingerprint(submission).equals(read.fingerprint()))
+            String text = read(file(submission));
+            @Nullable Kept kept = GSON.fromJson(text, Kept.class);
+            Optional<Mark> mark = Optional.ofNullable(kept)
+                    .filter(read -> fingerprint.equals(read.fingerprint()))
+                    .filter(read -> isGenuine(submission, read))
                     .map(read -> new Mark(
                             submission.student(),
                             submission.exercise().name(),
                             Optional.ofNullable(read.grade()),
                             Optional.ofNullable(read.reason()).orElse("")));
+            mark.ifPresent(found -> remembered.put(file(submission), text));
+            return mark;
         } catch (IOException | JsonParseException unreadable) {
             return Optional.empty();
         } catch (RuntimeException nonsense) {
@@ -65,11 +74,48 @@ final class KeptMarks {
         }
     }
 
-    void keep(Submission submission, Mark mark) throws IOException {
+    synchronized void keep(Submission submission, String fingerprint, Mark mark) throws IOException {
+        Kept kept = new Kept(fingerprint, mark.grade().orElse(null), mark.reason(), null);
+        String text = GSON.toJson(kept.signedWith(key.sign(signedText(submission, kept)))) + "\n";
         Path file = file(submission);
+        remembered.put(file, text);
         Files.createDirectories(folder(submission));
-        AtomicFile.write(
-                file, GSON.toJson(new Kept(fingerprint(submission), mark.grade().orElse(null), mark.reason())) + "\n");
+        AtomicFile.write(file, text);
+    }
+
+    /** Writes each mark again that was changed while programs ran, and returns how many were. */
+    synchronized int repair() throws IOException {
+        int changed = 0;
+        for (Map.Entry<Path, String> mark : remembered.entrySet()) {
+            if (!isAsRemembered(mark.getKey(), mark.getValue())) {
+                AtomicFile.write(mark.getKey(), mark.getValue());
+                changed++;
+            }
+        }
+        return changed;
+    }
+
+    private static boolean isAsRemembered(Path file, String text) {
+        try {
+            return read(file).equals(text);
+        } catch (IOException gone) {
+            return false;
+        }
+    }
+
+    private static String read(Path file) throws IOException {
+        return new String(RegularFile.read(file, MAX_BYTES), StandardCharsets.UTF_8);
+    }
+
+    private boolean isGenuine(Submission submission, Kept kept) {
+        String signature = Optional.ofNullable(kept.signature()).orElse("");
+        return key.hasSigned(signedText(submission, kept.signedWith(null)), signature);
+    }
+
+    /** A mark belongs to one student and one exercise. */
+    private static String signedText(Submission submission, Kept kept) {
+        return GSON.toJson(
+                new String[] {submission.student(), submission.exercise().fullName(), GSON.toJson(kept)});
     }
 
     private Path folder(Submission submission) {
@@ -78,23 +124,5 @@ final class KeptMarks {
 
     private Path file(Submission submission) {
         return folder(submission).resolve(submission.exercise().fullName() + ".json");
-    }
-
-    private String fingerprint(Submission submission) {
-        try (Stream<Path> files = Files.walk(submission.folder())) {
-            MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            digest.update((seeds + " " + program + " " + submission.folder().relativize(submission.file()))
-                    .getBytes(StandardCharsets.UTF_8));
-            List<Path> all = files.filter(Files::isRegularFile).sorted().toList();
-            for (Path each : all) {
-                digest.update(submission.folder().relativize(each).toString().getBytes(StandardCharsets.UTF_8));
-                digest.update(Files.readAllBytes(each));
-            }
-            return HexFormat.of().formatHex(digest.digest());
-        } catch (IOException unreadable) {
-            return "unreadable: " + unreadable.getMessage();
-        } catch (NoSuchAlgorithmException impossible) {
-            throw new IllegalStateException(impossible);
-        }
     }
 }

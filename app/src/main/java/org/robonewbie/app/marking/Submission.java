@@ -8,7 +8,7 @@ import org.robonewbie.exercises.Exercise;
  *
  * @param student name of the student or team
  * @param exercise what it is to solve
- * @param file the program
- * @param folder where it runs, with the motions and other classes that it needs
+ * @param file the program, in the folder
+ * @param folder a copy of what the student has handed in, with the motions and other classes that it needs
  */
 record Submission(String student, Exercise exercise, Path file, Path folder) {}

@@ -8,6 +8,8 @@ import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import org.robonewbie.competition.team.ProcessTree;
 import org.robonewbie.exercises.Exercise;
 
 /** A student's program in a process of its own, which comes to a trial through a port as any agent does. */
@@ -17,12 +19,14 @@ public final class GuestProcess implements AutoCloseable {
 
     private static final long MILLISECONDS_FOR_LAST_WORDS = 1000;
 
+    private final ProcessTree processes;
     private final Process process;
     private final Thread reader;
     private final StringBuilder output = new StringBuilder();
 
-    private GuestProcess(Process process) {
-        this.process = process;
+    private GuestProcess(ProcessTree processes) {
+        this.processes = processes;
+        process = processes.process();
         reader = new Thread(() -> keep(process.getInputStream()), "output-of-program");
         reader.setDaemon(true);
     }
@@ -54,11 +58,9 @@ public final class GuestProcess implements AutoCloseable {
      */
     static GuestProcess start(List<String> command, Path folder) {
         try {
-            Process process = new ProcessBuilder(command)
-                    .directory(folder.toFile())
-                    .redirectErrorStream(true)
-                    .start();
-            GuestProcess guest = new GuestProcess(process);
+            ProcessBuilder builder =
+                    new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true);
+            GuestProcess guest = new GuestProcess(ProcessTree.start(builder, Optional.empty()));
             guest.reader.start();
             return guest;
         } catch (IOException unstartable) {
@@ -107,11 +109,10 @@ public final class GuestProcess implements AutoCloseable {
         return process.isAlive() ? 0 : process.exitValue();
     }
 
-    /** Ends the process; what it has printed until then can be read afterwards. */
+    /** Ends the process with all that it has started; what it has printed until then can be read afterwards. */
     @Override
     public void close() {
-        process.descendants().forEach(ProcessHandle::destroyForcibly);
-        process.destroyForcibly();
+        processes.close();
         try {
             reader.join(MILLISECONDS_FOR_LAST_WORDS);
         } catch (InterruptedException isOver) {

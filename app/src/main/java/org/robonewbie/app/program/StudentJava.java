@@ -30,6 +30,9 @@ public final class StudentJava {
     /** Programs of students compute little; so Java need not spend time on making them fast. */
     public static final String QUICK_START = "-XX:TieredStopAtLevel=1";
 
+    /** No process can load code into this Java from outside. */
+    private static final String WITHOUT_ATTACH = "-XX:+DisableAttachMechanism";
+
     private static final String ARCHIVE = "-XX:SharedArchiveFile=";
     private static final String MAIN = "org.robonewbie.app.Main";
 
@@ -67,8 +70,10 @@ public final class StudentJava {
      * @return program and arguments
      */
     public static List<String> command(List<String> javaOptions, List<String> arguments) {
-        List<String> command = new ArrayList<>(
-                List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:+UseSerialGC"));
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UseSerialGC",
+                WITHOUT_ATTACH));
         command.addAll(startArchive());
         command.addAll(javaOptions);
         command.addAll(List.of("-cp", classPath(), MAIN));

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import org.robonewbie.competition.team.ProcessTree;
 import org.robonewbie.learning.dataset.RunResult;
 
 /** A process of {@link RunsOnCall}, as the one sees it that wants the runs. */
@@ -15,21 +16,22 @@ final class RecordingProcess implements AutoCloseable {
     private static final int SECONDS_TO_END = 10;
     private static final List<Integer> ENDED_BY_PEOPLE = List.of(130, 143);
 
+    private final ProcessTree processes;
     private final Process process;
     private final BufferedReader answers;
     private final OutputStream calls;
     private boolean over;
 
-    private RecordingProcess(Process process) {
-        this.process = process;
+    private RecordingProcess(ProcessTree processes) {
+        this.processes = processes;
+        this.process = processes.process();
         this.answers = process.inputReader(StandardCharsets.UTF_8);
         this.calls = process.getOutputStream();
     }
 
     static RecordingProcess start(List<String> command) throws IOException {
-        return new RecordingProcess(new ProcessBuilder(command)
-                .redirectError(ProcessBuilder.Redirect.INHERIT)
-                .start());
+        ProcessBuilder builder = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT);
+        return new RecordingProcess(ProcessTree.start(builder, Optional.empty()));
     }
 
     /** Whether it can carry out another run. */
@@ -81,7 +83,6 @@ final class RecordingProcess implements AutoCloseable {
 
     @Override
     public void close() {
-        process.descendants().forEach(ProcessHandle::destroyForcibly);
-        process.destroyForcibly();
+        processes.close();
     }
 }

@@ -55,6 +55,14 @@ class SourceShapeTest {
     }
 
     @Test
+    void longTextsAndNumbersOverflowNoStack() {
+        String program = "class Long { String text = \"" + "a\\\\".repeat(50_000) + "\"; char c = '"
+                + "x".repeat(50_000) + "'; double number = 1" + "0".repeat(50_000) + "; }";
+
+        assertThat(SourceShape.of(program).numbers()).hasSize(1);
+    }
+
+    @Test
     void methodsThatChangePlacesDoNotHide() {
         int hold = PROGRAM.indexOf("    private void hold");
         int think = PROGRAM.indexOf("    @Override");

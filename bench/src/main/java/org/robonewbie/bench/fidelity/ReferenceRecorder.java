@@ -86,7 +86,7 @@ public final class ReferenceRecorder {
     }
 
     private void write(Path file, ReferenceScenario scenario, ReferenceSession.Take take) throws IOException {
-        try (OutputStream packed = new GZIPOutputStream(Files.newOutputStream(AtomicFile.part(file)))) {
+        try (OutputStream packed = new GZIPOutputStream(AtomicFile.begin(file))) {
             String base = scenario.balls().isEmpty()
                     ? "recorded by RoboNewbie, robot type " + type
                             + "; torso from the monitor port (m, deg), the rest as the server sent it"

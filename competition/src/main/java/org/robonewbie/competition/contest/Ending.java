@@ -6,6 +6,8 @@ public enum Ending {
     PLAYED("played to the end"),
     /** Its sources have mistakes. */
     NOT_COMPILED("its program does not compile"),
+    /** Its files were refused. */
+    REFUSED("its program was refused"),
     /** Its program brought no robot onto the pitch. */
     NOT_STARTED("its program brought no robot onto the pitch"),
     /** Its program ended by itself. */

@@ -2,10 +2,14 @@ package org.robonewbie.competition.contest;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /** The trials that are over. */
 @FunctionalInterface
 public interface Results {
+
+    /** How trials end for a program that cannot be started. */
+    Set<Ending> NEVER_STARTED = Set.of(Ending.NOT_COMPILED, Ending.REFUSED);
 
     /**
      * Looks up a result.
@@ -20,13 +24,13 @@ public interface Results {
      *
      * @param team name of the team
      * @param trialIds names of its trials
-     * @return false if its program has never compiled
+     * @return false if its program has never compiled, or was refused
      */
     default boolean hasCompiled(String team, List<String> trialIds) {
         List<TeamResult> over = trialIds.stream()
                 .flatMap(id -> find(id).stream())
                 .map(result -> result.of(team))
                 .toList();
-        return over.isEmpty() || over.stream().anyMatch(result -> result.ending() != Ending.NOT_COMPILED);
+        return over.isEmpty() || over.stream().anyMatch(result -> !NEVER_STARTED.contains(result.ending()));
     }
 }

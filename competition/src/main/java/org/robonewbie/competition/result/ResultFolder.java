@@ -1,12 +1,8 @@
 package org.robonewbie.competition.result;
 
 import java.io.IOException;
-import java.nio.channels.FileChannel;
-import java.nio.channels.FileLock;
-import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -17,10 +13,10 @@ import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Results;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.team.Fingerprint;
-import org.robonewbie.competition.team.TeamFolder;
 import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.competition.trial.TrialFiles;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.file.FolderLock;
 
 /**
  * The folder in which a contest keeps everything: each finished trial in a file of its own, written atomically, so that an
@@ -28,15 +24,16 @@ import org.robonewbie.nao.file.AtomicFile;
  */
 public final class ResultFolder implements Results, AutoCloseable {
 
+    /** The file that one contest at a time holds. */
+    private static final String LOCK = "competition.lock";
+
     private final Path folder;
-    private final FileChannel lockFile;
-    private final FileLock lock;
+    private final FolderLock lock;
     private final Map<String, TrialJson.Kept> finished = new ConcurrentHashMap<>();
     private final Map<String, String> written = new ConcurrentHashMap<>();
 
-    private ResultFolder(Path folder, FileChannel lockFile, FileLock lock) {
+    private ResultFolder(Path folder, FolderLock lock) {
         this.folder = folder;
-        this.lockFile = lockFile;
         this.lock = lock;
     }
 
@@ -52,20 +49,10 @@ public final class ResultFolder implements Results, AutoCloseable {
         for (String part : new String[] {"trials", "recordings", "logs", "work", "certificates"}) {
             Files.createDirectories(folder.resolve(part));
         }
-        FileChannel channel = FileChannel.open(
-                folder.resolve(TeamFolder.RESULTS_LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-        FileLock lock;
-        try {
-            lock = channel.tryLock();
-        } catch (OverlappingFileLockException here) {
-            lock = null;
-        }
-        if (lock == null) {
-            channel.close();
-            throw new WrongEntryException("Another competition is using the folder " + folder
-                    + ". Wait for its end, or choose another folder with --results.");
-        }
-        return new ResultFolder(folder, channel, lock);
+        FolderLock lock = FolderLock.take(folder.resolve(LOCK))
+                .orElseThrow(() -> new WrongEntryException("Another competition is using the folder " + folder
+                        + ". Wait for its end, or choose another folder with --results."));
+        return new ResultFolder(folder, lock);
     }
 
     /**
@@ -180,8 +167,7 @@ public final class ResultFolder implements Results, AutoCloseable {
 
     @Override
     public void close() throws IOException {
-        lock.release();
-        lockFile.close();
+        lock.close();
     }
 
     private Path trialFile(String trialId) {

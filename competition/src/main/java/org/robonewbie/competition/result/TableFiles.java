@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.text.Csv;
 
 /** Writes the table of a contest as a page, as CSV and as JSON, and a certificate for each team. */
 public final class TableFiles {

@@ -44,14 +44,11 @@ public record Enclosure(Fence fence, Optional<Path> door, Collection<Path> hidde
         if (door.isEmpty()) {
             return command;
         }
-        List<Path> readable = new ArrayList<>(ProgramCommand.ownClassPath().stream()
-                .map(path -> path.toAbsolutePath().normalize())
-                .toList());
-        readable.add(Path.of(System.getProperty("java.home")));
+        List<Path> readable = new ArrayList<>(ProgramCommand.ownPlaces());
         if (program instanceof TeamProgram.OfCommand other) {
             other.files().forEach(file -> readable.add(besides(file)));
-        } else {
-            readable.addAll(program.places());
+        } else if (program instanceof TeamProgram.OfJava java) {
+            readable.addAll(java.readable());
         }
         return fence.enclose(command, readable, hidden, program.folder(), door.get());
     }

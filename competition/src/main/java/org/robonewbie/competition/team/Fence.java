@@ -35,8 +35,13 @@ public final class Fence {
 
     private static final String BUBBLEWRAP = "bwrap";
     private static final long PATIENCE_SECONDS = 10;
-    private static final String HOME_BYTES = Long.toString(256L << 20);
+    private static final String HOME_BYTES = Long.toString(224L << 20);
     private static final String TEMPORARY_BYTES = Long.toString(64L << 20);
+    private static final String SHARED_BYTES = Long.toString(32L << 20);
+
+    /** Opens the filter of system calls, the first argument, and becomes the command that follows. */
+    private static final String WITH_FILTER = "exec 9<\"$1\"; shift; exec \"$@\"";
+
     private static final List<String> SYSTEM =
             List.of("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32", "/nix/store");
     private static final List<String> SETTINGS = List.of(
@@ -50,9 +55,11 @@ public final class Fence {
             "ca-certificates");
 
     private final String absence;
+    private final Optional<Path> filter;
 
-    private Fence(String absence) {
+    private Fence(String absence, Optional<Path> filter) {
         this.absence = absence;
+        this.filter = filter;
     }
 
     /** {@return the fence, if this computer has one} */
@@ -60,21 +67,31 @@ public final class Fence {
         if (!System.getProperty("os.name").equals("Linux")) {
             return none("fences exist on Linux only");
         }
-        List<String> trial = new ArrayList<>(walls());
-        trial.addAll(List.of("--", "/bin/sh", "-c", "true"));
         try {
+            Fence fence = new Fence("", writtenFilter());
+            List<String> trial = fence.closed(walls(), List.of(), List.of("/bin/sh", "-c", "true"));
             Process process =
                     new ProcessBuilder(trial).redirectErrorStream(true).start();
             process.getOutputStream().close();
             String told = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
             boolean stands = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS) && process.exitValue() == 0;
-            return stands ? new Fence("") : none("bubblewrap does not work here: " + told.strip());
+            return stands ? fence : none("bubblewrap does not work here: " + told.strip());
         } catch (IOException missing) {
             return none("bubblewrap is not installed");
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
             return none("bubblewrap has not been tried");
         }
+    }
+
+    private static Optional<Path> writtenFilter() throws IOException {
+        Optional<SystemCallFilter> filter = SystemCallFilter.ofThisProcessor();
+        if (filter.isEmpty()) {
+            return Optional.empty();
+        }
+        Path file = Files.createTempFile("fence", ".bpf");
+        file.toFile().deleteOnExit();
+        return Optional.of(Files.write(file, filter.get().toBytes()));
     }
 
     /**
@@ -84,7 +101,7 @@ public final class Fence {
      * @return no fence
      */
     public static Fence none(String reason) {
-        return new Fence(reason);
+        return new Fence(reason, Optional.empty());
     }
 
     /** {@return whether programs are fenced in} */
@@ -120,17 +137,47 @@ public final class Fence {
                 .filter(path -> readable.stream().anyMatch(shown -> path.startsWith(shown) && !path.equals(shown)))
                 .forEach(path -> places.put(path, false));
         readable.stream().filter(Files::exists).forEach(path -> places.put(path, true));
-        places.forEach((path, shown) -> words.addAll(shown ? shown(path) : covered(path)));
+        List<Path> covers = new ArrayList<>();
+        places.forEach((path, shown) -> words.addAll(shown ? shown(path) : covered(path, path, covers)));
         folder.ifPresent(own -> words.addAll(readOnly(own, TEAM)));
         if (folder.isPresent()) {
             hidden.stream()
                     .filter(path -> path.startsWith(folder.get()) && !path.equals(folder.get()))
                     .forEach(path ->
-                            words.addAll(covered(path, TEAM.resolve(folder.get().relativize(path)))));
+                            words.addAll(covered(path, TEAM.resolve(folder.get().relativize(path)), covers)));
         }
-        words.addAll(List.of("--bind", door.toString(), DOOR.toString(), "--chdir", HOME.toString(), "--"));
-        words.addAll(command);
-        return words;
+        words.addAll(List.of("--bind", door.toString(), DOOR.toString()));
+        return closed(words, covers, command);
+    }
+
+    /**
+     * Puts a command behind the fence that speaks with no simulator.
+     *
+     * @param command what is to run there
+     * @param readable what it may read beside the system, at its usual place
+     * @param written the folder in which it may write
+     * @return the command with the fence around it
+     */
+    List<String> enclose(List<String> command, Collection<Path> readable, Path written) {
+        List<String> words = new ArrayList<>(walls());
+        readable.stream().filter(Files::exists).sorted().forEach(path -> words.addAll(shown(path)));
+        words.addAll(List.of("--bind", written.toString(), written.toString()));
+        return closed(words, List.of(), command);
+    }
+
+    /** Closes the walls when everything is within: what holds the rest together would else be a file system without limit. */
+    private List<String> closed(List<String> words, List<Path> covers, List<String> command) {
+        List<String> all = new ArrayList<>();
+        filter.ifPresent(file -> all.addAll(List.of("/bin/sh", "-c", WITH_FILTER, "sh", file.toString())));
+        all.addAll(words);
+        covers.forEach(path -> all.addAll(List.of("--remount-ro", path.toString())));
+        all.addAll(List.of("--remount-ro", "/", "--chdir", HOME.toString()));
+        if (filter.isPresent()) {
+            all.addAll(List.of("--seccomp", "9"));
+        }
+        all.add("--");
+        all.addAll(command);
+        return all;
     }
 
     private static List<String> shown(Path path) {
@@ -141,17 +188,12 @@ public final class Fence {
         return List.of("--ro-bind", from.toString(), to.toString());
     }
 
-    private static List<String> covered(Path path) {
-        return covered(path, path);
-    }
-
-    private static List<String> covered(Path real, Path seen) {
-        if (!Files.exists(real)) {
-            return List.of();
+    private static List<String> covered(Path real, Path seen, List<Path> covers) {
+        if (Files.isDirectory(real)) {
+            covers.add(seen);
+            return List.of("--perms", "0555", "--tmpfs", seen.toString());
         }
-        return Files.isDirectory(real)
-                ? List.of("--perms", "0555", "--tmpfs", seen.toString())
-                : List.of("--ro-bind", "/dev/null", seen.toString());
+        return Files.exists(real) ? List.of("--ro-bind", "/dev/null", seen.toString()) : List.of();
     }
 
     /** What is the same for all programs. */
@@ -173,9 +215,15 @@ public final class Fence {
         SYSTEM.forEach(path -> words.addAll(List.of("--ro-bind-try", path, path)));
         settings().forEach(path -> words.addAll(List.of("--ro-bind-try", path, path)));
         words.addAll(List.of("--proc", "/proc", "--dev", "/dev"));
+        words.addAll(List.of("--size", SHARED_BYTES, "--tmpfs", "/dev/shm", "--remount-ro", "/dev"));
         words.addAll(List.of("--size", TEMPORARY_BYTES, "--tmpfs", "/tmp"));
         words.addAll(List.of("--size", HOME_BYTES, "--tmpfs", HOME.toString()));
         return words;
+    }
+
+    /** Whether a file belongs to the system that each program sees. */
+    static boolean isOfTheSystem(Path file) {
+        return SYSTEM.stream().anyMatch(file::startsWith);
     }
 
     /** Settings of the system that programs need, and no others: accounts and passwords stay outside. */

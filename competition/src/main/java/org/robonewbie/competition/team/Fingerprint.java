@@ -10,6 +10,8 @@ import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
+import java.util.List;
+import org.robonewbie.nao.file.SubmittedFolder;
 
 /** A checksum by which a changed program, or another trial, is noticed. */
 public final class Fingerprint {
@@ -46,8 +48,19 @@ public final class Fingerprint {
 
     /** Adds a file, or all that counts of a folder. */
     Fingerprint add(Path place) throws IOException {
-        for (Path file : TeamFolder.filesOf(place)) {
-            add(place.relativize(file).toString().replace('\\', '/'));
+        return add(TeamFolder.of(place, List.of()));
+    }
+
+    /**
+     * Adds names and contents of all files.
+     *
+     * @param folder what was handed in
+     * @return this
+     * @throws IOException if a file is refused or cannot be read
+     */
+    public Fingerprint add(SubmittedFolder folder) throws IOException {
+        for (Path file : folder.files()) {
+            add(folder.root().relativize(file).toString().replace('\\', '/'));
             digest.update(Files.readAllBytes(file));
         }
         return this;

@@ -69,21 +69,26 @@ final class LinuxProcess {
      * Finds processes by what they have inherited, also those that have left their parents.
      *
      * @param mark what stands in the environment of each
-     * @param folder where they work, or in a folder of it
+     * @param folder where they work, or in a folder of it; empty if others may work there, too
      * @return their numbers
      */
-    static List<Long> marked(String mark, Path folder) {
+    static List<Long> marked(String mark, Optional<Path> folder) {
         try (Stream<Path> processes = Files.list(PROCESSES)) {
             return processes
                     .filter(process -> String.valueOf(process.getFileName()).matches("\\d+"))
-                    .filter(process -> target(process.resolve("cwd")).startsWith(folder + "/")
-                            || target(process.resolve("cwd")).equals(folder.toString())
-                            || read(process.resolve("environ")).contains(mark))
+                    .filter(process ->
+                            folder.filter(own -> worksIn(process, own)).isPresent()
+                                    || read(process.resolve("environ")).contains(mark))
                     .map(process -> Long.valueOf(String.valueOf(process.getFileName())))
                     .toList();
         } catch (IOException otherSystem) {
             return List.of();
         }
+    }
+
+    private static boolean worksIn(Path process, Path folder) {
+        String own = target(process.resolve("cwd"));
+        return own.equals(folder.toString()) || own.startsWith(folder + "/");
     }
 
     private static String target(Path link) {

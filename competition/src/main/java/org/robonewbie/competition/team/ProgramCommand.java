@@ -17,11 +17,7 @@ record ProgramCommand(TeamProgram program, Start start, Limits limits) {
 
     /** Words for a program that keeps its temporary files in a folder. */
     List<String> words(Path temporary) {
-        List<String> words = new ArrayList<>();
-        words.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        words.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:+ExitOnOutOfMemoryError"));
-        words.add("-Xmx" + limits.memoryMegabytes() + "m");
-        words.add("-Djava.awt.headless=true");
+        List<String> words = new ArrayList<>(java(limits.memoryMegabytes()));
         words.add("-Djava.io.tmpdir=" + temporary.toAbsolutePath());
         if (program instanceof TeamProgram.OfJava java) {
             words.addAll(List.of("-cp", classPath(java.classPath()), TeamGuard.class.getName(), TeamGuard.CLASS));
@@ -36,7 +32,20 @@ record ProgramCommand(TeamProgram program, Start start, Limits limits) {
         return words;
     }
 
-    private static String classPath(List<Path> own) {
+    /** The words that start Java, without class path and class. */
+    static List<String> java(int megabytes) {
+        return List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1",
+                "-XX:+ExitOnOutOfMemoryError",
+                "-XX:+DisableAttachMechanism",
+                "-Xmx" + megabytes + "m",
+                "-Djava.awt.headless=true");
+    }
+
+    /** The class path of RoboNewbie with places of a team behind it. */
+    static String classPath(List<Path> own) {
         return String.join(
                 File.pathSeparator,
                 Stream.concat(ownClassPath().stream(), own.stream())
@@ -44,8 +53,14 @@ record ProgramCommand(TeamProgram program, Start start, Limits limits) {
                         .toList());
     }
 
-    /** The class path of RoboNewbie itself. */
-    static List<Path> ownClassPath() {
+    /** Where RoboNewbie and Java are. */
+    static List<Path> ownPlaces() {
+        return Stream.concat(ownClassPath().stream(), Stream.of(Path.of(System.getProperty("java.home"))))
+                .map(TeamFolder::absolute)
+                .toList();
+    }
+
+    private static List<Path> ownClassPath() {
         return Stream.of(System.getProperty("java.class.path").split(File.pathSeparator, -1))
                 .map(Path::of)
                 .toList();

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.List;
@@ -14,7 +15,10 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.jar.Attributes;
 import java.util.jar.JarFile;
+import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Role;
+import org.robonewbie.nao.file.SubmittedFolder;
+import org.robonewbie.nao.file.UnreadableFileException;
 
 /** Finds out what the program of a team is, and prepares it. */
 public final class ProgramFinder {
@@ -22,35 +26,62 @@ public final class ProgramFinder {
     private final Path folder;
     private final Path buildFolder;
     private final Map<String, String> examples;
+    private final Fence fence;
 
     /**
      * Creates a finder.
      *
      * @param folder where relative paths begin
-     * @param buildFolder where compiled classes may be put
+     * @param buildFolder where copies of the teams' files and compiled classes may be put
      * @param examples classes that are known by a short name
+     * @param fence what is around the compiler
      */
-    public ProgramFinder(Path folder, Path buildFolder, Map<String, String> examples) {
+    public ProgramFinder(Path folder, Path buildFolder, Map<String, String> examples, Fence fence) {
         this.folder = folder;
-        this.buildFolder = buildFolder;
+        this.buildFolder = TeamFolder.absolute(buildFolder);
         this.examples = examples;
+        this.fence = fence;
+    }
+
+    /**
+     * Finds the folders that teams have handed in.
+     *
+     * @param teams the teams
+     * @return the absolute paths of those that have one
+     */
+    public List<Path> folders(List<TeamEntry> teams) {
+        return teams.stream()
+                .flatMap(team -> existing(team.program()).stream())
+                .filter(Files::isDirectory)
+                .toList();
     }
 
     /**
      * Prepares a team's program.
      *
      * @param team the team
-     * @return the program, which may have mistakes
-     * @throws IOException if files cannot be read or written
+     * @param foreign folders that do not belong to it even if they lie in its own: the results, those of other teams
+     * @return the program, which may have mistakes or be refused
+     * @throws IOException if files cannot be written
      * @throws WrongEntryException if there is no such program; the message says what to write
      */
-    public TeamProgram find(TeamEntry team) throws IOException {
+    public TeamProgram find(TeamEntry team, Collection<Path> foreign) throws IOException {
+        try {
+            return prepare(team, foreign.stream().map(TeamFolder::absolute).toList());
+        } catch (UnreadableFileException refused) {
+            String complaint = String.valueOf(refused.getMessage());
+            return new TeamProgram.Broken(
+                    Ending.REFUSED, complaint, new Fingerprint().add(complaint).text());
+        }
+    }
+
+    private TeamProgram prepare(TeamEntry team, Collection<Path> foreign) throws IOException {
         Optional<Path> place = existing(team.program());
         if (place.isPresent() && Files.isDirectory(place.get())) {
-            return ofFolder(team, place.get());
+            return ofFolder(team, TeamFolder.of(place.get(), foreign));
         }
         if (place.isPresent() && team.program().endsWith(".java")) {
-            return ofFile(team, place.get());
+            return ofFile(team, place.get(), foreign);
         }
         if (place.isPresent() && team.program().endsWith(".jar")) {
             return ofJar(team, place.get());
@@ -65,45 +96,59 @@ public final class ProgramFinder {
                     "Team " + team.name() + ": there is no folder, jar, Java file, example or command \""
                             + team.program() + "\" (in the folder " + folder.toAbsolutePath() + ").");
         }
-        return ofCommand(team);
+        return ofCommand(team, foreign);
     }
 
-    private TeamProgram ofFolder(TeamEntry team, Path place) throws IOException {
-        SourceFolder sources = new SourceFolder(place, true);
+    private TeamProgram ofFolder(TeamEntry team, SubmittedFolder submitted) throws IOException {
+        SourceFolder sources = new SourceFolder(copy(team, submitted), true);
         if (!sources.hasSources()) {
-            throw new WrongEntryException("Team " + team.name() + ": the folder " + place + " has no Java files.");
+            throw new WrongEntryException(
+                    "Team " + team.name() + ": the folder " + submitted.root() + " has no Java files.");
         }
-        return compiled(team, sources, place, new Fingerprint().add(place));
+        return compiled(team, sources, submitted.root(), new Fingerprint());
     }
 
     /** A single file is compiled together with the other files of its folder; folders beside it do not matter. */
-    private TeamProgram ofFile(TeamEntry team, Path file) throws IOException {
+    private TeamProgram ofFile(TeamEntry team, Path file, Collection<Path> foreign) throws IOException {
         Path own = Objects.requireNonNull(file.getParent());
         String main = Objects.requireNonNull(file.getFileName()).toString().replaceFirst("\\.java$", "");
         Map<String, String> settings = new HashMap<>(team.settings());
         settings.putIfAbsent(Role.MAIN.key(), main);
         TeamEntry named = new TeamEntry(team.name(), team.program(), settings);
-        return compiled(
-                named,
-                new SourceFolder(own, false),
-                own,
-                new Fingerprint().add(own).add(main));
+        SourceFolder sources = new SourceFolder(copy(team, TeamFolder.of(own, foreign)), false);
+        return compiled(named, sources, own, new Fingerprint().add(main));
     }
 
-    private TeamProgram compiled(TeamEntry team, SourceFolder sources, Path place, Fingerprint fingerprint)
+    /** Copies what a team has handed in, so that compiler, fingerprint and trials see the same files and no others. */
+    private Path copy(TeamEntry team, SubmittedFolder submitted) throws IOException {
+        Path copy = buildFolder.resolve(team.name()).resolve("program");
+        TeamFolder.delete(copy);
+        submitted.copyTo(copy);
+        return copy;
+    }
+
+    private TeamProgram compiled(TeamEntry team, SourceFolder sources, Path submitted, Fingerprint fingerprint)
             throws IOException {
-        String text = fingerprint.add(settingsOf(team)).text();
-        Path classes = buildFolder.resolve(team.name());
-        SourceFolder.Compiled result = sources.compile(classes);
-        if (result.complaint().isPresent()) {
-            return new TeamProgram.Broken(result.complaint().get(), text);
+        String text = fingerprint.add(sources.folder()).add(settingsOf(team)).text();
+        SourceFolder.compiler();
+        Path classes = buildFolder.resolve(team.name()).resolve("classes");
+        CompilerProcess.Answer answer = new CompilerProcess(fence).compile(sources, classes);
+        if (!answer.isCorrect()) {
+            String complaint = String.join("\n", answer.lines());
+            return new TeamProgram.Broken(
+                    Ending.NOT_COMPILED, complaint.replace(sources.folder().toString(), submitted.toString()), text);
         }
-        List<String> candidates = MainClasses.in(classes, result.classPath());
         return new TeamProgram.OfJava(
-                result.classPath(), MainClasses.choose(team, candidates), Optional.of(place), team.isTogether(), text);
+                sources.classPath(classes),
+                MainClasses.choose(team, answer.lines()),
+                Optional.of(sources.folder()),
+                Optional.of(submitted),
+                team.isTogether(),
+                text);
     }
 
     private TeamProgram ofJar(TeamEntry team, Path jar) throws IOException {
+        String fingerprint = new Fingerprint().add(jar).add(settingsOf(team)).text();
         String manifestMain;
         try (JarFile file = new JarFile(jar.toFile())) {
             manifestMain = Optional.ofNullable(file.getManifest())
@@ -118,8 +163,9 @@ public final class ProgramFinder {
                 List.of(jar),
                 forAllRoles(team, manifestMain),
                 Optional.empty(),
+                Optional.empty(),
                 team.isTogether(),
-                new Fingerprint().add(jar).add(settingsOf(team)).text());
+                fingerprint);
     }
 
     private TeamProgram ofClass(TeamEntry team, String className) throws IOException {
@@ -131,26 +177,42 @@ public final class ProgramFinder {
             }
         }
         return new TeamProgram.OfJava(
-                List.of(), forAllRoles(team, className), Optional.empty(), team.isTogether(), fingerprint.text());
+                List.of(),
+                forAllRoles(team, className),
+                Optional.empty(),
+                Optional.empty(),
+                team.isTogether(),
+                fingerprint.text());
     }
 
-    private TeamProgram ofCommand(TeamEntry team) throws IOException {
+    private TeamProgram ofCommand(TeamEntry team, Collection<Path> foreign) throws IOException {
         List<String> words = Arrays.stream(team.program().split("\\s+", -1))
                 .map(word -> existing(word).map(Path::toString).orElse(word))
                 .toList();
         Optional<Path> own =
                 Optional.ofNullable(team.settings().get(TeamList.FOLDER)).map(this::existingFolder);
         Fingerprint fingerprint = new Fingerprint().add(team.program()).add(settingsOf(team));
+        Optional<Path> copy = Optional.empty();
         if (own.isPresent()) {
-            fingerprint.add(own.get());
+            copy = Optional.of(copy(team, TeamFolder.of(own.get(), foreign)));
+            fingerprint.add(copy.get());
         }
         for (String word : words) {
             Optional<Path> file = existing(word).filter(Files::isRegularFile);
-            if (file.isPresent() && Files.size(file.get()) < 1_000_000) {
-                fingerprint.add(file.get());
+            if (file.isPresent()) {
+                addScript(file.get().toRealPath(), file.get(), fingerprint);
             }
         }
-        return new TeamProgram.OfCommand(words, own, team.isTogether(), fingerprint.text());
+        return new TeamProgram.OfCommand(words, copy, own, team.isTogether(), fingerprint.text());
+    }
+
+    /** A link may lead to an interpreter, or stay in its folder; the script of another team is refused. */
+    private static void addScript(Path real, Path file, Fingerprint fingerprint) throws IOException {
+        Path own = Objects.requireNonNull(file.getParent()).toRealPath();
+        boolean isOwn = real.startsWith(own) || Fence.isOfTheSystem(real);
+        if (Files.size(real) < 1_000_000) {
+            fingerprint.add(isOwn ? real : file);
+        }
     }
 
     private Map<Role, String> forAllRoles(TeamEntry team, String usual) {

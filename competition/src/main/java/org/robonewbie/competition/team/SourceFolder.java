@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
@@ -16,40 +17,46 @@ import javax.tools.ToolProvider;
 
 /**
  * A folder with Java sources: a Maven project, or just files. It is compiled with RoboNewbie and the jars in its folder {@code
- * lib}; nothing of the team runs for that.
+ * lib}; nothing of the team runs for that. The compiler reads the sources of this folder and no others.
  *
  * @param folder the folder
  * @param deep whether folders in it belong to it, as in a project
  */
 record SourceFolder(Path folder, boolean deep) {
 
-    /** What the compiler made, and what it said if it could not. */
-    record Compiled(List<Path> classPath, Optional<String> complaint) {}
-
     boolean hasSources() throws IOException {
         return !sources().isEmpty();
     }
 
-    /** Compiles the sources into another folder. */
-    Compiled compile(Path classes) throws IOException {
-        JavaCompiler compiler = Optional.ofNullable(ToolProvider.getSystemJavaCompiler())
-                .orElseThrow(() ->
-                        new WrongEntryException("Teams with Java files need a JDK, and this Java has no compiler: "
-                                + System.getProperty("java.home")));
-        TeamFolder.delete(classes);
-        Files.createDirectories(classes);
+    /** Compiles the sources into another folder, and returns what the compiler says if it cannot. */
+    Optional<String> compile(Path classes) throws IOException {
+        JavaCompiler compiler = compiler();
         StringWriter messages = new StringWriter();
         try (StandardJavaFileManager disk = compiler.getStandardFileManager(null, null, null)) {
             boolean correct = compiler.getTask(
                             messages, disk, null, options(classes), null, disk.getJavaFileObjectsFromPaths(sources()))
                     .call();
-            return new Compiled(classPath(classes), correct ? Optional.empty() : Optional.of(messages.toString()));
+            return correct ? Optional.empty() : Optional.of(messages.toString());
         }
     }
 
+    /**
+     * Finds the compiler.
+     *
+     * @throws WrongEntryException if this Java has none
+     */
+    static JavaCompiler compiler() {
+        return Optional.ofNullable(ToolProvider.getSystemJavaCompiler())
+                .orElseThrow(() ->
+                        new WrongEntryException("Teams with Java files need a JDK, and this Java has no compiler: "
+                                + System.getProperty("java.home")));
+    }
+
     private List<String> options(Path classes) throws IOException {
-        String libraries = String.join(
-                File.pathSeparator, libraries().stream().map(Path::toString).toList());
+        String classPath = Stream.concat(
+                        Stream.of(System.getProperty("java.class.path")),
+                        libraries().stream().map(Path::toString))
+                .collect(Collectors.joining(File.pathSeparator));
         return List.of(
                 "-g",
                 "-parameters",
@@ -58,11 +65,14 @@ record SourceFolder(Path folder, boolean deep) {
                 "UTF-8",
                 "-d",
                 classes.toString(),
+                "-sourcepath",
+                classes.toString(), // else sources on the class path would be compiled, too
                 "-classpath",
-                System.getProperty("java.class.path") + File.pathSeparator + libraries);
+                classPath);
     }
 
-    private List<Path> classPath(Path classes) throws IOException {
+    /** Where the program finds its classes and files when they have been compiled into a folder. */
+    List<Path> classPath(Path classes) throws IOException {
         List<Path> all = new ArrayList<>();
         all.add(classes);
         all.add(folder.resolve("src/main/resources"));

@@ -48,7 +48,7 @@ public final class TeamGuard {
     private static void moveIn() throws IOException {
         if (Files.exists(Fence.DOOR)) {
             if (Files.isDirectory(Fence.TEAM)) {
-                TeamFolder.copy(Fence.TEAM, Fence.HOME);
+                TeamFolder.of(Fence.TEAM, List.of()).copyTo(Fence.HOME);
             }
             Relay.open(Fence.PORT, Fence.DOOR);
         }

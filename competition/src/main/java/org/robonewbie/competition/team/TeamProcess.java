@@ -5,14 +5,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.HashMap;
-import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
-import java.util.UUID;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import org.robonewbie.competition.contest.Ending;
 
 /** The running program of a team, with all processes that it has started. */
@@ -22,26 +20,22 @@ public final class TeamProcess implements AutoCloseable {
     private static final int MOST_PROCESSES = 200;
     private static final int LOOKS_BETWEEN_RUNAWAYS = 20;
 
-    /** Whoever is killed may have started somebody in the moment before. */
-    private static final int ROUNDS = 3;
-
+    private final ProcessTree processes;
     private final Process process;
     private final LogPump log;
     private final Limits limits;
     private final Path workFolder;
-    private final String mark;
     private final Turns turns = new Turns();
-    private final Set<ProcessHandle> seen = new LinkedHashSet<>();
     private final Map<ProcessHandle, Duration> processorTime = new HashMap<>();
     private long looks;
     private volatile Optional<Ending> brokenLimit = Optional.empty();
 
-    private TeamProcess(Process process, LogPump log, Limits limits, Path workFolder, String mark) {
-        this.process = process;
+    private TeamProcess(ProcessTree processes, LogPump log, Limits limits, Path workFolder) {
+        this.processes = processes;
+        this.process = processes.process();
         this.log = log;
         this.limits = limits;
         this.workFolder = workFolder;
-        this.mark = mark;
     }
 
     /**
@@ -63,20 +57,25 @@ public final class TeamProcess implements AutoCloseable {
         Files.createDirectories(workFolder);
         Optional<Path> own = program.folder();
         if (own.isPresent() && enclosure.door().isEmpty()) {
-            TeamFolder.copy(own.get(), workFolder);
+            TeamFolder.of(own.get(), List.of()).copyTo(workFolder);
         }
         ProcessBuilder builder = new ProcessBuilder(enclosure.around(
                         new ProgramCommand(program, start, limits).words(enclosure.temporary(workFolder)), program))
                 .directory(workFolder.toFile())
                 .redirectErrorStream(true);
-        builder.environment()
+        clearEnvironment(builder.environment());
+        ProcessTree processes = ProcessTree.start(builder, Optional.of(workFolder));
+        LogPump pump = LogPump.start(processes.process().getInputStream(), log);
+        return new TeamProcess(processes, pump, limits, workFolder);
+    }
+
+    /** Takes out what would tell a Java of a team, or the compiler for it, more than its command line does. */
+    static void clearEnvironment(Map<String, String> environment) {
+        environment
                 .keySet()
-                .removeIf(name -> name.startsWith("ROBONEWBIE_") || name.endsWith("JAVA_OPTIONS"));
-        builder.environment().remove("JAVA_TOOL_OPTIONS");
-        String mark = UUID.randomUUID().toString();
-        builder.environment().put("ROBONEWBIE_PROGRAM", mark);
-        Process process = builder.start();
-        return new TeamProcess(process, LogPump.start(process.getInputStream(), log), limits, workFolder, mark);
+                .removeIf(name -> name.startsWith("ROBONEWBIE_")
+                        || name.endsWith("JAVA_OPTIONS")
+                        || name.equals("JAVA_TOOL_OPTIONS"));
     }
 
     /** {@return whether the program is still running} */
@@ -106,41 +105,13 @@ public final class TeamProcess implements AutoCloseable {
      * @param otherPort TCP port of the other end
      * @return whether a process of the program holds it; false where the system does not tell
      */
-    public synchronized boolean holds(int ownPort, int otherPort) {
-        Optional<String> socket = LinuxProcess.socket(ownPort, otherPort);
-        findChildren();
-        if (socket.isPresent() && !isHeld(socket.get())) {
-            findRunaways();
-        }
-        return socket.isPresent() && isHeld(socket.get());
-    }
-
-    /** {@return whether this system tells whose a connection is, so that {@link #holds} can be believed} */
-    public static boolean knowsConnections() {
-        return LinuxProcess.knowsConnections();
-    }
-
-    private boolean isHeld(String socket) {
-        return seen.stream().anyMatch(handle -> LinuxProcess.holds(handle.pid(), socket));
-    }
-
-    private void findChildren() {
-        Stream.concat(Stream.of(process.toHandle()), process.descendants()).forEach(seen::add);
-    }
-
-    /** Finds, on Linux, those that have left their parents. */
-    private void findRunaways() {
-        LinuxProcess.marked(mark, workFolder.toAbsolutePath()).stream()
-                .flatMap(pid -> ProcessHandle.of(pid).stream())
-                .forEach(seen::add);
+    public boolean holds(int ownPort, int otherPort) {
+        return processes.holds(ownPort, otherPort);
     }
 
     /** Looks what the program uses, and ends it if that is too much. */
     public synchronized void check() {
-        findChildren();
-        if (looks++ % LOOKS_BETWEEN_RUNAWAYS == 0) {
-            findRunaways();
-        }
+        Set<ProcessHandle> seen = processes.look(looks++ % LOOKS_BETWEEN_RUNAWAYS == 0);
         long bytes = 0;
         int alive = 0;
         for (ProcessHandle handle : seen) {
@@ -162,7 +133,7 @@ public final class TeamProcess implements AutoCloseable {
             brokenLimit = Optional.of(Ending.SILENT);
         }
         if (brokenLimit.isPresent()) {
-            end();
+            processes.close();
         }
     }
 
@@ -199,22 +170,8 @@ public final class TeamProcess implements AutoCloseable {
     /** Ends the program with all that it has started, and deletes what it has written. */
     @Override
     public void close() {
-        end();
+        processes.close();
         log.await();
         TeamFolder.delete(workFolder);
-    }
-
-    private synchronized void end() {
-        process.destroyForcibly();
-        for (int round = 0; round < ROUNDS; round++) {
-            findChildren();
-            findRunaways();
-            seen.forEach(ProcessHandle::destroyForcibly);
-        }
-        try {
-            process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
-        } catch (InterruptedException stopped) {
-            Thread.currentThread().interrupt();
-        }
     }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Role;
 
 /** A program that is ready to be started. */
@@ -14,10 +15,10 @@ public sealed interface TeamProgram {
     /** {@return a checksum of the program; while it stays the same, earlier results of the team are valid} */
     String fingerprint();
 
-    /** {@return the team's folder, of which each trial gets a copy to work in} */
+    /** {@return the files of the team, of which each trial gets a copy to work in} */
     Optional<Path> folder();
 
-    /** {@return where its files are} */
+    /** {@return where its files are, which no other team may see} */
     List<Path> places();
 
     /**
@@ -25,7 +26,8 @@ public sealed interface TeamProgram {
      *
      * @param classPath where its classes and files are
      * @param mainClasses the class to start for each role
-     * @param folder the team's folder, of which each trial gets a copy to work in
+     * @param folder the files of the team, of which each trial gets a copy to work in
+     * @param submitted what the team handed in, from which they have been copied
      * @param together whether one process brings all players
      * @param fingerprint checksum of the program
      */
@@ -33,6 +35,7 @@ public sealed interface TeamProgram {
             List<Path> classPath,
             Map<Role, String> mainClasses,
             Optional<Path> folder,
+            Optional<Path> submitted,
             boolean together,
             String fingerprint)
             implements TeamProgram {
@@ -43,10 +46,16 @@ public sealed interface TeamProgram {
             mainClasses = Map.copyOf(mainClasses);
         }
 
+        /** What its processes read. */
+        List<Path> readable() {
+            return Stream.concat(classPath.stream(), folder.stream())
+                    .map(TeamFolder::absolute)
+                    .toList();
+        }
+
         @Override
         public List<Path> places() {
-            return Stream.concat(classPath.stream(), folder.stream())
-                    .map(path -> path.toAbsolutePath().normalize())
+            return Stream.concat(readable().stream(), submitted.stream().map(TeamFolder::absolute))
                     .toList();
         }
     }
@@ -55,11 +64,13 @@ public sealed interface TeamProgram {
      * A program in any language.
      *
      * @param words program and arguments, with places such as {@code {port}} to be filled in
-     * @param folder the team's folder, of which each trial gets a copy to work in
+     * @param folder the files of the team, of which each trial gets a copy to work in
+     * @param submitted the folder that the team handed in, from which they have been copied
      * @param together whether one process brings all players
      * @param fingerprint checksum of the program
      */
-    record OfCommand(List<String> words, Optional<Path> folder, boolean together, String fingerprint)
+    record OfCommand(
+            List<String> words, Optional<Path> folder, Optional<Path> submitted, boolean together, String fingerprint)
             implements TeamProgram {
 
         /** Makes the list unmodifiable. */
@@ -69,7 +80,10 @@ public sealed interface TeamProgram {
 
         @Override
         public List<Path> places() {
-            return Stream.concat(files().stream(), folder.stream()).toList();
+            return Stream.of(files().stream(), folder.stream(), submitted.stream())
+                    .flatMap(paths -> paths)
+                    .map(TeamFolder::absolute)
+                    .toList();
         }
 
         /** The files that its words name. */
@@ -83,12 +97,13 @@ public sealed interface TeamProgram {
     }
 
     /**
-     * A program with mistakes.
+     * A program that cannot play.
      *
-     * @param complaint what the compiler says
+     * @param ending how all of its trials end
+     * @param complaint what the compiler says, or which file was refused
      * @param fingerprint checksum of the program
      */
-    record Broken(String complaint, String fingerprint) implements TeamProgram {
+    record Broken(Ending ending, String complaint, String fingerprint) implements TeamProgram {
 
         @Override
         public Optional<Path> folder() {

@@ -53,8 +53,11 @@ public final class ChallengePlayer implements TrialPlayer {
     @Override
     public TrialResult run(ContestTrial trial, TrialFiles files) throws IOException {
         TeamProgram program = programs.get(trial.entrants().get(0).team());
-        if (program == null || program instanceof TeamProgram.Broken) {
-            return result(trial, 0, Ending.NOT_COMPILED, Map.of());
+        if (program == null) {
+            return result(trial, 0, Ending.NOT_STARTED, Map.of());
+        }
+        if (program instanceof TeamProgram.Broken broken) {
+            return result(trial, 0, broken.ending(), Map.of());
         }
         List<String> noticed = new CopyOnWriteArrayList<>();
         try (Doorkeeper doorkeeper = new Doorkeeper(fence, programs, files.hidden(), noticed::add);

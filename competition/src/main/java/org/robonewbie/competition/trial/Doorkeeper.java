@@ -16,6 +16,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import org.robonewbie.competition.team.Enclosure;
 import org.robonewbie.competition.team.Fence;
+import org.robonewbie.competition.team.ProcessTree;
 import org.robonewbie.competition.team.TeamFolder;
 import org.robonewbie.competition.team.TeamProcess;
 import org.robonewbie.competition.team.TeamProgram;
@@ -85,7 +86,7 @@ final class Doorkeeper implements AutoCloseable {
 
     /** Whether a connection may pass. Who tries another team's door is remembered. */
     boolean isWelcome(String team, int port, InetSocketAddress guest) {
-        if (!TeamProcess.knowsConnections() || isOf(team, port, guest)) {
+        if (!ProcessTree.knowsConnections() || isOf(team, port, guest)) {
             return true;
         }
         Optional<String> intruder = processes.keySet().stream()

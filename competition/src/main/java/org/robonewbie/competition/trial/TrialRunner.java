@@ -217,8 +217,8 @@ public final class TrialRunner implements TrialPlayer {
     }
 
     private Ending ending(String team, Umpire umpire, Simulator simulator, Doorkeeper doorkeeper) {
-        if (programs.get(team) instanceof TeamProgram.Broken) {
-            return Ending.NOT_COMPILED;
+        if (programs.get(team) instanceof TeamProgram.Broken broken) {
+            return broken.ending();
         }
         if (doorkeeper.intruders().contains(team)) {
             return Ending.INTRUDED;

@@ -2,14 +2,24 @@ package org.robonewbie.competition.team;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Role;
 import org.robonewbie.competition.contest.StartPlace;
 
@@ -41,11 +51,12 @@ class ProgramFinderTest {
     void resultsOfContestsInTheFolderOfATeamAreNoPartOfIt() throws IOException {
         write("red/Striker.java", AGENT.formatted("Striker"));
         TeamProgram before = find("Red=red");
-        write("red/results/" + TeamFolder.RESULTS_LOCK, "");
         write("red/results/work/walk-Red/Striker.java", "this does not compile");
 
-        assertThat(TeamFolder.filesOf(folder.resolve("red"))).containsExactly(folder.resolve("red/Striker.java"));
-        assertThat(find("Red=red").fingerprint()).isEqualTo(before.fingerprint());
+        TeamProgram during = find("Red=red");
+
+        assertThat(during).isInstanceOf(TeamProgram.OfJava.class);
+        assertThat(during.fingerprint()).isEqualTo(before.fingerprint());
     }
 
     @Test
@@ -88,6 +99,130 @@ class ProgramFinderTest {
                                 + " Keeper");
         assertThatThrownBy(() -> find("Red=red", "Red.main=Star"))
                 .hasMessage("Team Red has no class Star with a main method. It has: Keeper, Striker.");
+    }
+
+    /** What is refused in a team's folder, made by a shell in it. */
+    @DisabledOnOs(OS.WINDOWS)
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            mkfifo data                            | red/data is no regular file but a device, a pipe
+            ln -s /dev/zero data.bin               | red/data.bin is a link that leads out of the folder
+            ln -s nowhere notes.txt                | red/notes.txt is a link to nothing
+            ln -s ../blue/Blue.java Blue.java      | red/Blue.java is a link that leads out of the folder
+            ln -s ../blue lib                      | red/lib is a link that leads out of the folder
+            ln -s .. up                            | red/up is a link that leads out of the folder
+            ln -s self self                        | red/self is a link that leads in a circle
+            ln -s ../blue/Blue.java Tools.jar      | red/Tools.jar is a link that leads out of the folder
+            truncate -s 3G data.bin                | red has more than 100 MB
+            rm -r ../red && ln -s blue ../red      | red is a link. Put in its place what it leads to
+            """)
+    void badFolderCostsItsTeamAndNamesTheFile(String command, String complaint) throws Exception {
+        write("blue/Blue.java", AGENT.formatted("Blue"));
+        write("red/Striker.java", AGENT.formatted("Striker"));
+        shell(command);
+
+        TeamProgram program = find("Red=red");
+
+        assertThat(program).isInstanceOf(TeamProgram.Broken.class);
+        assertThat(((TeamProgram.Broken) program).ending()).isEqualTo(Ending.REFUSED);
+        assertThat(((TeamProgram.Broken) program).complaint()).contains(complaint);
+    }
+
+    @DisabledOnOs(OS.WINDOWS)
+    @ParameterizedTest
+    @ValueSource(strings = {"Red=red/Thief.java", "Red=red/thief.jar", "Red=python3 red/thief.py"})
+    void fileOfAnotherTeamIsNoProgram(String entry) throws Exception {
+        write("blue/Blue.java", AGENT.formatted("Blue"));
+        write("red/README", "");
+        shell(
+                "for end in java jar py; do ln -s ../blue/Blue.java Thief.$end; ln -s ../blue/Blue.java thief.$end; done");
+
+        TeamProgram program = find(entry);
+
+        assertThat(program).isInstanceOf(TeamProgram.Broken.class);
+        assertThat(((TeamProgram.Broken) program).complaint()).contains("link");
+    }
+
+    @Test
+    void fingerprintCoversEachFolderThatIsCompiled() throws IOException {
+        write("red/src/main/competition.lock", "");
+        write("red/src/main/Striker.java", AGENT.formatted("Striker"));
+        String before = find("Red=red").fingerprint();
+
+        write("red/src/main/Striker.java", AGENT.formatted("Striker") + "class Other {}");
+
+        assertThat(find("Red=red").fingerprint()).isNotEqualTo(before);
+    }
+
+    @Test
+    void folderOfAnotherTeamWithinOnesOwnDoesNotBelongToIt() throws IOException {
+        write("red/Striker.java", AGENT.formatted("Striker"));
+        write("red/blue/Blue.java", "package blue;\n" + AGENT.formatted("Blue"));
+
+        TeamProgram program = find("Red=red", "Blue=red/blue");
+
+        assertThat(program.folder().orElseThrow().resolve("Striker.java")).exists();
+        assertThat(program.folder().orElseThrow().resolve("blue")).doesNotExist();
+    }
+
+    /** Compilers end with a stack overflow here, or with a message. */
+    @ParameterizedTest
+    @EnumSource
+    void sourcesThatOvertaxTheCompilerCostTheirTeam(Place place) throws IOException {
+        write("red/Striker.java", AGENT.formatted("Striker"));
+        write("red/Deep.java", "class Deep { int x = " + "(".repeat(20_000) + "1" + ")".repeat(20_000) + "; }");
+
+        TeamProgram program = find(place.fence(), "Red=red");
+
+        assertThat(program).isInstanceOf(TeamProgram.Broken.class);
+        assertThat(((TeamProgram.Broken) program).ending()).isEqualTo(Ending.NOT_COMPILED);
+        assertThat(((TeamProgram.Broken) program).complaint()).isNotBlank();
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void compilerNamesTheFileThatTheTeamKnows(Place place) throws IOException {
+        write("red/Striker.java", "class Striker { int x = ; }");
+
+        TeamProgram program = find(place.fence(), "Red=red");
+
+        assertThat(((TeamProgram.Broken) program).complaint())
+                .contains(folder.resolve("red/Striker.java") + ":1: error")
+                .doesNotContain("classes");
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void compilerBehindTheFenceMakesTheSameClasses(Place place) throws IOException {
+        write("red/src/main/java/my/team/Striker.java", "package my.team;\n" + AGENT.formatted("Striker"));
+
+        TeamProgram program = find(place.fence(), "Red=red");
+
+        assertThat(((TeamProgram.OfJava) program).mainClasses()).containsEntry(Role.MAIN, "my.team.Striker");
+        assertThat(folder.resolve("classes/Red/classes/my/team/Striker.class")).exists();
+    }
+
+    /** Where the compiler runs. */
+    enum Place {
+        OPEN,
+        FENCED;
+
+        Fence fence() {
+            Fence found = this == OPEN ? Fence.none("of this test") : Fence.find();
+            boolean required = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;
+            assumeTrue(this == OPEN || found.isUp() || required, () -> "no fence here: " + found.absence());
+            return found;
+        }
+    }
+
+    private void shell(String command) throws Exception {
+        Process process = new ProcessBuilder("sh", "-c", command)
+                .directory(folder.resolve("red").toFile())
+                .redirectErrorStream(true)
+                .start();
+        assertThat(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8))
+                .isEmpty();
+        assertThat(process.waitFor()).isZero();
     }
 
     @Test
@@ -145,8 +280,15 @@ class ProgramFinderTest {
     }
 
     private TeamProgram find(String... lines) throws IOException {
-        return new ProgramFinder(folder, folder.resolve("classes"), Map.of())
-                .find(TeamList.parse(List.of(lines)).get(0));
+        return find(Fence.none("of this test"), lines);
+    }
+
+    private TeamProgram find(Fence fence, String... lines) throws IOException {
+        List<TeamEntry> teams = TeamList.parse(List.of(lines));
+        ProgramFinder finder = new ProgramFinder(folder, folder.resolve("classes"), Map.of(), fence);
+        List<Path> foreign = new ArrayList<>(finder.folders(teams));
+        foreign.add(folder.resolve("red/results"));
+        return finder.find(teams.get(0), foreign);
     }
 
     private void write(String name, String text) throws IOException {

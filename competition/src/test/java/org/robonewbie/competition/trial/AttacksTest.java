@@ -33,6 +33,7 @@ import org.robonewbie.competition.contest.MatchKind;
 import org.robonewbie.competition.contest.Role;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.programs.EatsMemory;
+import org.robonewbie.competition.programs.FillsMemory;
 import org.robonewbie.competition.programs.Hangs;
 import org.robonewbie.competition.programs.JoinsAsHonest;
 import org.robonewbie.competition.programs.LeavesChildren;
@@ -131,7 +132,8 @@ class AttacksTest {
     @EnumSource
     void memoryOfAnyProgramIsLimited(Ground ground) throws Exception {
         String eats = "import time; food = []\nwhile True: food.append(bytearray(b'x') * 10_000_000); time.sleep(0.01)";
-        TeamProgram python = new TeamProgram.OfCommand(List.of("python3", "-c", eats), Optional.empty(), false, "none");
+        TeamProgram python = new TeamProgram.OfCommand(
+                List.of("python3", "-c", eats), Optional.empty(), Optional.empty(), false, "none");
 
         TrialResult result = solo(ground, python);
 
@@ -172,11 +174,26 @@ class AttacksTest {
                     "port " + organisers.getLocalPort());
             Files.write(own.resolve("targets"), targets);
             TeamProgram honest = new TeamProgram.OfJava(
-                    List.of(), Map.of(Role.MAIN, Stands.class.getName()), Optional.of(other), false, "none");
+                    List.of(),
+                    Map.of(Role.MAIN, Stands.class.getName()),
+                    Optional.of(other),
+                    Optional.empty(),
+                    false,
+                    "none");
             TeamProgram nested = new TeamProgram.OfJava(
-                    List.of(), Map.of(Role.MAIN, Stands.class.getName()), Optional.of(within), false, "");
+                    List.of(),
+                    Map.of(Role.MAIN, Stands.class.getName()),
+                    Optional.of(within),
+                    Optional.empty(),
+                    false,
+                    "");
             TeamProgram evil = new TeamProgram.OfJava(
-                    List.of(own), Map.of(Role.MAIN, Snoops.class.getName()), Optional.of(own), false, "none");
+                    List.of(own),
+                    Map.of(Role.MAIN, Snoops.class.getName()),
+                    Optional.of(own),
+                    Optional.empty(),
+                    false,
+                    "none");
 
             TrialResult result = solo(ground, Map.of("Evil", evil, "Honest", honest, "Nested", nested), LIMITS);
 
@@ -189,6 +206,90 @@ class AttacksTest {
         }
     }
 
+    @ParameterizedTest
+    @EnumSource(names = "FENCED")
+    void everyFileSystemBehindTheFenceHasALimit(Ground ground) throws Exception {
+        Path other = Files.createDirectories(folder.resolve("teams/honest"));
+        Path own = Files.createDirectories(folder.resolve("teams/evil"));
+        List<String> folders = List.of(
+                "/",
+                "/dev",
+                "/dev/shm",
+                "/dev/mqueue",
+                "/etc",
+                "/home",
+                "/run",
+                "/run/robonewbie",
+                "/team",
+                "/usr",
+                "/tmp",
+                "/home/robot",
+                folder.toString(),
+                folder.resolve("results").toString(),
+                folder.resolve("teams").toString(),
+                other.toString());
+        Files.write(own.resolve("folders"), folders);
+        TeamProgram evil = new TeamProgram.OfJava(
+                List.of(folder, own), roles(FillsMemory.class), Optional.of(own), Optional.empty(), false, "none");
+        TeamProgram honest = new TeamProgram.OfJava(
+                List.of(), roles(Stands.class), Optional.of(other), Optional.empty(), false, "none");
+
+        TrialResult result = solo(ground, Map.of("Evil", evil, "Honest", honest), LIMITS);
+
+        String log = Files.readString(folder.resolve("results/logs/scoring-Evil.txt"));
+        assertThat(result.of("Evil").ending()).as(log).isEqualTo(Ending.PLAYED);
+        int all = Integer.parseInt(log.replaceFirst("(?s).*all took (\\d+) MB.*", "$1"));
+        assertThat(all).as(log).isBetween(250, 320);
+        assertThat(log).contains("/tmp took ", "/dev/shm took ", "/run took 0 MB", "/ took 0 MB");
+    }
+
+    /** Python can call what Java 17 cannot. */
+    @ParameterizedTest
+    @EnumSource(names = "FENCED")
+    void memoryThatBelongsToNoProcessIsNotToBeHad(Ground ground) throws Exception {
+        assumeTrue(List.of("amd64", "aarch64").contains(System.getProperty("os.arch")), "no filter for this processor");
+        String tries = """
+                import ctypes, os
+                libc = ctypes.CDLL(None, use_errno=True)
+                libc.shmget.argtypes = [ctypes.c_int, ctypes.c_size_t, ctypes.c_int]
+                print('shared', libc.shmget(0, 1 << 20, 0o1600))
+                print('queue', libc.msgget(0, 0o1600))
+                try: print('file', os.memfd_create('x'))
+                except OSError as refused: print('file -1')
+                """;
+        Path script = Files.writeString(
+                Files.createDirectories(folder.resolve("python")).resolve("tries.py"), tries);
+        TeamProgram python = new TeamProgram.OfCommand(
+                List.of("python3", script.toString()), Optional.empty(), Optional.empty(), false, "none");
+
+        solo(ground, python);
+
+        assertThat(folder.resolve("results/logs/scoring-Evil.txt"))
+                .content()
+                .contains("shared -1\n", "queue -1\n", "file -1\n");
+    }
+
+    @Tag("slow")
+    @ParameterizedTest
+    @EnumSource
+    void memoryOfManyProcessesIsAddedUp(Ground ground) throws Exception {
+        String eats = """
+                import os, time
+                for i in range(40):
+                    if os.fork() == 0:
+                        food = bytearray(b'x') * 40_000_000
+                        time.sleep(60)
+                        os._exit(0)
+                time.sleep(60)
+                """;
+        TeamProgram python = new TeamProgram.OfCommand(
+                List.of("python3", "-c", eats), Optional.empty(), Optional.empty(), false, "none");
+
+        TrialResult result = solo(ground, python);
+
+        assertThat(result.of("Evil").ending()).isEqualTo(Ending.TOO_MUCH_MEMORY);
+    }
+
     @Tag("slow")
     @ParameterizedTest
     @EnumSource
@@ -199,6 +300,7 @@ class AttacksTest {
         }
         TeamProgram client = new TeamProgram.OfCommand(
                 List.of("python3", script.toString(), "{host}", "{port}", "{team}", "{number}"),
+                Optional.empty(),
                 Optional.empty(),
                 false,
                 "none");
@@ -256,9 +358,14 @@ class AttacksTest {
         return new TrialFiles(Optional.empty(), results.resolve("logs"), results.resolve("work"));
     }
 
-    private static TeamProgram java(Class<?> main, Path... classPath) {
+    private static Map<Role, String> roles(Class<?> main) {
         Map<Role, String> roles = new LinkedHashMap<>();
         Stream.of(Role.values()).forEach(role -> roles.put(role, main.getName()));
-        return new TeamProgram.OfJava(List.of(classPath), roles, Optional.empty(), false, "none");
+        return roles;
+    }
+
+    private static TeamProgram java(Class<?> main, Path... classPath) {
+        return new TeamProgram.OfJava(
+                List.of(classPath), roles(main), Optional.empty(), Optional.empty(), false, "none");
     }
 }

@@ -100,7 +100,7 @@ class ChallengePlayerTest {
 
     private TrialResult play(Class<?> program, Limits limits, Path work) throws IOException {
         TeamProgram red = new TeamProgram.OfJava(
-                List.of(), Map.of(Role.MAIN, program.getName()), Optional.empty(), false, "none");
+                List.of(), Map.of(Role.MAIN, program.getName()), Optional.empty(), Optional.empty(), false, "none");
         ContestTrial trial =
                 contest.trials(List.of("Red"), id -> Optional.empty()).get(0);
         TrialFiles files = new TrialFiles(Optional.of(recording), folder.resolve("logs"), work);

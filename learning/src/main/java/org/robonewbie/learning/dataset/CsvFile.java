@@ -7,13 +7,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.robonewbie.nao.text.Csv;
 
 /** A table of comma-separated values as in RFC 4180, in UTF-8 with lines that end with a line feed. */
 final class CsvFile extends TableFile {
-
-    private static final Pattern TO_BE_QUOTED = Pattern.compile("[,\"\\r\\n]");
 
     CsvFile(Path file, List<Column> columns) throws IOException {
         super(file, columns);
@@ -48,7 +46,6 @@ final class CsvFile extends TableFile {
         if (cell instanceof Double number && number.isNaN()) {
             return "";
         }
-        String text = cell.toString();
-        return TO_BE_QUOTED.matcher(text).find() ? '"' + text.replace("\"", "\"\"") + '"' : text;
+        return cell instanceof Number ? cell.toString() : Csv.cell(cell.toString());
     }
 }

@@ -104,9 +104,7 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
      */
     public RunResult finish() throws IOException {
         if (failure != null) {
-            throw new IOException(
-                    "Run " + run + " cannot be written (" + failure.getMessage() + "). Is there room on the disk?",
-                    failure);
+            throw new IOException("Run " + run + " cannot be written. " + failure.getMessage(), failure);
         }
         cycles.finish();
         events.finish();

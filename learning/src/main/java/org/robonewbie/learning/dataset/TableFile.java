@@ -20,7 +20,7 @@ public abstract class TableFile implements AutoCloseable {
         this.file = file;
         this.part = AtomicFile.part(file);
         this.columns = List.copyOf(columns);
-        this.out = new BufferedOutputStream(Files.newOutputStream(part));
+        this.out = new BufferedOutputStream(AtomicFile.begin(file));
     }
 
     /**

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.text.Csv;
 
 /**
  * What a series has measured: for each trial its number, its seed, its parameters and its results. If trials have failed, there is a column
@@ -52,7 +53,7 @@ public record ResultTable(
         for (int i = 0; i < trials.size(); i++) {
             PlannedTrial trial = trials.get(i);
             text.append(trial.number()).append(',').append(trial.seed());
-            trial.all().values().forEach(value -> text.append(',').append(quoted(String.valueOf(value))));
+            trial.all().values().forEach(value -> text.append(',').append(Csv.cell(String.valueOf(value))));
             text.append(results(trial, measured.get(i))).append('\n');
         }
         return text.toString();
@@ -63,7 +64,7 @@ public record ResultTable(
         String cells = failure == null
                 ? DoubleStream.of(numbers).mapToObj(number -> "," + number).collect(Collectors.joining())
                 : ",".repeat(columns.size());
-        return failures.isEmpty() ? cells : cells + "," + (failure == null ? "" : quoted(failure));
+        return failures.isEmpty() ? cells : cells + "," + (failure == null ? "" : Csv.cell(failure));
     }
 
     private List<String> names() {
@@ -75,11 +76,7 @@ public record ResultTable(
         if (!failures.isEmpty()) {
             names.add(FAILURE);
         }
-        return names.stream().map(ResultTable::quoted).toList();
-    }
-
-    private static String quoted(String name) {
-        return name.matches("[^,\"\\n]*") ? name : '"' + name.replace("\"", "\"\"") + '"';
+        return names.stream().map(Csv::cell).toList();
     }
 
     /**

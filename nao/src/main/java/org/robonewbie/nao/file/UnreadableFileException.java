@@ -2,6 +2,7 @@ package org.robonewbie.nao.file;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import org.robonewbie.nao.text.PrintableText;
 
 /** Says in a sentence for users why a file cannot be read and what to do about it; the message names the file. */
 public final class UnreadableFileException extends IOException {
@@ -13,7 +14,7 @@ public final class UnreadableFileException extends IOException {
      * @param problem what follows its name, such as {@code does not exist.}
      */
     UnreadableFileException(Path file, String problem) {
-        super("The file " + file + " " + problem);
+        super(sentence(file, problem));
     }
 
     /**
@@ -22,6 +23,15 @@ public final class UnreadableFileException extends IOException {
      * @param cause what the system says
      */
     UnreadableFileException(Path file, String problem, IOException cause) {
-        super("The file " + file + " " + problem, cause);
+        super(sentence(file, problem), cause);
+    }
+
+    /** @param sentence all that there is to say */
+    UnreadableFileException(String sentence) {
+        super(sentence);
+    }
+
+    private static String sentence(Path file, String problem) {
+        return "The file " + PrintableText.of(file.toString()) + " " + problem;
     }
 }

@@ -60,15 +60,8 @@ public final class RecordingFile implements RecordingTarget {
     }
 
     static RecordingFile open(Path file, Optional<RecordingShelf> shelf, Consumer<String> console) throws IOException {
-        try {
-            OutputStream raw = Files.newOutputStream(AtomicFile.part(file));
-            return new RecordingFile(file, new GZIPOutputStream(raw, BUFFER_BYTES, true), shelf, console);
-        } catch (IOException e) {
-            throw new IOException(
-                    "Recording \"" + file + "\" cannot be written (" + e.getMessage()
-                            + "). Choose a file in a folder that exists and in which you may write.",
-                    e);
-        }
+        OutputStream raw = AtomicFile.begin(file);
+        return new RecordingFile(file, new GZIPOutputStream(raw, BUFFER_BYTES, true), shelf, console);
     }
 
     /**
@@ -116,6 +109,22 @@ public final class RecordingFile implements RecordingTarget {
         return shelf.isEmpty() || shelf.get().keepLimit(file);
     }
 
+    /** What has been recorded stays, unless that is nothing. */
+    private void abandon(OutputStream broken) {
+        try {
+            broken.close();
+        } catch (IOException again) {
+            console.accept("The rest of the recording is lost.");
+        }
+        try {
+            if (Files.size(AtomicFile.part(file)) == 0) {
+                Files.delete(AtomicFile.part(file));
+            }
+        } catch (IOException gone) {
+            // Then there is nothing to tidy up.
+        }
+    }
+
     private interface Action {
         void on(OutputStream stream) throws IOException;
     }
@@ -126,9 +135,10 @@ public final class RecordingFile implements RecordingTarget {
             try {
                 action.on(out);
             } catch (IOException e) {
+                abandon(out);
                 out = null;
-                console.accept("The recording " + file + " ends here because it cannot be written (" + e.getMessage()
-                        + "). Is the disk full? The simulation goes on.");
+                console.accept("The recording " + file + " ends here because it cannot be written. " + e.getMessage()
+                        + " The simulation goes on.");
             }
         }
     }

@@ -18,13 +18,6 @@ public final class ReportFile {
      * @throws IOException if it cannot be written; the message says what to do
      */
     public static void write(RunReport report, Path file) throws IOException {
-        try {
-            AtomicFile.write(file, report.toJson());
-        } catch (IOException e) {
-            throw new IOException(
-                    "Report \"" + file + "\" cannot be written (" + e.getMessage()
-                            + "). Choose a file in a folder that exists and in which you may write.",
-                    e);
-        }
+        AtomicFile.write(file, report.toJson());
     }
 }

@@ -22,15 +22,7 @@ public final class StateFile {
      * @throws IOException if it cannot be written; the message says what to do
      */
     public static void write(WorldState state, Path file) throws IOException {
-        try {
-            Files.write(AtomicFile.part(file), state.toBytes());
-            AtomicFile.moveIntoPlace(file);
-        } catch (IOException e) {
-            throw new IOException(
-                    "State \"" + file + "\" cannot be written (" + e.getMessage()
-                            + "). Choose a file in a folder that exists and in which you may write.",
-                    e);
-        }
+        AtomicFile.write(file, state.toBytes());
     }
 
     /**

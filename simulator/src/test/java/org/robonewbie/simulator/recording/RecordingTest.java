@@ -165,7 +165,7 @@ class RecordingTest {
 
         assertThatThrownBy(() -> RecordingWriter.open(RecordingFile.open(file, sentence -> {}), List.of()))
                 .isInstanceOf(IOException.class)
-                .hasMessageStartingWith("Recording \"" + file + "\" cannot be written")
+                .hasMessageStartingWith("The file " + file + " cannot be written: its folder does not exist")
                 .hasMessageEndingWith("Choose a file in a folder that exists and in which you may write.");
     }
 

@@ -1,4 +1,5 @@
 /** The values of one robot over time, to be plotted: a table with one row for each cycle and one column for each name. */
+import { csvCell } from '../csv-cell.js';
 import { CYCLE_SECONDS } from '../cycle.js';
 
 /** The last five minutes. */
@@ -117,7 +118,7 @@ export class Traces {
  */
 export function tableOf(traces, names, from, to) {
   const columns = traces.columns(names, from, to);
-  const head = ['seconds', ...names].map((name) => name.replaceAll(/[,"\n]/g, ' '));
+  const head = ['seconds', ...names].map(csvCell);
   const rows = columns[0].map((seconds, i) =>
     [(seconds ?? 0).toFixed(2), ...columns.slice(1).map((column) => column[i] ?? '')].join(','),
   );
