@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -18,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
 class MotionFileTest {
@@ -102,8 +102,8 @@ class MotionFileTest {
     @Test
     void saysWhichFileIsMissing() {
         assertThatThrownBy(() -> MotionFiles.load(folder.resolve("missing.txt")))
-                .isInstanceOf(NoSuchFileException.class)
-                .hasMessageContaining("missing.txt");
+                .isInstanceOf(UnreadableFileException.class)
+                .hasMessageContaining("missing.txt does not exist");
     }
 
     @ParameterizedTest
