@@ -3,6 +3,8 @@ package org.robonewbie.nao.text;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
@@ -71,7 +73,19 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
 
     /** {@return the lines, without their ends: carriage return, line feed, or both} */
     public List<String> lines() {
-        return content.lines().toList();
+        List<String> lines = new ArrayList<>();
+        int start = 0;
+        for (int i = 0; i < content.length(); i++) {
+            if (isLineEnd(content.charAt(i))) {
+                lines.add(content.substring(start, i));
+                i += content.startsWith("\r\n", i) ? 1 : 0;
+                start = i + 1;
+            }
+        }
+        if (start < content.length()) {
+            lines.add(content.substring(start));
+        }
+        return Collections.unmodifiableList(lines);
     }
 
     /**
@@ -248,12 +262,12 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
     }
 
     private static int lineAt(CharSequence text, int index) {
-        long ends = text.subSequence(0, Math.min(index, text.length()))
-                .toString()
-                .lines()
-                .count();
-        boolean isAtStart = index == 0 || isLineEnd(text.charAt(Math.min(index, text.length()) - 1));
-        return (int) ends + (isAtStart ? 1 : 0);
+        int line = 1;
+        for (int i = 0; i < Math.min(index, text.length()); i++) {
+            boolean isSecondOfPair = text.charAt(i) == '\n' && i > 0 && text.charAt(i - 1) == '\r';
+            line += isLineEnd(text.charAt(i)) && !isSecondOfPair ? 1 : 0;
+        }
+        return line;
     }
 
     private static boolean isLineEnd(char character) {
