@@ -454,8 +454,8 @@ withBody('an import reads what editors and spreadsheets save', () => {
     assert.deepEqual(played(document, 'LEFT_SHOULDER_PITCH'), [[500, 10.5]]);
     assert.match(notes[0], /Without für mich/);
   }
-  const damaged = Uint8Array.from([...Buffer.from(table), 0xff]);
-  assert.throws(() => readMotion('mine.csv', damaged, body, stand), /mine.csv was not imported: line 3 is not UTF-8/);
+  const damaged = Uint8Array.from([...Buffer.from(`${table}# ä\n`), 0xff]);
+  assert.throws(() => readMotion('mine.csv', damaged, body, stand), /mine.csv was not imported: line 4 is not UTF-8/);
 });
 
 withBody('an old motion in Windows-1252 stays in it', () => {

@@ -258,9 +258,36 @@ class JavaScriptTest {
 
     private static byte[] randomBytes(Random random) {
         List<String> parts = List.of(
-                "61", "0A", "0D", "0D0A", "20", "C3BC", "E282AC", "F09F918B", "FC", "DF", "80", "81", "A0", "00", "EDA0BD", "E08080",
-                "F4908080", "FF", "C3", "E282", "01", "7F", "09", "FEFF", "FFFE", "EFBBBF", "D83D", "DC4B");
-        StringBuilder hex = new StringBuilder(List.of("", "", "EFBBBF", "FFFE", "FEFF").get(random.nextInt(5)));
+                "61",
+                "0A",
+                "0D",
+                "0D0A",
+                "20",
+                "C3BC",
+                "E282AC",
+                "F09F918B",
+                "FC",
+                "DF",
+                "80",
+                "81",
+                "A0",
+                "00",
+                "EDA0BD",
+                "E08080",
+                "F4908080",
+                "FF",
+                "C3",
+                "E282",
+                "01",
+                "7F",
+                "09",
+                "FEFF",
+                "FFFE",
+                "EFBBBF",
+                "D83D",
+                "DC4B");
+        StringBuilder hex =
+                new StringBuilder(List.of("", "", "EFBBBF", "FFFE", "FEFF").get(random.nextInt(5)));
         int harmless = 6 + random.nextInt(parts.size() - 5);
         for (int i = random.nextInt(9); i > 0; i--) {
             hex.append(parts.get(random.nextInt(harmless)));

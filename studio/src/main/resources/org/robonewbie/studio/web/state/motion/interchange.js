@@ -86,7 +86,9 @@ export function readMotion(name, bytes, body, start) {
 
 /** @param {MotionDocument} document @returns {string} why it would do nothing */
 function nothingIn({ lines }) {
-  const problem = lines.find((line) => line.problem)?.problem;
+  const at = lines.findIndex((line) => line.problem);
+  const found = lines[at]?.problem;
+  const problem = found?.startsWith('line ') ? found : found && `line ${at + 1} of the file: ${found}`;
   const others = `The studio imports ${ENDINGS.replaceAll(',', ', ')}.`;
   return problem ? `no keyframe can be read. ${capital(problem)}. ${others}` : `it has no keyframe. ${others}`;
 }
