@@ -24,8 +24,7 @@ class ProgramEncodingInFirefoxTest {
 
     @Test
     void latin1StaysLatin1AndUndecodableBytesStay() throws IOException {
-        Path latin =
-                Files.write(folder.resolve("Lat.java"), ProgramEncodingPageTest.bytes(null, "ISO-8859-1", PROGRAM));
+        Path latin = Files.write(folder.resolve("Lat.java"), ProgramEncodingPageTest.bytes("", "ISO-8859-1", PROGRAM));
         Path damaged = Files.write(folder.resolve("Odd.java"), new byte[] {'o', 'k', '\n', (byte) 0x81});
 
         try (Firefox browser = Firefox.start(profile);
@@ -40,7 +39,7 @@ class ProgramEncodingInFirefoxTest {
             browser.typeWithControl("s");
             browser.await(FILE + ".saved.endsWith('// x')");
 
-            assertThat(latin).hasBinaryContent(ProgramEncodingPageTest.bytes(null, "ISO-8859-1", PROGRAM + "// x"));
+            assertThat(latin).hasBinaryContent(ProgramEncodingPageTest.bytes("", "ISO-8859-1", PROGRAM + "// x"));
 
             browser.evaluate("location.hash = '#program/Odd.java'");
             browser.await("document.querySelector('#program-encoding').innerText.includes('line 2 is neither UTF-8')");
