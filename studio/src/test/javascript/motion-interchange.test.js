@@ -7,7 +7,8 @@ const WEB = '../../main/resources/org/robonewbie/studio/web/state/motion';
 const { bodyOf } = await import(`${WEB}/body.js`);
 const { FORMATS, readMotion } = await import(`${WEB}/interchange.js`);
 const { keyframesOf } = await import(`${WEB}/motion-document.js`);
-const { parse, problemOf, textOf } = await import(`${WEB}/motion-text.js`);
+const { encode, parse, problemOf, textOf } = await import(`${WEB}/motion-text.js`);
+const { asOriginal, hasSkippedKeyframes, isUndescribed } = await import(`${WEB}/original-rule.js`);
 const { STANDING } = await import(`${WEB}/poses.js`);
 const { postureFrom } = await import(`${WEB}/posture.js`);
 const { readWebots } = await import(`${WEB}/webots.js`);
@@ -86,6 +87,7 @@ withBody('the signs of a Webots file are told by what a robot can do', () => {
   assert.deepEqual(first.notes, [
     'Read with NAO’s own signs, as Webots writes them.',
     'Without LHand, which this robot does not have.',
+    'No column for NECK_PITCH, LEFT_SHOULDER_PITCH, LEFT_SHOULDER_YAW and 17 more joints: as in the posture at the start.',
   ]);
   const second = read('theirs.motion', original);
   assert.ok(Math.abs(keyframesOf(second.document)[0].degrees[knee] + 68.755) < 1e-3);
@@ -105,11 +107,11 @@ withBody('rows that cannot be read are kept with a message and their place', () 
     [500, 1000],
   );
   assert.equal(
-    notes[1],
+    notes[2],
     'Not read and kept as it is: line 3 of the file: found “1”, expected a time such as 00:01:500, and 1 more. Agents refuse the file until it is mended.',
   );
   const table = read('theirs.csv', 'way_ms,NECK_YAW\n500,10\nabc,20\n500,12a\n');
-  assert.match(table.notes[0], /line 3 of the file: found “abc”, expected a time for way_ms, and 1 more/);
+  assert.match(table.notes[1], /line 3 of the file: found “abc”, expected a time for way_ms, and 1 more/);
   assert.equal(table.document.lines[1].text, 'abc,20');
   const text = read('theirs.txt', `500 ${stand.join(' ')}\nnonsense\n`);
   assert.match(text.notes[0], /line 2 of the file: found “nonsense”, expected the time/);
@@ -138,7 +140,11 @@ withBody('tables may have their own order, moments instead of ways, and decimal 
   );
   assert.equal(frames[0].degrees[joint('RIGHT_KNEE_PITCH')], stand[joint('RIGHT_KNEE_PITCH')]);
   assert.equal(document.lines[0].text, '// slowly');
-  assert.deepEqual(notes, ['Columns that are no joints were left out: remark.']);
+  assert.deepEqual(notes, [
+    'Without remark, which this robot does not have.',
+    'No column for NECK_YAW, LEFT_SHOULDER_PITCH, LEFT_SHOULDER_YAW and 17 more joints: as in the posture at the start.',
+    'Where a cell is empty (line 4) the joint keeps its angle.',
+  ]);
 });
 
 withBody('of a net the way along the first transitions is taken, and other branches are kept as comments', () => {
@@ -173,7 +179,319 @@ withBody('of a net the way along the first transitions is taken, and other branc
       '// another branch: transition;2;1;1000;*',
     ],
   );
-  assert.match(notes[0], /2 other transitions are kept as comments/);
-  assert.match(notes[1], /goes on at keyframe 1 again; the motion ends there/);
-  assert.match(notes[2], /line 7 of the file: found 1 angles, expected 2/);
+  assert.match(notes[1], /2 other transitions are kept as comments/);
+  assert.match(notes[2], /goes on at keyframe 1 again; the motion ends there/);
+  assert.match(notes[3], /line 7 of the file: found 1 angles, expected 2/);
+});
+
+/** @param {any} document @param {string} name @returns {Array<[number, number]>} way and angle of each keyframe */
+const played = (document, name) =>
+  keyframesOf(document).map(({ millis, degrees }) => [millis, Math.round(10 * degrees[joint(name)]) / 10]);
+
+const HEAD = '#WEBOTS_MOTION,V1.0,LShoulderPitch,RShoulderPitch';
+
+/** @type {Array<[what: string, file: string, text: string, frames: Array<[number, number]>, note: RegExp]>} */
+const READ = [
+  [
+    'names in the second line',
+    'a.motion',
+    '#WEBOTS_MOTION,V1.0\nLShoulderPitch,RShoulderPitch\n00:00:400,Pose1,1.2,1.2\n00:00:800,Pose2,-0.3,-0.3\n',
+    [
+      [400, -68.8],
+      [400, 17.2],
+    ],
+    /NAO’s own signs/,
+  ],
+  [
+    'names in the second line, and a head that ends with a comma',
+    'a.motion',
+    '#WEBOTS_MOTION,V1.0,\r\n\r\nLShoulderPitch,RShoulderPitch,\r\n00:00:400,Pose1,1.2,1.2,\r\n',
+    [[400, -68.8]],
+    /NAO’s own signs/,
+  ],
+  [
+    'the form of version 1.1',
+    'a.motion',
+    '#WEBOTS_MOTION,V1.1\nHeadYaw%LShoulderPitch\nplay%0%1.2%0.1\nplay%0.1%-0.3%0.500',
+    [
+      [100, -68.8],
+      [500, 17.2],
+    ],
+    /seconds of its way/,
+  ],
+  [
+    'a row with more values than names',
+    'a.motion',
+    `${HEAD}\n00:00:400,Pose1,1.2,1.2,0.5\n00:00:800,Pose2,-0.3,-0.3\n`,
+    [[800, 17.2]],
+    /line 2 of the file: found 3 angles, expected 2/,
+  ],
+  [
+    'a row with a decimal comma',
+    'a.motion',
+    `${HEAD}\n00:00:400,Pose1,1,2,1,2\n00:00:800,Pose2,-0.3,-0.3\n`,
+    [[800, 17.2]],
+    /line 2 of the file: found 4 angles, expected 2/,
+  ],
+  [
+    'a row with fewer values',
+    'a.motion',
+    `${HEAD}\n00:00:400,Pose1,1.2,1.2\n00:00:800,Pose2,-0.3\n`,
+    [[400, -68.8]],
+    /line 3 of the file: found 1 angles, expected 2/,
+  ],
+  [
+    'a row of version 1.1 without its time',
+    'a.motion',
+    '#WEBOTS_MOTION,V1.1\nHeadYaw%LShoulderPitch\nplay%0%1.2\nplay%0.1%-0.3%0.500',
+    [[500, 17.2]],
+    /line 3 of the file: found 1 angles, expected 2/,
+  ],
+  [
+    'an empty cell',
+    'a.motion',
+    `${HEAD}\n00:00:400,Pose1,1.2,1.2\n00:00:800,Pose2,,-0.3\n`,
+    [
+      [400, -68.8],
+      [400, -68.8],
+    ],
+    /Where a cell is empty \(line 3\) the joint keeps its angle/,
+  ],
+  [
+    'times that go back and stand still',
+    'a.motion',
+    `${HEAD}\n00:00:400,Pose1,1.2,1.2\n00:00:300,Pose2,0,0\n00:00:400,Pose2,0,0\n00:01:000,Pose3,-0.3,0\n`,
+    [
+      [400, -68.8],
+      [600, 17.2],
+    ],
+    /line 3 of the file: found the time 300 ms, expected a later one than 400 ms before, and 1 more/,
+  ],
+  [
+    'times closer than a cycle',
+    'a.motion',
+    `${HEAD}\n00:00:000,Pose1,1.2,1.2\n00:00:010,Pose2,1.2,0\n00:00:100,Pose2,-0.3,0\n`,
+    [
+      [20, -68.8],
+      [20, -68.8],
+      [60, 17.2],
+    ],
+    /shorter than a cycle of 20 ms are played in 20 ms \(line 3\)/,
+  ],
+  [
+    'numbers that are none',
+    'a.motion',
+    `${HEAD}\n00:00:400,P,NaN,0\n00:00:500,P,Infinity,0\n00:00:600,P,0x10,0\n00:00:700,P,1e999,0\n00:00:800,P,1.2,0`,
+    [[800, -68.8]],
+    /line 2 of the file: found “NaN”, expected an angle in radians, such as -0.35, and 3 more/,
+  ],
+  [
+    'a table with NAO’s names',
+    'a.csv',
+    'time_s,LShoulderPitch\n0.5,68.8\n1.5,-17.2\n',
+    [
+      [500, -68.8],
+      [1000, 17.2],
+    ],
+    /NAO’s names: read as degrees with NAO’s own signs/,
+  ],
+  [
+    'a table with more cells than names',
+    'a.csv',
+    'way_ms,LEFT_SHOULDER_PITCH\n500,10,20\n500,40\n',
+    [[500, 40]],
+    /line 2 of the file: found 2 angles, expected 1/,
+  ],
+  [
+    'a table with separators behind its cells, and empty rows',
+    'a.csv',
+    'way_ms,LEFT_SHOULDER_PITCH,,\n500,10,,\n,,,\n700,30,,\n',
+    [
+      [500, 10],
+      [700, 30],
+    ],
+    /No column for/,
+  ],
+  [
+    'a table with numbers in quotes',
+    'a.csv',
+    '"way_ms","LEFT_SHOULDER_PITCH","RIGHT_SHOULDER_PITCH"\n"500","10,5","20,5"\n',
+    [[500, 10.5]],
+    /No column for/,
+  ],
+  [
+    'a table with the hint of Excel',
+    'a.csv',
+    'sep=;\r\n# slowly\r\nway_ms;LEFT_SHOULDER_PITCH\r\n500;10,5\r\n',
+    [[500, 10.5]],
+    /No column for/,
+  ],
+  [
+    'a table that Excel saves as text',
+    'a.txt',
+    'way_ms\tLEFT_SHOULDER_PITCH\r\n500\t10,5\r\n',
+    [[500, 10.5]],
+    /No column for/,
+  ],
+  [
+    'ways that are none',
+    'a.csv',
+    'way_ms,LEFT_SHOULDER_PITCH\n0,10\n-5,20\n500,30\n',
+    [[500, 30]],
+    /line 2 of the file: found “0”, expected a time above 0, and 1 more/,
+  ],
+  [
+    'thousands with a dot',
+    'a.csv',
+    'way_ms;LEFT_SHOULDER_PITCH\n1.000,0;10\n500;30\n',
+    [[500, 30]],
+    /line 2 of the file: found “1.000,0”, expected a time for way_ms/,
+  ],
+  [
+    'a net with a keyframe twice and a way to nowhere',
+    'a.mef',
+    'nao\nLShoulderPitch;\nkeyframe;0;0;0;0\nkeyframe;1;0;0;10\nkeyframe;1;0;0;99\ntransition;0;1;500;*\ntransition;1;7;500;*\n',
+    [[500, 10]],
+    /line 5 of the file: found keyframe 1, which the file has already, and 1 more/,
+  ],
+];
+
+for (const [what, name, text, frames, note] of READ) {
+  withBody(`an import notes with its line: ${what}`, () => {
+    const { document, notes } = read(name, text);
+
+    assert.deepEqual(played(document, 'LEFT_SHOULDER_PITCH'), frames);
+    assert.match(notes.join('\n'), note);
+  });
+}
+
+/** @type {Array<[what: string, file: string, text: string, message: RegExp]>} */
+const REFUSED = [
+  [
+    'no names at all',
+    'a.motion',
+    '#WEBOTS_MOTION,V1.0\n00:00:400,Pose1,1.2\n',
+    /names no joints, neither in its first/,
+  ],
+  ['nothing below the head', 'a.motion', '#WEBOTS_MOTION,V1.1\n', /names no joints/],
+  ['only names', 'a.motion', HEAD, /a.motion was not imported: it has no keyframe/],
+  [
+    'only unknown joints',
+    'a.motion',
+    '#WEBOTS_MOTION,V1.0,l_knee,r_knee\n00:01:000,P,1,1\n',
+    /line 1 names no joint of this robot: found “l_knee”, “r_knee”/,
+  ],
+  [
+    'semicolons',
+    'a.motion',
+    '#WEBOTS_MOTION,V1.0,LKneePitch;RKneePitch\n00:01:000;P;1,2;1,0\n',
+    /line 1 names no joint of this robot: found “LKneePitch;RKneePitch”/,
+  ],
+  [
+    'a joint twice',
+    'a.motion',
+    '#WEBOTS_MOTION,V1.0,LKneePitch,LKneePitch\n00:01:000,P,1,-1\n',
+    /line 1 names “LKneePitch” twice/,
+  ],
+  [
+    'a column without a name',
+    'a.motion',
+    '#WEBOTS_MOTION,V1.0,LKneePitch,,HeadYaw\n00:01:000,P,1,-1,0\n',
+    /line 1 has no name for its 2. column/,
+  ],
+  [
+    'seconds',
+    'a.motion',
+    `${HEAD}\n0.5,P,1.2,0\n1.0,P,0.1,0\n`,
+    /no keyframe can be read. Line 2 of the file: found “0.5”, expected a time such as 00:01:500/,
+  ],
+  [
+    'another version',
+    'a.motion',
+    '#WEBOTS_MOTION,V3.0,LKneePitch\n00:01:000,P,1\n',
+    /of version “V3.0”; V1.0 and V1.1 can be read/,
+  ],
+  [
+    'a table of unknown joints',
+    'a.csv',
+    'time_s,lshoulderpitch_typo\n0.5,1.0\n',
+    /line 1 names no joint of this robot: found “lshoulderpitch_typo”/,
+  ],
+  ['a table without a time', 'a.csv', 'LEFT_KNEE_PITCH\n-60\n', /must name a time/],
+  [
+    'a table with one joint by two names',
+    'a.csv',
+    'way_ms,LKneePitch,LEFT_KNEE_PITCH\n500,60,-60\n',
+    /names one joint twice, as “LKneePitch” and “LEFT_KNEE_PITCH”/,
+  ],
+  ['an empty table', 'a.csv', '', /must name a time/],
+  ['a table without rows', 'a.csv', 'way_ms,LEFT_KNEE_PITCH\n# nothing\n', /has no keyframe/],
+  ['a net with a joint twice', 'a.mef', 'nao\nHeadYaw;HeadYaw;\nkeyframe;0;0;0;1;2\n', /names “HeadYaw” twice/],
+  ['a net without a way', 'a.mef', 'nao\nHeadYaw;\nkeyframe;0;0;0;1\n', /has no keyframe/],
+  ['three numbers', 'a.txt', '500 0 0\n', /no keyframe can be read. Line 1 of the file: 2 angles, expected 22/],
+  ['comments only', 'a.txt', '// later\n', /has no keyframe/],
+  ['nothing', 'a.txt', '', /has no keyframe/],
+  [
+    'a project of Choregraphe',
+    'a.xar',
+    '<?xml version="1.0"?>\n<Project/>\n',
+    /imports .motion, .mef, .txt, .csv, .tsv/,
+  ],
+];
+
+for (const [what, name, text, message] of REFUSED) {
+  withBody(`an import is refused: ${what}`, () => {
+    assert.throws(() => read(name, text), message);
+  });
+}
+
+withBody('an import reads what editors and spreadsheets save', () => {
+  const table = 'way_ms;LEFT_SHOULDER_PITCH;für mich\r\n500;10,5;\r\n';
+  const wide = Buffer.from(`\uFEFF${table}`, 'utf16le');
+
+  for (const bytes of [Buffer.from(table), Buffer.from(`\uFEFF${table}`), wide, Buffer.from(table, 'latin1')]) {
+    const { document, notes } = readMotion('mine.csv', new Uint8Array(bytes), body, stand);
+    assert.deepEqual(played(document, 'LEFT_SHOULDER_PITCH'), [[500, 10.5]]);
+    assert.match(notes[0], /Without für mich/);
+  }
+  const damaged = Uint8Array.from([...Buffer.from(`${table}# ä\n`), 0xff]);
+  assert.throws(() => readMotion('mine.csv', damaged, body, stand), /mine.csv was not imported: line 4 is not UTF-8/);
+});
+
+withBody('an old motion in Windows-1252 stays in it', () => {
+  const bytes = new Uint8Array(Buffer.from(`// für Zoë\r\n500 ${stand.join(' ')}\r\n`, 'latin1'));
+
+  const { document, notes } = readMotion('old.txt', bytes, body, stand);
+
+  assert.deepEqual(encode(document), bytes);
+  assert.match(notes[0], /^In line 1 is not UTF-8|line 1 is not UTF-8 and was read as Windows-1252/);
+});
+
+withBody('a motion with ways of no length survives the way through other formats', () => {
+  for (const format of FORMATS.filter(({ id }) => id !== 'original-text')) {
+    const given = format.write(parse(`500 ${stand.join(' ')}\n0 ${stand.map(() => 1).join(' ')}\n`), body, stand);
+    const { document, notes } = read(`mine${format.ending}`, given);
+    assert.deepEqual(
+      keyframesOf(document).map(({ millis }) => millis),
+      [500, 20],
+      format.id,
+    );
+    assert.ok(notes.every((note) => !note.includes('Not read')));
+  }
+});
+
+const POSE = (/** @type {number} */ millis, /** @type {number} */ angle) =>
+  `${millis} ${Array(22).fill(angle).join(' ')}\n`;
+
+test('a motion of RoboNewbie 1.1 is known by the keyframes that were skipped', () => {
+  const old = POSE(300, 0) + POSE(20, 5) + POSE(300, 10) + POSE(39, 0) + POSE(200, 1);
+  assert.ok(hasSkippedKeyframes(parse(old)) && isUndescribed(parse(`// Author: Ada\n${old}`)));
+  assert.ok(!hasSkippedKeyframes(parse(POSE(300, 0) + POSE(40, 5))));
+  assert.ok(!hasSkippedKeyframes(parse(POSE(300, 0) + POSE(20, 0))), 'a rest is a rest by either rule');
+  assert.ok(!hasSkippedKeyframes(parse(POSE(20, 0) + POSE(20, 1) + POSE(20, 2))), 'a recorded motion');
+  for (const line of ['// play: 1.1', '// columns: milliseconds', '//made by: hand', '// Start: stance']) {
+    assert.ok(!isUndescribed(parse(`${line}\n${old}`)), line);
+  }
+  assert.equal(textOf(asOriginal(parse('// x\r\n'))), '// play: 1.1\r\n// x\r\n');
+  assert.ok(!isUndescribed(asOriginal(parse(old))));
 });

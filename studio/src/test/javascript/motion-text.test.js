@@ -42,7 +42,11 @@ test('a file keeps every character', () => {
 test('an old file with umlauts keeps its bytes', () => {
   const bytes = Uint8Array.from([...new TextEncoder().encode('// Z'), 0xf6, 0x65, 0x80, 0x0a]);
   assert.deepEqual(encode(decode(bytes)), bytes);
-  assert.equal(decode(bytes).charset, 'latin-1');
+  assert.equal(decode(bytes).encoding, 'Windows-1252');
+  assert.throws(
+    () => decode(Uint8Array.from([0x0a, 0x81])),
+    /^Error: line 2 is neither UTF-8 nor Windows-1252 \(byte 0x81\)/,
+  );
 });
 
 test('a changed angle leaves all other characters alone', () => {

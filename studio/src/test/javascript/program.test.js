@@ -8,9 +8,18 @@ const { lineOf, rangeOf, remarksText, withMistake } = await import(`${state}/pro
 const { isUnderWay, NO_RUN, ownRobot, runText } = await import(`${state}/program/run.js`);
 const { ChosenNumbers, numberText, stepOf, withUsual } = await import(`${state}/program/sliders.js`);
 const { valuesAtLines } = await import(`${state}/program/values.js`);
-const { folderOfNew, freeName, isUnsaved, javaName, lessonOf, opened, written } = await import(
-  `${state}/program/documents.js`
-);
+const {
+  classNameProblem,
+  folderOfNew,
+  freeName,
+  isOpenToChange,
+  isUnsaved,
+  javaName,
+  lessonOf,
+  newText,
+  opened,
+  written,
+} = await import(`${state}/program/documents.js`);
 const { PROGRAM, restoredLayout, UNDERSTAND } = await import(`${state}/layout.js`);
 
 const mistake = { from: 4, to: 9, line: 2, serious: true, text: 'cannot find symbol', hint: '' };
@@ -78,13 +87,45 @@ test('plotted values stand beside the lines that plot them', () => {
 });
 
 test('a file of Windows keeps its line ends, and is unsaved only after a change', () => {
-  const file = opened('own', 'MyAgent.java', 'a\r\nb\r\n', 'v1');
+  const file = opened('own', 'My.java', newText('one\r\ntwo\r\n', 'v1'));
+  assert.equal(file.saved, 'one\ntwo\n');
+  assert.equal(written(file, 'one\nthree\n'), 'one\r\nthree\r\n');
+  assert.ok(!isUnsaved(file, 'one\ntwo\n'));
+  assert.ok(isUnsaved(file, 'one\nthree\n'));
+  assert.ok(isUnsaved(opened('own', 'My.java', newText('a')), 'a'));
+  assert.ok(!isUnsaved(opened('example', 'Agent_Wave', newText('a')), 'b'));
+});
 
-  assert.equal(isUnsaved(file, 'a\nb\n'), false);
-  assert.equal(isUnsaved(file, 'a\nc\n'), true);
-  assert.equal(written(file, 'a\nc\n'), 'a\r\nc\r\n');
-  assert.equal(isUnsaved(opened('own', 'MyAgent.java', 'a', ''), 'a'), true);
-  assert.equal(isUnsaved(opened('example', 'Agent_Wave', 'a', ''), 'b'), false);
+for (const [content, typed, expected] of [
+  ['a\r\nb\nc\rd', 'a\nb\nc\nd', 'a\r\nb\nc\rd'],
+  ['a\r\nb\nc\rd', 'a\nb\nx\nc\nd', 'a\r\nb\nx\r\nc\rd'],
+  ['a\r\nb\nc\rd', 'x\nb\nc\nd', 'x\r\nb\nc\rd'],
+  ['a\r\nb\nc\rd', 'a\nd', 'a\r\nd'],
+  ['a\nb', 'a\nb\n', 'a\nb\n'],
+  ['a\rb\r', 'a\rb'.replace('\r', '\n'), 'a\rb'],
+  ['', 'a\nb', 'a\nb'],
+  ['a\r\na\na\n', 'a\na\na\na\n', 'a\r\na\na\na\r\n'],
+  ['a\r\n', '', ''],
+]) {
+  test(`lines that stay keep their ends: ${JSON.stringify([content, typed])}`, () => {
+    assert.equal(written(opened('own', 'My.java', newText(content)), typed), expected);
+  });
+}
+
+test('a file that cannot be decoded is never unsaved', () => {
+  const file = opened('own', 'My.java', { ...newText('a', 'v1'), problem: 'line 1 is no text.' });
+  assert.ok(!isOpenToChange(file));
+  assert.ok(!isUnsaved(file, 'b'));
+});
+
+test('what is wrong with the name of a class is said', () => {
+  for (const good of ['My', 'Größe', 'Привет', '_a1', 'My.java', '$x']) {
+    assert.equal(classNameProblem(good), '', good);
+  }
+  assert.equal(classNameProblem('My Agent'), 'The name of a class cannot contain a blank.');
+  assert.equal(classNameProblem('1st'), 'The name of a class cannot begin with “1”.');
+  assert.equal(classNameProblem('a/b'), 'The name of a class cannot contain “/”.');
+  assert.equal(classNameProblem(''), 'The name of a class has 1 to 80 letters.');
 });
 
 test('a new program gets a free name beside the others of its project', () => {

@@ -1,4 +1,5 @@
 /** Answers what the motion editor asks its server: motions of the browser, those of the library, and trials on a physical robot. */
+import { decodeText } from '../state/decoded-text.js';
 import { asBytes, asText, BrowserShelf, versionOf } from './browser-shelf.js';
 
 const POSES = 'poses';
@@ -52,6 +53,7 @@ export class MotionServer {
       own: entries(this.#own),
       drafts: entries(this.#drafts),
       library: index.split('\n').filter(Boolean),
+      leftOut: [],
     });
   }
 
@@ -99,7 +101,7 @@ export class MotionServer {
 
   /** @param {RequestInit} options */
   async #try(options) {
-    const text = new TextDecoder().decode(await bodyOf(options));
+    const text = decodeText(await bodyOf(options)).content;
     const start = new Headers(options.headers).get('Start') ?? 'standing';
     const result = await this.questions.ask('motionTrial', text, start);
     return new Response(result, { status: result.startsWith('{') ? 200 : 400 });

@@ -1,4 +1,5 @@
 /** Answers what the room for programs asks its server: files of the browser, the compiler of the page, the program that runs. */
+import { decodeText } from '../state/decoded-text.js';
 import { versionOf } from './browser-shelf.js';
 import { insteadOfMissing } from './missing-classes.js';
 
@@ -89,7 +90,7 @@ export class ProgramServer {
     const [, kind = '', ...rest] = path.split('/');
     const name = rest.map(decodeURIComponent).join('/');
     const wish = new URLSearchParams(search);
-    const body = String(options.body ?? '');
+    const body = decodeText(new Uint8Array(await new Response(options.body).arrayBuffer())).content;
     switch (`${options.method ?? 'GET'} ${kind}`) {
       case 'GET ':
         return Response.json({

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -29,6 +30,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.nao.text.DecodedText;
+import org.robonewbie.nao.text.UndecodableTextException;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.file.RecordingFile;
@@ -48,6 +51,7 @@ class JavaScriptTest {
         writeRecording(folder);
         WrittenTelemetry.write(folder.resolve("telemetry.json"));
         writeMotions(Files.createDirectory(folder.resolve("motions")));
+        writeTexts(folder.resolve("texts.json"));
 
         run(folder, List.of(node.toString(), "--test", "src/test/javascript/"));
     }
@@ -229,6 +233,66 @@ class JavaScriptTest {
                     Map.of("keyframes", keyframes, "errors", file.errors().size(), "angle", angle, "changed", changed);
             Files.writeString(folder.resolve(i + ".json"), new Gson().toJson(truth));
         }
+    }
+
+    /** Writes bytes of all kinds, and what the robot's own reader says of them. */
+    private static void writeTexts(Path file) throws IOException {
+        Random random = new Random(7);
+        List<Map<String, String>> texts = new ArrayList<>();
+        for (int i = 0; i < 3000; i++) {
+            byte[] bytes = randomBytes(random);
+            texts.add(Map.of("hex", HexFormat.of().formatHex(bytes), "said", said(bytes)));
+        }
+        Files.writeString(file, new Gson().toJson(texts));
+    }
+
+    private static String said(byte[] bytes) {
+        try {
+            DecodedText text = DecodedText.of(bytes);
+            return text.encoding() + " " + text.hasByteOrderMark() + " " + text.content() + "\n"
+                    + text.note().orElse("");
+        } catch (UndecodableTextException refused) {
+            return String.valueOf(refused.getMessage());
+        }
+    }
+
+    private static byte[] randomBytes(Random random) {
+        List<String> parts = List.of(
+                "61",
+                "0A",
+                "0D",
+                "0D0A",
+                "20",
+                "C3BC",
+                "E282AC",
+                "F09F918B",
+                "FC",
+                "DF",
+                "80",
+                "81",
+                "A0",
+                "00",
+                "EDA0BD",
+                "E08080",
+                "F4908080",
+                "FF",
+                "C3",
+                "E282",
+                "01",
+                "7F",
+                "09",
+                "FEFF",
+                "FFFE",
+                "EFBBBF",
+                "D83D",
+                "DC4B");
+        StringBuilder hex =
+                new StringBuilder(List.of("", "", "EFBBBF", "FFFE", "FEFF").get(random.nextInt(5)));
+        int harmless = 6 + random.nextInt(parts.size() - 5);
+        for (int i = random.nextInt(9); i > 0; i--) {
+            hex.append(parts.get(random.nextInt(harmless)));
+        }
+        return HexFormat.of().parseHex(hex);
     }
 
     private static byte[] randomMotion(Random random) {

@@ -2,7 +2,12 @@ package org.robonewbie.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -15,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.MotionFiles;
 
 /** Files are read and written below one folder only, and only for pages of the studio. */
 class MotionAccessTest {
@@ -112,8 +118,94 @@ class MotionAccessTest {
                 .startsWith("HTTP/1.1 403")
                 .contains("outside of");
         assertThat(asPage("PUT /api/motions/link", "evil")).startsWith("HTTP/1.1 403");
-        assertThat(asPage("GET /api/motions", "")).doesNotContain("link");
+        assertThat(asPage("GET /api/motions", "")).contains("\"own\":[]", "\"link\\\" is a link to a place outside of");
         assertThat(place.resolve("secret.txt")).hasContent("secret");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "grüßen",
+                "приседание",
+                "día",
+                "挥手",
+                "手\u3000を振る",
+                "नमस्ते",
+                "سلام",
+                "wave (1)",
+                "a+b",
+                "it's & more",
+                "#1; go!",
+                "👋",
+                "1st",
+                "-x",
+                "wave.v2",
+                "नमस्ते करना दोनों हाथों से और फिर धीरे धीरे नीचे बैठना और उठना फिर से"
+            })
+    void motionMayBeCalledInAnyLanguage(String name) throws IOException {
+        String encoded = URLEncoder.encode(name, StandardCharsets.UTF_8).replace("+", "%20");
+
+        assertThat(asPage("PUT /api/motions/" + encoded, "// hello\n")).startsWith("HTTP/1.1 200");
+
+        assertThat(folder.resolve(name + ".txt")).hasContent("// hello\n");
+        assertThat(asPage("GET /api/motions/" + encoded, "")).endsWith("// hello\n");
+        assertThat(new MotionFiles(folder).names()).containsExactly(name);
+        assertThat(listed()).containsExactly(name);
+        assertThat(MotionFiles.library(folder).find(name)).isPresent();
+    }
+
+    @Test
+    void nameIsTheSameInEitherFormOfItsLetters() throws IOException {
+        Path decomposed = Files.writeString(folder.resolve("gru\u0308ßen.txt"), "// mac\n");
+
+        assertThat(listed()).containsExactly("grüßen");
+        String version = asPage("GET /api/motions/gr%C3%BC%C3%9Fen", "");
+        assertThat(version).endsWith("// mac\n");
+        String known = version.replaceFirst("(?s).*\nVersion: (\\w+).*", "$1");
+        assertThat(asPage("PUT /api/motions/gr%C3%BC%C3%9Fen", "// new\n", "Known-Version: " + known))
+                .startsWith("HTTP/1.1 200");
+
+        assertThat(decomposed).hasContent("// new\n");
+        assertThat(listed()).containsExactly("grüßen");
+    }
+
+    @Test
+    void fileThatIsNoMotionIsLeftOutAlone() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("good.txt"), "// good\n");
+        Files.createDirectory(folder.resolve("folder.txt"));
+        Files.createSymbolicLink(folder.resolve("dead.txt"), place.resolve("nowhere"));
+        Files.createSymbolicLink(folder.resolve("zero.txt"), Path.of("/dev/zero"));
+        Files.writeString(folder.resolve("what?.txt"), "// what\n");
+        try (RandomAccessFile huge =
+                new RandomAccessFile(folder.resolve("huge.txt").toFile(), "rw")) {
+            huge.setLength(2_300_000_000L);
+        }
+        Path pipe = folder.resolve("pipe.txt");
+        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                .isZero();
+
+        String list = asPage("GET /api/motions", "");
+
+        assertThat(listed()).containsExactly("good");
+        assertThat(list)
+                .contains("folder.txt is a folder", "dead.txt does not exist", "zero.txt is no regular file")
+                .contains("huge.txt is larger than 2 MB", "pipe.txt is no regular file but a device or a pipe")
+                .contains("The name of the file what?.txt contains \\\"?\\\"");
+        for (String name : List.of("huge", "pipe", "folder")) {
+            assertThat(asPage("GET /api/motions/" + name, ""))
+                    .startsWith("HTTP/1.1 409")
+                    .contains("The file ", name + ".txt is ");
+            assertThat(asPage("PUT /api/motions/" + name, "evil")).startsWith("HTTP/1.1 409");
+        }
+    }
+
+    private List<String> listed() throws IOException {
+        String answer = asPage("GET /api/motions", "");
+        JsonObject json = JsonParser.parseString(answer.substring(answer.indexOf("\r\n\r\n")))
+                .getAsJsonObject();
+        return json.getAsJsonArray("own").asList().stream()
+                .map(entry -> entry.getAsJsonObject().get("name").getAsString())
+                .toList();
     }
 
     @Test

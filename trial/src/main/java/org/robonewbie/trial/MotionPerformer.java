@@ -1,9 +1,7 @@
 package org.robonewbie.trial;
 
 import java.util.List;
-import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.JointStates;
-import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionPlayer;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.protocol.effector.EffectorCommand;
@@ -16,8 +14,8 @@ final class MotionPerformer implements Performer {
     private final MotionPlayer player;
     private final JointSpeeds speeds = new JointSpeeds();
 
-    MotionPerformer(Motion motion) {
-        player = new MotionPlayer(motion, Interpolation.LINEAR);
+    MotionPerformer(MotionPlayer player) {
+        this.player = player;
     }
 
     @Override

@@ -5,7 +5,10 @@ import java.util.function.Function;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.MotionPlayer;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
 /**
@@ -35,7 +38,18 @@ public interface Performer extends AutoCloseable {
      * @return the performer
      */
     static Performer ofMotion(Motion motion) {
-        return new MotionPerformer(motion);
+        return new MotionPerformer(new MotionPlayer(motion, Interpolation.LINEAR));
+    }
+
+    /**
+     * Plays the motion of a file once, by the rule that the file names, and then holds the joints.
+     *
+     * @param file the file, see {@link MotionPlayer#of}
+     * @return the performer
+     * @throws org.robonewbie.nao.motion.MotionFormatException if the file cannot be understood
+     */
+    static Performer ofMotion(MotionFile file) {
+        return new MotionPerformer(MotionPlayer.of(file, 1, Interpolation.LINEAR));
     }
 
     /**

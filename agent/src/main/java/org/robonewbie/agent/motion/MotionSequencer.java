@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedSet;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.robonewbie.agent.log.Mistakes;
@@ -21,6 +22,7 @@ import org.robonewbie.nao.motion.MotionLibrary;
 import org.robonewbie.nao.motion.MotionPlayer;
 import org.robonewbie.nao.motion.MotionProblem;
 import org.robonewbie.nao.motion.Motors;
+import org.robonewbie.nao.text.FileName;
 
 /**
  * Plays motions in sequence: finds them by name, makes a fallen robot get up first, and inserts a motion that stops or begins a
@@ -286,15 +288,37 @@ public final class MotionSequencer implements Motions {
     }
 
     private String unknown(String name) {
-        String meant = Spelling.nearest(name.replaceFirst("\\.txt$", ""), library.names())
-                .map(similar -> " Did you mean \"" + similar + "\"?")
-                .orElse("");
+        SortedSet<String> names = library.names();
+        String plain = name.replaceFirst("(?i)\\.txt$", "");
+        String others = "use one of: " + String.join(", ", names) + ".";
+        if (!plain.equals(name) && names.contains(plain)) {
+            return String.format(
+                    Locale.ROOT, "There is no motion \"%s\". Leave out \".txt\": \"%s\" is its name.", name, plain);
+        }
+        Optional<String> problem = FileName.problem(plain);
+        if (problem.isPresent()) {
+            return String.format(
+                    Locale.ROOT,
+                    "There is no motion \"%s\", since this name %s.%s Write another one, or %s",
+                    name,
+                    problem.get(),
+                    meant(plain, names),
+                    others);
+        }
         return String.format(
                 Locale.ROOT,
-                "There is no motion \"%s\".%s Put a file motions/%s.txt into the working directory, or use one of: %s.",
+                "There is no motion \"%s\".%s Put a file motions/%s.txt into the working directory, or %s",
                 name,
-                meant,
-                name,
-                String.join(", ", library.names()));
+                meant(plain, names),
+                plain,
+                others);
+    }
+
+    /** Proposes a name, but never the one that was written. */
+    private static String meant(String name, SortedSet<String> names) {
+        List<String> others = names.stream().filter(each -> !each.equals(name)).toList();
+        return Spelling.nearest(name.strip(), others)
+                .map(similar -> " Did you mean \"" + similar + "\"?")
+                .orElse("");
     }
 }

@@ -8,14 +8,23 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.text.Normalizer;
+import java.util.List;
+import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.MotionLibrary;
+import org.robonewbie.nao.motion.MotionSource;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.file.MotionFiles;
@@ -188,6 +197,61 @@ class MotionsTest {
                 .singleElement()
                 .asString()
                 .startsWith("0.00 s: There is no motion \"walk-foward\". Did you mean \"walk-forward\"? Put a file ");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '\'',
+            value = {
+                "nod.txt | There is no motion \"nod.txt\". Leave out \".txt\": \"nod\" is its name.",
+                "walk-forward.TXT | There is no motion \"walk-forward.TXT\". Leave out \".txt\": \"walk-forward\" is its name.",
+                "nodd.txt | There is no motion \"nodd.txt\". Did you mean \"nod\"? Put a file motions/nodd.txt into the",
+                "NOD | There is no motion \"NOD\". Did you mean \"nod\"? Put a file motions/NOD.txt into the",
+                "'nod ' | There is no motion \"nod \", since this name ends with a blank. Did you mean \"nod\"? Write another",
+                "my/nod | There is no motion \"my/nod\", since this name contains \"/\".",
+                "n\u200Bod | There is no motion \"n\u200Bod\", since this name contains the invisible character U+200B. Did you mean"
+            })
+    void saysWhatIsWrongWithAName(String name, String message) throws IOException {
+        file("nod", "200 30" + ZEROS);
+
+        boolean started = motions().start(name);
+
+        assertThat(started).isFalse();
+        assertThat(mistakes.reported()).singleElement().asString().startsWith("0.00 s: " + message);
+    }
+
+    @Test
+    void neverProposesTheNameThatWasWritten() {
+        MotionSource gone = new MotionSource() {
+            @Override
+            public Optional<byte[]> read(String name) {
+                return Optional.empty();
+            }
+
+            @Override
+            public SortedSet<String> names() {
+                return new TreeSet<>(List.of("nod"));
+            }
+        };
+        MotionSequencer motions =
+                new MotionSequencer(motors, new MotionLibrary(gone, gone), mistakes, () -> BodyPosition.UPRIGHT);
+
+        motions.start("nod");
+
+        assertThat(mistakes.reported()).singleElement().asString().doesNotContain("Did you mean");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"grüßen", "gru\u0308ßen", "приседание", "día", "挥手", "नमस्ते", "سلام", "wave (1)", "👋"})
+    void playsMotionsInAnyLanguage(String name) throws IOException {
+        file(name, "200 30" + ZEROS);
+
+        assertThat(motions().start(Normalizer.normalize(name, Normalizer.Form.NFC)))
+                .isTrue();
+        assertThat(motions().start(Normalizer.normalize(name, Normalizer.Form.NFD)))
+                .isTrue();
+        assertThat(mistakes.reported()).isEmpty();
     }
 
     @Test

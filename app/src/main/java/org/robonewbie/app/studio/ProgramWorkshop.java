@@ -1,7 +1,6 @@
 package org.robonewbie.app.studio;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -10,6 +9,7 @@ import org.robonewbie.app.program.ExampleSources;
 import org.robonewbie.app.program.GuestProcess;
 import org.robonewbie.app.program.StudentsProgram;
 import org.robonewbie.app.program.WaitingProcess;
+import org.robonewbie.nao.file.TextFile;
 import org.robonewbie.studio.completion.Proposal;
 import org.robonewbie.studio.program.Remark;
 import org.robonewbie.studio.program.RunningProgram;
@@ -75,7 +75,7 @@ public final class ProgramWorkshop implements Workshop, AutoCloseable {
     public Optional<RunningProgram> start(Path file, int port, Runnable beforeStart) throws IOException {
         try {
             Optional<StudentsProgram.Compiled> compiled = StudentsProgram.of(
-                            file, Files.readString(file), List.of(folder))
+                            file, TextFile.read(file).content(), List.of(folder))
                     .compile();
             if (compiled.isEmpty()) {
                 return Optional.empty();

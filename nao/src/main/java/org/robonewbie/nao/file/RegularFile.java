@@ -24,12 +24,11 @@ public final class RegularFile {
      */
     public static byte[] read(Path file, int maxBytes) throws UnreadableFileException {
         try {
-            check(file);
+            check(file, maxBytes);
             try (InputStream in = Files.newInputStream(file)) {
                 byte[] bytes = in.readNBytes(maxBytes);
                 if (in.read() >= 0) {
-                    throw new UnreadableFileException(
-                            file, "is larger than " + size(maxBytes) + ", which is more than such a file may have.");
+                    throw tooLarge(file, maxBytes);
                 }
                 return bytes;
             }
@@ -40,6 +39,31 @@ public final class RegularFile {
         } catch (IOException other) {
             throw new UnreadableFileException(file, "cannot be read (" + other.getMessage() + ").", other);
         }
+    }
+
+    /**
+     * Checks a file without opening it, as {@link #read} does first.
+     *
+     * @param file the file, or a symbolic link to one
+     * @param maxBytes the largest size that makes sense for it
+     * @throws UnreadableFileException if {@link #read} would refuse it for what it is
+     */
+    public static void check(Path file, int maxBytes) throws UnreadableFileException {
+        check(file);
+        try {
+            if (Files.size(file) > maxBytes) {
+                throw tooLarge(file, maxBytes);
+            }
+        } catch (UnreadableFileException known) {
+            throw known;
+        } catch (IOException other) {
+            throw new UnreadableFileException(file, "cannot be read (" + other.getMessage() + ").", other);
+        }
+    }
+
+    private static UnreadableFileException tooLarge(Path file, int maxBytes) {
+        return new UnreadableFileException(
+                file, "is larger than " + size(maxBytes) + ", which is more than such a file may have.");
     }
 
     private static void check(Path file) throws UnreadableFileException {

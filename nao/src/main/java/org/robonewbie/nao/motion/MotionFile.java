@@ -52,8 +52,8 @@ public final class MotionFile {
      * Understands the bytes of a file.
      *
      * @param name the file's name for messages, such as {@code wave.txt}
-     * @param bytes UTF-8, or Latin-1 if they are not UTF-8
-     * @return its content; lines that cannot be understood are kept, see {@link #errors}
+     * @param bytes text as editors save it: UTF-8, UTF-16 with a byte order mark, or Windows-1252
+     * @return its content; lines that cannot be understood, and bytes that are no text, are kept, see {@link #errors}
      */
     public static MotionFile parse(String name, byte[] bytes) {
         MotionText text = MotionText.of(bytes);
@@ -111,6 +111,9 @@ public final class MotionFile {
 
     /** {@return the lines that cannot be understood: one problem for each line that is neither keyframe nor comment} */
     public List<MotionProblem> errors() {
+        if (text.problem().isPresent()) {
+            return List.of(text.problem().get());
+        }
         List<MotionProblem> errors = new ArrayList<>();
         for (int i = 0; i < lines.size(); i++) {
             if (lines.get(i) instanceof Unreadable unreadable) {
@@ -158,6 +161,7 @@ public final class MotionFile {
      * @param key the word before the colon
      * @param value the text after it, on one line
      * @return the changed file
+     * @throws MotionFormatException if the bytes of the file are no text
      */
     public MotionFile withProperty(String key, String value) {
         List<MotionLine> changed = new ArrayList<>(lines);
@@ -253,14 +257,16 @@ public final class MotionFile {
      * one}
      */
     public String text() {
-        StringBuilder all = new StringBuilder(text.byteOrderMark());
-        lines.forEach(line -> all.append(line.text()).append(line.lineEnd()));
-        return all.toString();
+        return text.mark() + content();
+    }
+
+    private String content() {
+        return lines.stream().map(line -> line.text() + line.lineEnd()).collect(Collectors.joining());
     }
 
     /** {@return the bytes of the file in the encoding in which it was loaded, or in UTF-8 if that has not all characters} */
     public byte[] bytes() {
-        return text.encode(text());
+        return text.encode(content());
     }
 
     /**
@@ -284,7 +290,11 @@ public final class MotionFile {
         return text.contains("left") ? text.replace("left", "right") : text.replace("right", "left");
     }
 
+    /** What was not understood is not changed. */
     private MotionFile with(List<MotionLine> changed) {
+        text.problem().ifPresent(problem -> {
+            throw new MotionFormatException(name, problem);
+        });
         return new MotionFile(name, text, changed);
     }
 

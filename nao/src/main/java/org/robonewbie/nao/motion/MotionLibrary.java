@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import java.util.regex.Pattern;
+import org.robonewbie.nao.text.FileName;
 
 /**
  * Finds motions by their names: first among the user's, then among those that come with the framework. A new motion is a new
@@ -19,8 +19,6 @@ import java.util.regex.Pattern;
  * }</pre>
  */
 public final class MotionLibrary {
-
-    private static final Pattern NAME = Pattern.compile("[\\p{Alnum}_-][\\p{Alnum}._ -]*");
 
     private final MotionSource own;
     private final MotionSource shipped;
@@ -40,12 +38,12 @@ public final class MotionLibrary {
     /**
      * Finds a motion.
      *
-     * @param name its name without {@code .txt}
-     * @return the file; empty if there is none of this name
+     * @param name its name without {@code .txt}, in the letters of any language
+     * @return the file; empty if there is none of this name, or if no file can have it
      * @throws IOException if the file exists but cannot be read
      */
     public Optional<MotionFile> find(String name) throws IOException {
-        if (!NAME.matcher(name).matches()) {
+        if (FileName.problem(name).isPresent()) {
             return Optional.empty();
         }
         Optional<MotionFile> file = findAsItIs(name);
@@ -62,9 +60,10 @@ public final class MotionLibrary {
         return shippedFiles.containsValue(file);
     }
 
-    /** {@return the names of all motions in alphabetical order; a set of the caller's own} */
+    /** {@return the names of all motions that {@link #find} finds, in alphabetical order; a set of the caller's own} */
     public SortedSet<String> names() {
         SortedSet<String> names = new TreeSet<>(own.names());
+        names.removeIf(name -> FileName.problem(name).isPresent());
         names.addAll(shipped.names());
         return names;
     }

@@ -1,42 +1,58 @@
 package org.robonewbie.nao.motion;
 
-import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
-import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.text.DecodedText;
+import org.robonewbie.nao.text.UndecodableTextException;
 
-/**
- * Converts the bytes of a motion file to text and back to the same bytes: UTF-8, or Latin-1 for old files that are not UTF-8,
- * with or without a byte order mark.
- */
-record MotionText(Charset charset, String byteOrderMark, String content) {
+/** Converts the bytes of a motion file to lines and back to the same bytes. Bytes that are no text are kept as they are. */
+final class MotionText {
 
-    static final MotionText EMPTY = new MotionText(StandardCharsets.UTF_8, "", "");
+    static final MotionText EMPTY = new MotionText(DecodedText.EMPTY, Optional.empty());
 
-    private static final String MARK = "\uFEFF";
+    private final DecodedText decoded;
+    private final Optional<MotionProblem> problem;
+
+    private MotionText(DecodedText decoded, Optional<MotionProblem> problem) {
+        this.decoded = decoded;
+        this.problem = problem;
+    }
 
     static MotionText of(byte[] bytes) {
-        String content;
-        Charset charset = StandardCharsets.UTF_8;
         try {
-            content = charset.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
-        } catch (CharacterCodingException noUnicode) {
-            charset = StandardCharsets.ISO_8859_1;
-            content = new String(bytes, charset);
+            return new MotionText(DecodedText.of(bytes), Optional.empty());
+        } catch (UndecodableTextException undecodable) {
+            String characters = new String(bytes, StandardCharsets.ISO_8859_1);
+            MotionProblem problem = new MotionProblem(undecodable.line(), 1, undecodable.problem());
+            return new MotionText(DecodedText.EMPTY.withContent(characters), Optional.of(problem));
         }
-        return content.startsWith(MARK)
-                ? new MotionText(charset, MARK, content.substring(MARK.length()))
-                : new MotionText(charset, "", content);
     }
 
-    byte[] encode(String text) {
-        Charset sufficient = charset.newEncoder().canEncode(text) ? charset : StandardCharsets.UTF_8;
-        return text.getBytes(sufficient);
+    /** Why the bytes are no text; empty if they are. */
+    Optional<MotionProblem> problem() {
+        return problem;
     }
 
+    /** The byte order mark, or nothing. */
+    String mark() {
+        return decoded.hasByteOrderMark() ? "\uFEFF" : "";
+    }
+
+    byte[] encode(String content) {
+        return problem.isPresent() ? content.getBytes(StandardCharsets.ISO_8859_1) : decoded.encode(content);
+    }
+
+    /** The lines; bytes that are no text make one line that cannot be understood. */
     List<MotionLine> parse() {
+        return problem.isPresent()
+                ? List.of(new MotionLine.Unreadable(
+                        decoded.content(), "", 1, problem.get().text()))
+                : parsed(decoded.content());
+    }
+
+    private static List<MotionLine> parsed(String content) {
         List<MotionLine> lines = new ArrayList<>();
         int start = 0;
         while (start < content.length()) {
@@ -44,14 +60,14 @@ record MotionText(Charset charset, String byteOrderMark, String content) {
             while (end < content.length() && content.charAt(end) != '\n' && content.charAt(end) != '\r') {
                 end++;
             }
-            String lineEnd = lineEndAt(end);
+            String lineEnd = lineEndAt(content, end);
             lines.add(MotionLineParser.parse(content.substring(start, end), lineEnd));
             start = end + lineEnd.length();
         }
         return lines;
     }
 
-    private String lineEndAt(int at) {
+    private static String lineEndAt(String content, int at) {
         if (content.startsWith("\r\n", at)) {
             return "\r\n";
         }

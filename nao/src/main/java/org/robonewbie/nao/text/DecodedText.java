@@ -3,6 +3,8 @@ package org.robonewbie.nao.text;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
@@ -59,9 +61,31 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
         }
     }
 
+    /**
+     * Replaces the characters.
+     *
+     * @param changed the new ones
+     * @return a text that is encoded like this one
+     */
+    public DecodedText withContent(String changed) {
+        return new DecodedText(encoding, hasByteOrderMark, changed);
+    }
+
     /** {@return the lines, without their ends: carriage return, line feed, or both} */
     public List<String> lines() {
-        return content.lines().toList();
+        List<String> lines = new ArrayList<>();
+        int start = 0;
+        for (int i = 0; i < content.length(); i++) {
+            if (isLineEnd(content.charAt(i))) {
+                lines.add(content.substring(start, i));
+                i += content.startsWith("\r\n", i) ? 1 : 0;
+                start = i + 1;
+            }
+        }
+        if (start < content.length()) {
+            lines.add(content.substring(start));
+        }
+        return Collections.unmodifiableList(lines);
     }
 
     /**
@@ -85,7 +109,7 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
 
     /**
      * Encodes a text as the file was: in the same encoding with the same byte order mark, or in UTF-8 if that encoding lacks one
-     * of its characters.
+     * of its characters or its bytes would be read as another text.
      *
      * @param changed the text
      * @return the bytes for the file
@@ -96,8 +120,20 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
             case UTF_8 -> marked.getBytes(StandardCharsets.UTF_8);
             case UTF_16_LE -> utf16(marked, 0);
             case UTF_16_BE -> utf16(marked, 1);
-            case WINDOWS_1252 -> windows1252(marked).orElseGet(() -> marked.getBytes(StandardCharsets.UTF_8));
+            case WINDOWS_1252 ->
+                windows1252(marked)
+                        .filter(bytes -> isReadAs(marked, bytes))
+                        .orElseGet(() -> marked.getBytes(StandardCharsets.UTF_8));
         };
+    }
+
+    /** Whether bytes without any hint at their encoding give a text back; those of "Ã¼" in Windows-1252 are those of "ü" in UTF-8. */
+    private static boolean isReadAs(String text, byte[] bytes) {
+        try {
+            return of(bytes).content().equals(text);
+        } catch (UndecodableTextException other) {
+            return false;
+        }
     }
 
     private static DecodedText marked(TextEncoding encoding, String decoded) throws UndecodableTextException {
@@ -121,7 +157,7 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
             int length = utf8Length(bytes, i);
             letters += length > 1 ? 1 : 0;
             wrong += length == 0 ? 1 : 0;
-            firstWrong = length == 0 ? Math.min(firstWrong, i) : firstWrong;
+            firstWrong = length == 0 || !isScalar(bytes, i, length) ? Math.min(firstWrong, i) : firstWrong;
             i += Math.max(1, length);
         }
         if (letters > wrong) {
@@ -141,6 +177,18 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
             }
         }
         return length;
+    }
+
+    /** Whether bytes of the right form also stand for a character: neither half of a pair nor written longer than needed. */
+    private static boolean isScalar(byte[] bytes, int at, int length) {
+        int second = length < 3 ? 0 : bytes[at + 1] & 0xFF;
+        return switch (length < 3 ? 0 : bytes[at] & 0xFF) {
+            case 0xE0 -> second >= 0xA0;
+            case 0xED -> second < 0xA0;
+            case 0xF0 -> second >= 0x90;
+            case 0xF4 -> second < 0x90;
+            default -> true;
+        };
     }
 
     private static Optional<String> utf16(byte[] bytes) throws UndecodableTextException {
@@ -214,12 +262,12 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
     }
 
     private static int lineAt(CharSequence text, int index) {
-        long ends = text.subSequence(0, Math.min(index, text.length()))
-                .toString()
-                .lines()
-                .count();
-        boolean isAtStart = index == 0 || isLineEnd(text.charAt(Math.min(index, text.length()) - 1));
-        return (int) ends + (isAtStart ? 1 : 0);
+        int line = 1;
+        for (int i = 0; i < Math.min(index, text.length()); i++) {
+            boolean isSecondOfPair = text.charAt(i) == '\n' && i > 0 && text.charAt(i - 1) == '\r';
+            line += isLineEnd(text.charAt(i)) && !isSecondOfPair ? 1 : 0;
+        }
+        return line;
     }
 
     private static boolean isLineEnd(char character) {

@@ -8,10 +8,17 @@ public final class UndecodableTextException extends IOException {
     private static final long serialVersionUID = 1L;
 
     private final int line;
+    private final String problem;
 
     UndecodableTextException(int line, String problem) {
         super("line " + line + " " + problem + ". " + DecodedText.SAVE_AS_UTF_8);
         this.line = line;
+        this.problem = problem + ". " + DecodedText.SAVE_AS_UTF_8;
+    }
+
+    /** {@return what is wrong with the line and what to do, to be put behind its number} */
+    public String problem() {
+        return problem;
     }
 
     /** {@return the first line that could not be decoded, from 1} */

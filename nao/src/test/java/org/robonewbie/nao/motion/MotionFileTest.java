@@ -4,11 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -18,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
 class MotionFileTest {
@@ -99,11 +101,59 @@ class MotionFileTest {
         }
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "200 ZEROS LF // x 81,2,neither UTF-8 nor Windows-1252 (byte 0x81)",
+        "00 01 02,1,zero byte",
+        "FFFE 41 00 0D 00 0A 00 00 D8 41 00,2,cut within a character of UTF-16",
+        "C3BC LF C3BC LF C3BC FF,3,it is damaged"
+    })
+    void bytesThatAreNoTextAreAnErrorOfTheirLineAndStay(String parts, int line, String problem) {
+        byte[] bytes = HexFormat.of()
+                .parseHex(parts.replace("// x", "2F2F78")
+                        .replace("ZEROS", HexFormat.of().formatHex(ZEROS.getBytes(StandardCharsets.UTF_8)))
+                        .replace("200", "323030")
+                        .replace("LF", "0A")
+                        .replace(" ", ""));
+
+        MotionFile file = MotionFile.parse("odd.txt", bytes);
+
+        assertThat(file.errors()).singleElement().satisfies(error -> {
+            assertThat(error.line()).isEqualTo(line);
+            assertThat(error.text()).contains(problem).endsWith("Save it as UTF-8 (most editors: Save As, Encoding).");
+        });
+        assertThat(file.bytes()).isEqualTo(bytes);
+        assertThatThrownBy(file::motion)
+                .isInstanceOf(MotionFormatException.class)
+                .hasMessageStartingWith("odd.txt line " + line + ", column 1: ");
+        assertThatThrownBy(() -> file.withProperty("author", "Ada")).isInstanceOf(MotionFormatException.class);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"UTF-16LE,FFFE", "UTF-16BE,FEFF", "UTF-8,EFBBBF", "UTF-8,''", "windows-1252,''"})
+    void motionIsReadAsEditorsSaveItAndKeepsItsEncoding(String charset, String mark) {
+        String text = "// für Zoë\r\n200" + ZEROS + "\r\n";
+        byte[] bytes = joined(mark, text, charset);
+
+        MotionFile file = MotionFile.parse("nod.txt", bytes);
+
+        assertThat(file.errors()).isEmpty();
+        assertThat(file.keyframes()).hasSize(1);
+        assertThat(file.bytes()).isEqualTo(bytes);
+        assertThat(file.withProperty("author", "Zoë").bytes())
+                .isEqualTo(joined(mark, "// author: Zoë\r\n" + text, charset));
+    }
+
+    private static byte[] joined(String mark, String text, String charset) {
+        byte[] content = text.getBytes(Charset.forName(charset));
+        return HexFormat.of().parseHex(mark + HexFormat.of().formatHex(content));
+    }
+
     @Test
     void saysWhichFileIsMissing() {
         assertThatThrownBy(() -> MotionFiles.load(folder.resolve("missing.txt")))
-                .isInstanceOf(NoSuchFileException.class)
-                .hasMessageContaining("missing.txt");
+                .isInstanceOf(UnreadableFileException.class)
+                .hasMessageContaining("missing.txt does not exist");
     }
 
     @ParameterizedTest

@@ -3,7 +3,7 @@ package org.robonewbie.simulator.file;
 import com.google.gson.Gson;
 import com.google.gson.JsonParseException;
 import java.io.IOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.file.RegularFile;
 
 /**
  * What is known of a recording beside what it holds, kept next to it as {@code NAME.about}: where it comes from, and what people
@@ -28,6 +29,7 @@ public record RecordingAbout(String agent, String project, boolean starred, List
 
     private static final int MOST_NOTE_LETTERS = 300;
     private static final int MOST_BOOKMARKS = 500;
+    private static final int MAX_BYTES = 1 << 20;
 
     /**
      * A moment with a note.
@@ -58,7 +60,8 @@ public record RecordingAbout(String agent, String project, boolean starred, List
     public static RecordingAbout of(Path recording) {
         try {
             Path file = RecordingGroup.of(recording).beside(RecordingGroup.ABOUT);
-            Written written = new Gson().fromJson(Files.readString(file), Written.class);
+            Written written = new Gson()
+                    .fromJson(new String(RegularFile.read(file, MAX_BYTES), StandardCharsets.UTF_8), Written.class);
             return new RecordingAbout(
                     Optional.ofNullable(written.agent()).orElse(""),
                     Optional.ofNullable(written.project()).orElse(""),

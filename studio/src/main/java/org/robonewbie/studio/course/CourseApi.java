@@ -3,14 +3,13 @@ package org.robonewbie.studio.course;
 import com.google.gson.Gson;
 import com.google.gson.JsonObject;
 import java.io.IOException;
-import java.net.URLDecoder;
-import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.robonewbie.studio.file.Answer;
+import org.robonewbie.studio.file.PathPart;
 
 /**
  * Serves the exercises to the pages.
@@ -90,7 +89,7 @@ public final class CourseApi extends Handler.Abstract {
 
     private static String ofExercise(Course course, Request request, String path) throws IOException {
         String[] words = path.substring(COURSE.length() + 1).split("/", 2);
-        String name = URLDecoder.decode(words[0], StandardCharsets.UTF_8);
+        String name = PathPart.decode(words[0]);
         if (words.length > 1) {
             return GSON.toJson(help(course, name, words[1], request.getMethod().equals("POST")));
         }

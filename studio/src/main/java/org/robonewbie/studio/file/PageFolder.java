@@ -2,7 +2,6 @@ package org.robonewbie.studio.file;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.List;
@@ -10,6 +9,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.stream.Stream;
+import org.robonewbie.nao.file.RegularFile;
 
 /**
  * A folder with files of one kind that pages may read and write, and nothing else of this computer. Files are replaced
@@ -18,13 +18,16 @@ import java.util.stream.Stream;
 public abstract class PageFolder {
 
     private final Path folder;
+    private final int maxBytes;
 
     /**
      * Opens a folder, which need not exist yet.
      *
      * @param folder the folder
+     * @param maxBytes the largest file that is read
      */
-    protected PageFolder(Path folder) {
+    protected PageFolder(Path folder, int maxBytes) {
+        this.maxBytes = maxBytes;
         this.folder = folder.toAbsolutePath().normalize();
     }
 
@@ -77,14 +80,11 @@ public abstract class PageFolder {
      *
      * @param path what pages call it
      * @return its content; empty if there is no such file
-     * @throws IOException if it cannot be read
+     * @throws IOException if it cannot be read, is no regular file, or too large
      */
     public Optional<byte[]> read(String path) throws IOException {
-        try {
-            return Optional.of(Files.readAllBytes(file(path)));
-        } catch (NoSuchFileException none) {
-            return Optional.empty();
-        }
+        Path file = file(path);
+        return Files.exists(file) ? Optional.of(RegularFile.read(file, maxBytes)) : Optional.empty();
     }
 
     /**

@@ -4,7 +4,6 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.URLDecoder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
@@ -16,9 +15,12 @@ import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
+import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.studio.file.Answer;
 import org.robonewbie.studio.file.PageFolder;
+import org.robonewbie.studio.file.PathPart;
 import org.robonewbie.studio.file.RefusedException;
 
 /**
@@ -40,7 +42,6 @@ public final class MotionApi extends Handler.Abstract {
     public static final String PATH = "/api/";
 
     private static final Pattern FILE = Pattern.compile("/api/(motions|library|drafts)/([^/]+)");
-    private static final int MOST_BYTES = 2_000_000;
     private static final String POSES = "poses";
 
     private final MotionFolder motions;
@@ -76,6 +77,8 @@ public final class MotionApi extends Handler.Abstract {
             return answer(request, path);
         } catch (RefusedException refusal) {
             return Answer.refused(refusal.status(), refusal.getMessage());
+        } catch (UnreadableFileException refused) {
+            return Answer.refused(409, refused.getMessage());
         } catch (IOException problem) {
             return Answer.refused(
                     500,
@@ -88,7 +91,7 @@ public final class MotionApi extends Handler.Abstract {
         String order = request.getMethod() + " " + path;
         Matcher file = FILE.matcher(path);
         if (file.matches()) {
-            String name = URLDecoder.decode(file.group(2), StandardCharsets.UTF_8);
+            String name = PathPart.decode(file.group(2));
             return fileAnswer(request, request.getMethod() + " " + file.group(1), name);
         }
         return switch (order) {
@@ -137,19 +140,23 @@ public final class MotionApi extends Handler.Abstract {
     }
 
     private static byte[] body(Request request) throws IOException {
-        if (request.getLength() < 0 || request.getLength() > MOST_BYTES) {
-            throw new RefusedException(413, "A motion file may have at most " + MOST_BYTES + " bytes.");
+        if (request.getLength() < 0 || request.getLength() > MotionFiles.MAX_BYTES) {
+            throw new RefusedException(413, "A motion file may have at most " + MotionFiles.MAX_BYTES + " bytes.");
         }
         try (InputStream stream = Content.Source.asInputStream(request)) {
-            return stream.readNBytes(MOST_BYTES);
+            return stream.readNBytes(MotionFiles.MAX_BYTES);
         }
     }
 
-    private String list() throws IOException {
+    private String list() {
         JsonObject json = new JsonObject();
         json.addProperty("folder", motions.folder().toString());
-        json.add("own", entries(motions.list()));
-        json.add("drafts", entries(drafts.list()));
+        MotionFolder.Listing listing = motions.list();
+        json.add("own", entries(listing.entries()));
+        JsonArray leftOut = new JsonArray();
+        listing.leftOut().forEach(leftOut::add);
+        json.add("leftOut", leftOut);
+        json.add("drafts", entries(drafts.list().entries()));
         JsonArray library = new JsonArray();
         new ShippedMotions().names().forEach(library::add);
         json.add("library", library);

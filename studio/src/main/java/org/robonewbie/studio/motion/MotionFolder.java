@@ -3,36 +3,45 @@ package org.robonewbie.studio.motion;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.text.Normalizer;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Pattern;
-import java.util.stream.Stream;
+import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.nao.text.FileName;
+import org.robonewbie.studio.file.FileVersion;
 import org.robonewbie.studio.file.PageFolder;
 import org.robonewbie.studio.file.PlainFile;
 import org.robonewbie.studio.file.RefusedException;
 
-/** A folder with text files, which pages name without folder and ending. */
+/** A folder with motion files, which pages name without folder and ending, as agents do. */
 final class MotionFolder extends PageFolder {
 
-    private static final String ENDING = ".txt";
-    private static final Pattern NAME = Pattern.compile("[\\p{Alnum}_-][\\p{Alnum}._ -]{0,79}");
+    private final MotionFiles files;
 
     MotionFolder(Path folder) {
-        super(folder);
+        super(folder, MotionFiles.MAX_BYTES);
+        this.files = new MotionFiles(folder());
     }
 
-    /** The files in alphabetical order. */
-    List<Entry> list() throws IOException {
-        if (!Files.isDirectory(folder())) {
-            return List.of();
+    /**
+     * What is in the folder.
+     *
+     * @param entries the motions in alphabetical order
+     * @param leftOut a sentence about each other file
+     */
+    record Listing(List<Entry> entries, List<String> leftOut) {}
+
+    Listing list() {
+        List<Entry> entries = new ArrayList<>();
+        List<String> leftOut = new ArrayList<>(files.problems());
+        for (String name : files.names()) {
+            try {
+                read(name).ifPresent(content -> entries.add(new Entry(name, FileVersion.of(content))));
+            } catch (IOException | RefusedException unreadable) {
+                leftOut.add(String.valueOf(unreadable.getMessage()));
+            }
         }
-        try (Stream<Path> files = Files.list(folder())) {
-            return entries(files.filter(Files::isRegularFile)
-                    .map(file -> file.getFileName().toString())
-                    .filter(name -> name.endsWith(ENDING))
-                    .map(name -> name.substring(0, name.length() - ENDING.length()))
-                    .filter(MotionFolder::isName)
-                    .sorted());
-        }
+        return new Listing(entries, leftOut);
     }
 
     @Override
@@ -41,21 +50,15 @@ final class MotionFolder extends PageFolder {
     }
 
     @Override
-    public Path file(String name) throws IOException {
-        if (!isName(name)) {
+    public Path file(String name) {
+        FileName.problem(Normalizer.normalize(name, Normalizer.Form.NFC)).ifPresent(problem -> {
             throw new RefusedException(
-                    400,
-                    "\"" + name
-                            + "\" is no name for a motion. Use letters, digits, blanks, dots, - and _, at most 80.");
-        }
-        Path file = folder().resolve(name + ENDING);
+                    400, "\"" + name + "\" is no name for a motion, since it " + problem + ". Choose another one.");
+        });
+        Path file = files.file(name);
         if (Files.exists(file) && !PlainFile.isInItsFolder(file)) {
             throw new RefusedException(403, "\"" + name + "\" is a link to a place outside of " + folder() + ".");
         }
         return file;
-    }
-
-    private static boolean isName(String name) {
-        return NAME.matcher(name).matches() && PlainFile.isName(name);
     }
 }

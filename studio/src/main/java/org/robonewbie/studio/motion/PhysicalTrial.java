@@ -69,7 +69,7 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
                 .findFirst()
                 .orElseThrow(() -> new RefusedException(400, "A robot cannot start \"" + start + "\"."));
         try {
-            return of(MotionFile.parse("motion.txt", text).motion(), from).json();
+            return of(MotionFile.parse("motion.txt", text), from).json();
         } catch (MotionFormatException wrong) {
             throw new RefusedException(400, String.valueOf(wrong.getMessage()));
         }
@@ -91,20 +91,13 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
         return json.toString();
     }
 
-    /**
-     * Plays a motion.
-     *
-     * @param motion the motion, at most a minute
-     * @param start how the robot is before
-     * @return what happened
-     * @throws RefusedException if the motion is too long
-     */
-    static PhysicalTrial of(Motion motion, Start start) {
+    private static PhysicalTrial of(MotionFile file, Start start) {
+        Motion motion = file.motion();
         if (motion.durationMillis() > LONGEST_MILLIS) {
             throw new RefusedException(
                     400, "The motion takes " + motion.durationMillis() / 1000 + " s. A trial takes at most 60 s.");
         }
-        try (Performer player = Performer.ofMotion(motion);
+        try (Performer player = Performer.ofMotion(file);
                 Trial trial = Trial.direct(scene(start), 0, player)) {
             Watch watch = new Watch(trial.robot(0), start == Start.STANDING);
             watch.look();

@@ -4,7 +4,6 @@ import com.google.gson.Gson;
 import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.URLDecoder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
@@ -16,7 +15,9 @@ import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
+import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.studio.file.Answer;
+import org.robonewbie.studio.file.PathPart;
 import org.robonewbie.studio.file.RefusedException;
 
 /**
@@ -38,7 +39,6 @@ public final class ProgramApi extends Handler.Abstract {
 
     private static final String PROGRAMS = "/api/programs";
     private static final Pattern PLACE = Pattern.compile("/(\\w+)(?:/(.*))?");
-    private static final int MOST_BYTES = 1_000_000;
     private static final Gson GSON = new Gson();
 
     private final ProgramFolder folder;
@@ -82,6 +82,8 @@ public final class ProgramApi extends Handler.Abstract {
             return Answer.refused(refusal.status(), refusal.getMessage());
         } catch (IllegalArgumentException | IllegalStateException refused) {
             return Answer.refused(409, refused.getMessage());
+        } catch (UnreadableFileException refused) {
+            return Answer.refused(409, refused.getMessage());
         } catch (IOException problem) {
             return Answer.refused(
                     500,
@@ -98,7 +100,7 @@ public final class ProgramApi extends Handler.Abstract {
         if (workshop.isEmpty() || !matcher.matches()) {
             throw unknown(request, place);
         }
-        String name = matcher.group(2) == null ? "" : URLDecoder.decode(matcher.group(2), StandardCharsets.UTF_8);
+        String name = matcher.group(2) == null ? "" : PathPart.decode(matcher.group(2));
         String order = request.getMethod() + " " + matcher.group(1);
         return switch (matcher.group(1)) {
             case "own", "draft" -> fileAnswer(request, order, name);
@@ -189,11 +191,11 @@ public final class ProgramApi extends Handler.Abstract {
     }
 
     private static byte[] body(Request request) throws IOException {
-        if (request.getLength() < 0 || request.getLength() > MOST_BYTES) {
-            throw new RefusedException(413, "A program may have at most " + MOST_BYTES + " bytes.");
+        if (request.getLength() < 0 || request.getLength() > ProgramFolder.MAX_BYTES) {
+            throw new RefusedException(413, "A program may have at most " + ProgramFolder.MAX_BYTES + " bytes.");
         }
         try (InputStream stream = Content.Source.asInputStream(request)) {
-            return stream.readNBytes(MOST_BYTES);
+            return stream.readNBytes(ProgramFolder.MAX_BYTES);
         }
     }
 

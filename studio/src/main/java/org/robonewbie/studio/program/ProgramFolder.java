@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Objects;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.robonewbie.nao.text.FileName;
 import org.robonewbie.studio.file.PageFolder;
-import org.robonewbie.studio.file.PlainFile;
 import org.robonewbie.studio.file.RefusedException;
 
 /**
@@ -17,6 +17,9 @@ import org.robonewbie.studio.file.RefusedException;
  * a project's {@code src/main/java}. They are known by their path from the folder on, with slashes.
  */
 final class ProgramFolder extends PageFolder {
+
+    /** The largest program that pages read and write, in bytes. */
+    static final int MAX_BYTES = 1 << 20;
 
     private static final String ENDING = ".java";
     private static final String SOURCES = "src/main/java";
@@ -26,7 +29,7 @@ final class ProgramFolder extends PageFolder {
             "(?:[\\p{L}_][\\p{L}\\p{N}_-]{0,79}/){0," + DEEPEST + "}[\\p{L}_$][\\p{L}\\p{N}_$]{0,79}\\.java");
 
     ProgramFolder(Path folder) {
-        super(folder);
+        super(folder, MAX_BYTES);
     }
 
     /** The files in alphabetical order, those of the folder itself first. */
@@ -61,7 +64,7 @@ final class ProgramFolder extends PageFolder {
 
     @Override
     public Path file(String path) throws IOException {
-        boolean isPlain = Arrays.stream(path.split("/")).allMatch(PlainFile::isName);
+        boolean isPlain = Arrays.stream(path.split("/")).allMatch(FileName::isPortable);
         if (!isPlain || !PATH.matcher(path).matches()) {
             throw new RefusedException(
                     400, "\"" + path + "\" is no name for a program. Use letters, digits and _, such as MyAgent.java.");

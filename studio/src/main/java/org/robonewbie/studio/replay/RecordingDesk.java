@@ -13,10 +13,10 @@ import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.text.FileName;
 import org.robonewbie.simulator.file.RecordingAbout;
 import org.robonewbie.simulator.file.RecordingGroup;
 import org.robonewbie.simulator.file.RecordingShelf;
-import org.robonewbie.studio.file.PlainFile;
 
 /**
  * What people do with recordings: give them other names, stars and bookmarks, delete them and bring them back. A deleted one lies
@@ -100,7 +100,7 @@ final class RecordingDesk {
 
     private void refuse(String name) throws IOException {
         boolean looksLikeFile = name.endsWith(AtomicFile.UNFINISHED) || name.endsWith(RecordingShelf.ENDING);
-        if (!NAME.matcher(name).matches() || looksLikeFile || !PlainFile.isName(name)) {
+        if (!NAME.matcher(name).matches() || looksLikeFile || !FileName.isPortable(name)) {
             throw new IllegalArgumentException(
                     "A recording cannot be named \"" + name
                             + "\". Use letters, digits, blanks and . , ( ) + - _, at most 80, beginning with a letter or digit.");

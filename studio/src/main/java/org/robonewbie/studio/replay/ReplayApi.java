@@ -5,8 +5,6 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.net.URLDecoder;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -25,6 +23,7 @@ import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.DamagedRecordingException;
 import org.robonewbie.studio.file.Answer;
+import org.robonewbie.studio.file.PathPart;
 
 /**
  * Serves recordings to the pages, and does with them what people want.
@@ -86,7 +85,7 @@ public final class ReplayApi extends Handler.Abstract {
                 || !(isRead ? READ : CHANGED).contains(path[2])) {
             return false;
         }
-        String name = path.length < 4 ? "" : URLDecoder.decode(path[3], StandardCharsets.UTF_8);
+        String name = path.length < 4 ? "" : PathPart.decode(path[3]);
         Fields parameters = Request.extractQueryParameters(request);
         Answer answer;
         try {

@@ -89,7 +89,7 @@ public final class RunNotes {
      * @return the lines behind them, only whole ones; nothing if there are no notes
      */
     static byte[] read(Path recording, long skipped) throws IOException {
-        if (!PlainFile.isInItsFolder(of(recording))) {
+        if (!Files.isRegularFile(of(recording)) || !PlainFile.isInItsFolder(of(recording))) {
             return new byte[0];
         }
         try (SeekableByteChannel channel = Files.newByteChannel(of(recording))) {

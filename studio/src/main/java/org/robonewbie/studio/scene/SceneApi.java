@@ -1,8 +1,6 @@
 package org.robonewbie.studio.scene;
 
 import java.io.IOException;
-import java.net.URLDecoder;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -16,6 +14,7 @@ import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.recording.DamagedRecordingException;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.file.Answer;
+import org.robonewbie.studio.file.PathPart;
 
 /**
  * Stores scenes and starts from them, and from any moment of a recording.
@@ -106,6 +105,6 @@ public final class SceneApi extends Handler.Abstract {
     }
 
     private static String decoded(String text) {
-        return URLDecoder.decode(text, StandardCharsets.UTF_8);
+        return PathPart.decode(text);
     }
 }

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.text.FileName;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.file.StateFile;
@@ -31,7 +32,7 @@ record SceneFolder(Path folder) implements SceneStore {
     @Override
     public List<String> names() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(PlainFile::isInItsFolder)
+            return files.filter(file -> PlainFile.isInItsFolder(file) && Files.isRegularFile(file))
                     .map(file -> String.valueOf(file.getFileName()))
                     .filter(name -> name.endsWith(RecordingShelf.ENDING))
                     .map(name -> name.substring(0, name.length() - RecordingShelf.ENDING.length()))
@@ -103,7 +104,7 @@ record SceneFolder(Path folder) implements SceneStore {
     /** Reads the state to the bit; a scene without, or with one of another version, is still good for a start nearby. */
     private static Optional<WorldState> exactState(Path scene) throws IOException {
         try {
-            return Files.exists(exact(scene)) ? Optional.of(StateFile.read(exact(scene))) : Optional.empty();
+            return Files.isRegularFile(exact(scene)) ? Optional.of(StateFile.read(exact(scene))) : Optional.empty();
         } catch (IllegalArgumentException unreadable) {
             return Optional.empty();
         }
@@ -134,10 +135,14 @@ record SceneFolder(Path folder) implements SceneStore {
             throw new IllegalArgumentException(
                     "The scene \"" + name + "\" is a link to a place outside of " + folder + ". Choose another one.");
         }
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw new IllegalArgumentException(
+                    "The scene \"" + name + "\" is no regular file in " + folder + ". Choose another one.");
+        }
         return file;
     }
 
     private static boolean isName(String name) {
-        return NAME.matcher(name).matches() && PlainFile.isName(name);
+        return NAME.matcher(name).matches() && FileName.isPortable(name);
     }
 }

@@ -7,26 +7,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class PlainFileTest {
 
     @TempDir
     private Path place;
-
-    @ParameterizedTest
-    @ValueSource(
-            strings = {"CON", "con", "NUL.x", "LPT1", "COM0", "COM\u00b9", "lpt\u00b3.rec", "aux .x", "goal.", "goal "})
-    void refusesWhatWindowsCannotHave(String name) {
-        assertThat(PlainFile.isName(name)).isFalse();
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"goal", "console", "CON-1", "LPT", "COM10", "my.con", "first try 2", "null"})
-    void takesAllOthers(String name) {
-        assertThat(PlainFile.isName(name)).isTrue();
-    }
 
     @Test
     void knowsFilesThatAreLinksToOtherPlaces() throws IOException {

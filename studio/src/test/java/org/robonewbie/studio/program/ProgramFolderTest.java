@@ -4,14 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.studio.file.PageFolder;
 import org.robonewbie.studio.file.RefusedException;
 
@@ -61,6 +65,29 @@ class ProgramFolderTest {
         assertThatThrownBy(() -> folder.overwrite("out/Secret.java", bytes("")))
                 .hasMessageContaining("a link to a place outside");
         assertThat(place.resolve("Secret.java")).hasContent("class Secret {}");
+    }
+
+    @Test
+    @Timeout(20)
+    void fileThatIsNoProgramIsLeftOutAloneAndNeverOpened() throws IOException, InterruptedException {
+        folder.overwrite("Kick.java", bytes("class Kick {}"));
+        Path pipe = folder.folder().resolve("Pipe.java");
+        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                .isZero();
+        try (RandomAccessFile huge =
+                new RandomAccessFile(folder.folder().resolve("Huge.java").toFile(), "rw")) {
+            huge.setLength(3_000_000_000L);
+        }
+        Files.createDirectory(folder.folder().resolve("Folder.java"));
+
+        assertThat(folder.list()).extracting(ProgramFolder.Entry::path).containsExactly("Kick.java");
+        for (String name : List.of("Pipe.java", "Huge.java", "Folder.java")) {
+            assertThatThrownBy(() -> folder.read(name))
+                    .isInstanceOf(UnreadableFileException.class)
+                    .hasMessageContaining(name + " is ");
+            assertThatThrownBy(() -> folder.write(name, bytes("class A {}"), ""))
+                    .isInstanceOf(UnreadableFileException.class);
+        }
     }
 
     @Test

@@ -1,18 +1,23 @@
 package org.robonewbie.nao.motion.file;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.text.Normalizer;
+import java.util.List;
 import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.UUID;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.robonewbie.nao.file.RegularFile;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.MotionLibrary;
 import org.robonewbie.nao.motion.MotionSource;
+import org.robonewbie.nao.text.FileName;
 
 /**
  * The motion files of a folder; also loads and saves single files.
@@ -24,6 +29,9 @@ import org.robonewbie.nao.motion.MotionSource;
  * }</pre>
  */
 public final class MotionFiles implements MotionSource {
+
+    /** The largest file that is read, in bytes: some ten thousand keyframes. */
+    public static final int MAX_BYTES = 2 << 20;
 
     private static final String ENDING = ".txt";
 
@@ -58,10 +66,10 @@ public final class MotionFiles implements MotionSource {
      *
      * @param path the file
      * @return its content; lines that cannot be understood are kept, see {@link MotionFile#errors}
-     * @throws IOException if the file cannot be read
+     * @throws IOException if the file cannot be read, is no regular file, or is larger than {@link #MAX_BYTES}
      */
     public static MotionFile load(Path path) throws IOException {
-        return MotionFile.parse(String.valueOf(path.getFileName()), Files.readAllBytes(path));
+        return MotionFile.parse(String.valueOf(path.getFileName()), RegularFile.read(path, MAX_BYTES));
     }
 
     /**
@@ -73,7 +81,7 @@ public final class MotionFiles implements MotionSource {
      */
     public static void save(MotionFile file, Path path) throws IOException {
         Path target = path.toAbsolutePath();
-        Path temporary = target.resolveSibling(target.getFileName() + "." + UUID.randomUUID() + ".tmp");
+        Path temporary = target.resolveSibling("." + UUID.randomUUID() + ".tmp");
         try {
             Files.write(temporary, file.bytes());
             Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
@@ -82,24 +90,86 @@ public final class MotionFiles implements MotionSource {
         }
     }
 
+    /**
+     * Names the file of a motion. macOS writes {@code é} as two characters, other systems as one; both are the same name.
+     *
+     * @param name the motion's name without {@code .txt}
+     * @return the file of this name, in whatever form its letters are written; it need not exist
+     * @throws IllegalArgumentException if no file can have this name; the message says why
+     */
+    public Path file(String name) {
+        String composed = composed(name);
+        FileName.problem(composed).ifPresent(problem -> {
+            throw new IllegalArgumentException(
+                    "The name \"" + name + "\" " + problem + ", so that no motion can have it. Choose another one.");
+        });
+        Path usual = folder.resolve(composed + ENDING);
+        return Files.exists(usual)
+                ? usual
+                : entries()
+                        .filter(file -> name(file).equals(composed))
+                        .findFirst()
+                        .orElse(usual);
+    }
+
     @Override
     public Optional<byte[]> read(String name) throws IOException {
-        Path file = folder.resolve(name + ENDING);
-        return Files.isRegularFile(file) ? Optional.of(Files.readAllBytes(file)) : Optional.empty();
+        if (FileName.problem(composed(name)).isPresent()) {
+            return Optional.empty();
+        }
+        Path file = file(name);
+        return Files.exists(file) ? Optional.of(RegularFile.read(file, MAX_BYTES)) : Optional.empty();
     }
 
     @Override
     public SortedSet<String> names() {
+        return entries()
+                .filter(file -> problem(file).isEmpty())
+                .map(MotionFiles::name)
+                .collect(Collectors.toCollection(TreeSet::new));
+    }
+
+    /**
+     * Says which files of the folder are not among the {@link #names}, and why: no motion can have their name, they are no regular
+     * files, or larger than {@link #MAX_BYTES}. No file is opened.
+     *
+     * @return a sentence for each, in alphabetical order
+     */
+    public List<String> problems() {
+        return entries().sorted().flatMap(file -> problem(file).stream()).toList();
+    }
+
+    private static Optional<String> problem(Path file) {
+        Optional<String> wrong = FileName.problem(name(file));
+        if (wrong.isPresent()) {
+            return Optional.of("The name of the file " + file.getFileName() + " " + wrong.get()
+                    + ", so that no motion can have it. Rename it.");
+        }
+        try {
+            RegularFile.check(file, MAX_BYTES);
+            return Optional.empty();
+        } catch (IOException unreadable) {
+            return Optional.of(String.valueOf(unreadable.getMessage()));
+        }
+    }
+
+    private Stream<Path> entries() {
         if (!Files.isDirectory(folder)) {
-            return new TreeSet<>();
+            return Stream.empty();
         }
         try (Stream<Path> files = Files.list(folder)) {
-            return files.map(file -> String.valueOf(file.getFileName()))
-                    .filter(name -> name.endsWith(ENDING))
-                    .map(name -> name.substring(0, name.length() - ENDING.length()))
-                    .collect(Collectors.toCollection(TreeSet::new));
-        } catch (IOException unreadable) {
-            return new TreeSet<>();
+            return files.filter(file -> String.valueOf(file.getFileName()).endsWith(ENDING)).toList().stream();
+        } catch (IOException | UncheckedIOException unreadable) {
+            return Stream.empty();
         }
+    }
+
+    private static String name(Path file) {
+        String name = String.valueOf(file.getFileName());
+        return composed(name.substring(0, name.length() - ENDING.length()));
+    }
+
+    private static String composed(String name) {
+        return Normalizer.normalize(name, Normalizer.Form.NFC);
     }
 }

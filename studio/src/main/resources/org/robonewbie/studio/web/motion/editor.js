@@ -7,13 +7,16 @@ import {
   edited,
   framesOf,
   initialEditor,
+  lengthOf,
   played,
   selected,
   withFile,
   withSaved,
 } from '../state/motion/editor-state.js';
 import { withInserted } from '../state/motion/motion-document.js';
-import { EMPTY_DOCUMENT, textOf } from '../state/motion/motion-text.js';
+import { composedName } from '../state/file-name.js';
+import { EMPTY_DOCUMENT, problemOf, textOf } from '../state/motion/motion-text.js';
+import { asOriginal, hasSkippedKeyframes, isUndescribed } from '../state/motion/original-rule.js';
 import { readPostures, writePostures } from '../state/motion/poses.js';
 import { lagOf } from '../state/motion/lag.js';
 
@@ -26,6 +29,7 @@ import { lagOf } from '../state/motion/lag.js';
  */
 
 const MARKS_MILLISECONDS = 120;
+const LONGEST_TRIAL = 60_000;
 const LAST_FILE = 'robonewbie-motion';
 
 export class Editor {
@@ -42,7 +46,7 @@ export class Editor {
     this.listener = listener;
     this.drafts = this.#makeDrafts();
     /** @type {MotionList} */
-    this.list = { folder: '', own: [], drafts: [], library: [] };
+    this.list = { folder: '', own: [], drafts: [], library: [], leftOut: [] };
     /** @type {import('../state/motion/edits.js').Clip} */
     this.clip = { frames: [], rows: [] };
     /** @type {NamedPosture[]} */
@@ -53,6 +57,8 @@ export class Editor {
     this.lag = undefined;
     /** Whether the file was changed on the disk and here, so that the person must decide. */
     this.conflict = false;
+    /** Whether the motion seems to be made for the rule of RoboNewbie 1.1, so that the person must decide. */
+    this.isOriginal = false;
     this.busy = false;
     /** Whether the file is being written just now. */
     this.saving = false;
@@ -106,15 +112,25 @@ export class Editor {
     if (this.wishes > 0) {
       return;
     }
-    const last = wanted ?? localStorage.getItem(LAST_FILE) ?? '';
+    const last = composedName(wanted ?? localStorage.getItem(LAST_FILE) ?? '');
     const isOwn = this.list.own.some(({ name }) => name === last);
     const drafts = namelessDrafts(this.list);
     if (drafts.length > 0 && !isOwn) {
       await this.#recover(drafts.includes(last) ? last : drafts[drafts.length - 1]);
     } else if (isOwn || this.list.library.includes(last)) {
-      await this.open(isOwn ? 'motions' : 'library', last);
+      await this.#openFirst(isOwn ? 'motions' : 'library', last);
     } else {
       await this.open('library', 'wave');
+    }
+  }
+
+  /** A file that cannot be read does not keep the room from opening. @param {'motions' | 'library'} shelf @param {string} name */
+  async #openFirst(shelf, name) {
+    try {
+      await this.open(shelf, name);
+    } catch (error) {
+      await this.open('library', 'wave');
+      this.listener.note(/** @type {Error} */ (error).message);
     }
   }
 
@@ -180,6 +196,7 @@ export class Editor {
       return;
     }
     this.conflict = false;
+    this.isOriginal = isOwn && isUndescribed(document) && hasSkippedKeyframes(document);
     const recovered = isNew ? draft : undefined;
     this.drafts.kept = recovered;
     this.set(withFile(this.state, { name, version: isOwn ? version : '', document, recovered }));
@@ -206,6 +223,32 @@ export class Editor {
     const count = framesOf(this.state).length;
     const taken = `${count} keyframes were taken from ${name}.`;
     this.listener.note([taken, ...notes, 'Save them under a name of your own.'].join(' '));
+    const wish = this.wishes;
+    const isOriginal = isUndescribed(document) && (await this.#isMadeForOriginal(document));
+    if (wish === this.wishes) {
+      this.isOriginal = isOriginal;
+      this.listener.changed();
+    }
+  }
+
+  /** A motion that falls today and stood by the old rule was made for that one. @param {import('../state/motion/motion-text.js').MotionDocument} document */
+  async #isMadeForOriginal(document) {
+    if (hasSkippedKeyframes(document)) {
+      return true;
+    }
+    if (problemOf(document) !== '' || lengthOf(this.state) > LONGEST_TRIAL) {
+      return false;
+    }
+    const now = await this.files.trial(document, 'standing');
+    const then = now.fallSeconds === undefined ? now : await this.files.trial(asOriginal(document), 'standing');
+    return then.fallSeconds === undefined && now.fallSeconds !== undefined;
+  }
+
+  /** Lets agents play the motion by the rule of RoboNewbie 1.1, or as they play others. @param {boolean} isOriginal */
+  decideRule(isOriginal) {
+    this.isOriginal = false;
+    const document = asOriginal(documentOf(this.state));
+    this.set(isOriginal ? edited(this.state, document, 'Play as RoboNewbie 1.1') : { ...this.state });
   }
 
   /**
@@ -267,6 +310,7 @@ export class Editor {
     const wish = ++this.wishes;
     await this.drafts.keep();
     if (wish === this.wishes) {
+      this.isOriginal = false;
       this.set(withFile(this.state, { name: '', draft, version: '', document }));
     }
   }
@@ -278,6 +322,7 @@ export class Editor {
     const { document } = await this.files.read('drafts', draft);
     if (wish === this.wishes) {
       this.conflict = false;
+      this.isOriginal = false;
       this.drafts.kept = document;
       this.set(withFile(this.state, { name: '', draft, version: '', document }));
       localStorage.setItem(LAST_FILE, draft);

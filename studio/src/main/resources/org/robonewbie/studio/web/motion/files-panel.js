@@ -29,6 +29,8 @@ class FilesPanel {
   #library = element('ul', { class: 'list', id: 'library-motions' });
   #postures = element('div', { class: 'postures' });
   #folder = element('p', { class: 'faint folder' });
+  /** Files of the folder that no agent can play, and why. */
+  #leftOut = element('ul', { class: 'faint folder', id: 'left-out-motions' });
 
   /** @param {Editor} editor @param {(work: Promise<unknown>) => void} run */
   constructor(editor, run) {
@@ -46,6 +48,7 @@ class FilesPanel {
       element('div', { class: 'list-head' }, element('h2', {}, 'Your motions'), create),
       this.#own,
       this.#folder,
+      this.#leftOut,
       importing,
       element('h2', {}, 'Library'),
       this.#library,
@@ -86,8 +89,11 @@ class FilesPanel {
       })),
     ]);
     this.#own.hidden = this.#own.children.length === 0;
-    this.#folder.textContent = list.own.length === 0 ? `None yet. They are kept in ${list.folder}` : '';
+    const none = this.#own.hidden ? 'None yet.' : 'None saved yet.';
+    this.#folder.textContent = list.own.length === 0 ? `${none} They are kept in ${list.folder}` : '';
     this.#folder.hidden = list.own.length > 0;
+    this.#leftOut.replaceChildren(...list.leftOut.map((sentence) => element('li', {}, sentence)));
+    this.#leftOut.hidden = list.leftOut.length === 0;
     fill(
       this.#library,
       list.library.map((name) => ({
@@ -158,7 +164,7 @@ async function keepPosture(editor) {
     label: 'Name',
     value: 'My posture',
     action: 'Keep',
-    pattern: /^[^\r\n]{1,40}$/,
+    problem: (answer) => (/^[^\r\n]{1,40}$/.test(answer) ? '' : 'A name has 1 to 40 characters.'),
     hint: 'It can be given to any keyframe of any motion.',
   });
   if (name !== undefined) {

@@ -1,4 +1,5 @@
 /** The motion files on the disk, as the studio's server gives and takes them. */
+import { decodeText, UTF_8 } from '../state/decoded-text.js';
 import { decode, encode } from '../state/motion/motion-text.js';
 import { pathPart } from '../state/path-part.js';
 
@@ -10,6 +11,7 @@ import { pathPart } from '../state/path-part.js';
  * @property {Array<{name: string, version: string}>} own
  * @property {Array<{name: string, version: string}>} drafts
  * @property {string[]} library
+ * @property {string[]} leftOut a sentence about each other file of the folder
  */
 
 export class MotionFiles {
@@ -35,10 +37,13 @@ export class MotionFiles {
    */
   async read(shelf, name) {
     const answer = await this.#ask('GET', `${shelf}/${pathPart(name)}`);
-    return {
-      document: decode(new Uint8Array(await answer.arrayBuffer())),
-      version: answer.headers.get('Version') ?? '',
-    };
+    const bytes = new Uint8Array(await answer.arrayBuffer());
+    try {
+      return { document: decode(bytes), version: answer.headers.get('Version') ?? '' };
+    } catch (error) {
+      const problem = /** @type {Error} */ (error).message;
+      throw new Error(`${name}.txt cannot be opened: ${problem} It stays as it is.`, { cause: error });
+    }
   }
 
   /**
@@ -66,7 +71,8 @@ export class MotionFiles {
 
   /** @returns {Promise<string>} */
   async postures() {
-    return (await this.#ask('GET', 'poses')).text();
+    const answer = await this.#ask('GET', 'poses');
+    return decodeText(new Uint8Array(await answer.arrayBuffer())).content;
   }
 
   /** @param {string} text */
@@ -80,7 +86,7 @@ export class MotionFiles {
    * @returns {Promise<import('../state/motion/editor-state.js').Trial>}
    */
   async trial(document, start) {
-    return (await this.#ask('POST', 'trial', encode({ ...document, charset: 'utf-8' }), { Start: start })).json();
+    return (await this.#ask('POST', 'trial', encode({ ...document, ...UTF_8 }), { Start: start })).json();
   }
 
   /**

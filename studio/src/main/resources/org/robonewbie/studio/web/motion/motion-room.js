@@ -59,7 +59,7 @@ class MotionRoom {
     this.stage = new MotionStage(parts.picture, body, surroundings.quality);
     this.picture = new MotionPicture(this.stage, this.editor);
     const { options, draw } = this.#options();
-    parts.picture.append(stageHint(), options, this.#conflict());
+    parts.picture.append(stageHint(), options, this.#conflict(), this.#originalRule());
     this.timeline = this.#timeline(parts.line);
     const take = takePosture(
       () => this.#takePosture(),
@@ -175,6 +175,7 @@ class MotionRoom {
     this.draws.forEach((draw) => draw());
     this.timeline.draw(this.editor.state, this.editor.marks, this.editor.lag);
     byId('disk-conflict').hidden = !this.editor.conflict;
+    byId('original-rule').hidden = !this.editor.isOriginal;
   }
 
   /** The posture that is shown and where its torso is. */
@@ -213,6 +214,21 @@ class MotionRoom {
       element('p', {}, 'Another program has changed this file, and so have you.'),
       reload,
       mine,
+    );
+    panel.hidden = true;
+    return panel;
+  }
+
+  #originalRule() {
+    const { editor } = this;
+    const old = () => editor.decideRule(true);
+    const now = () => editor.decideRule(false);
+    const panel = element(
+      'div',
+      { id: 'original-rule', class: 'panel', role: 'status' },
+      element('p', {}, 'This motion seems to be made for RoboNewbie 1.1, which played keyframes by another rule.'),
+      button('Play it as 1.1 did', 'Writes // play: 1.1 at its top', old, { id: 'play-original' }),
+      button('Leave it', 'Agents play it as other motions', now, { id: 'play-usual' }),
     );
     panel.hidden = true;
     return panel;

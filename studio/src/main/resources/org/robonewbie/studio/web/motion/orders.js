@@ -175,7 +175,7 @@ async function scale(editor) {
     label: 'Duration in percent',
     value: '150',
     action: 'Change',
-    pattern: /^(?!0+$)\d{1,4}$/,
+    problem: (percent) => (/^(?!0+$)\d{1,4}$/.test(percent) ? '' : 'A whole number from 1 to 9999.'),
     hint: '200 makes it twice as slow, 50 twice as fast. Times stay whole cycles of 20 ms.',
   });
   if (answer !== undefined) {

@@ -1,5 +1,6 @@
 /** Asks the person for something in a small dialog, or tells what needs more room than a note. */
 import { button, choice, element } from '../panels/elements.js';
+import { composedName, nameProblem } from '../state/file-name.js';
 
 /**
  * @param {object} question
@@ -7,13 +8,13 @@ import { button, choice, element } from '../panels/elements.js';
  * @param {string} question.label
  * @param {string} question.value
  * @param {string} question.action text of the button
- * @param {RegExp} question.pattern what is possible
+ * @param {(answer: string) => string} question.problem what is wrong with an answer; nothing for a possible one
  * @param {string} question.hint what is possible, for people
  * @returns {Promise<string | undefined>} the answer, or undefined if the person wants nothing
  */
-export function ask({ title, label, value, action, pattern, hint }) {
+export function ask({ title, label, value, action, problem, hint }) {
   const input = element('input', { type: 'text', value, 'aria-label': label, id: 'answer' });
-  const answer = opened({ title, label, action, hint }, input, () => pattern.test(input.value.trim()));
+  const answer = opened({ title, label, action, hint }, input, () => problem(input.value.trim()));
   input.select();
   return answer;
 }
@@ -29,7 +30,7 @@ export function ask({ title, label, value, action, pattern, hint }) {
  */
 export function askChoice({ entries, ...question }) {
   const list = choice({ 'aria-label': question.label, id: 'answer' }, entries, () => {});
-  const answer = opened(question, list, () => true);
+  const answer = opened(question, list, () => '');
   list.focus();
   return answer;
 }
@@ -37,28 +38,31 @@ export function askChoice({ entries, ...question }) {
 /**
  * @param {{title: string, label: string, action: string, hint: string}} question
  * @param {HTMLInputElement | HTMLSelectElement} field
- * @param {() => boolean} isPossible
+ * @param {() => string} problem
  * @returns {Promise<string | undefined>}
  */
-function opened({ title, label, action, hint }, field, isPossible) {
+function opened({ title, label, action, hint }, field, problem) {
   const accept = element('button', { type: 'submit', class: 'primary', id: 'accept' }, action);
   const cancel = element('button', { type: 'button' }, 'Cancel');
+  const wrong = element('p', { class: 'wrong', role: 'status', id: 'answer-problem' });
   const form = element(
     'form',
     { method: 'dialog' },
     element('h2', {}, title),
     element('label', {}, element('span', {}, label), field),
     element('p', { class: 'faint' }, hint),
+    wrong,
     element('div', { class: 'dialog-buttons' }, cancel, accept),
   );
   const dialog = shown(title, form);
   field.addEventListener('input', () => {
-    accept.disabled = !isPossible();
+    wrong.textContent = problem();
+    accept.disabled = wrong.textContent !== '';
   });
   cancel.addEventListener('click', () => dialog.close());
   form.addEventListener('submit', (event) => {
     event.preventDefault();
-    if (isPossible()) {
+    if (problem() === '') {
       dialog.close('yes');
     }
   });
@@ -104,15 +108,22 @@ export function tell(title, text, places) {
 }
 
 /** @param {string} value @returns {Promise<string | undefined>} */
-export function askName(value) {
-  return ask({
+export async function askName(value) {
+  const name = await ask({
     title: 'Save motion',
     label: 'Name',
     value,
     action: 'Save',
-    pattern: /^[A-Za-z0-9_-][A-Za-z0-9._ -]{0,79}$/,
-    hint: 'Letters, digits, blanks, dots, - and _. Agents play it by this name.',
+    problem: (answer) => nameSentence(composedName(answer)),
+    hint: 'Agents play it by this name.',
   });
+  return name === undefined ? undefined : composedName(name);
+}
+
+/** @param {string} name @returns {string} */
+function nameSentence(name) {
+  const problem = nameProblem(name);
+  return problem === '' ? '' : `The name ${problem}.`;
 }
 
 /** @returns {Promise<File | undefined>} a file that the person chooses */

@@ -1,19 +1,21 @@
 /** Which program is open: chooses, opens, makes, saves; keeps what is unsaved; takes over what an IDE writes meanwhile. */
-import { ask } from '../motion/questions.js';
 import { button, byId, choice, element } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
+import { encodeText, encodingFor, UTF_8 } from '../state/decoded-text.js';
 import {
   FIRST_NAME,
   folderOfNew,
-  freeName,
+  isOpenToChange,
   isUnsaved,
-  javaName,
+  newText,
   normal,
   opened,
   written,
 } from '../state/program/documents.js';
 import { fileName } from '../state/program/remarks.js';
+import { EncodingNote } from './encoding-note.js';
 import { fillChoice } from './file-choice.js';
+import { askPath, freePath } from './new-program.js';
 import { note } from './program-room.js';
 
 /**
@@ -24,8 +26,6 @@ import { note } from './program-room.js';
 const KEY = 'robonewbie-program';
 const DRAFT_MILLISECONDS = 400;
 const LOOK_MILLISECONDS = 1000;
-const NAME = /^[\p{L}_$][\p{L}\p{N}_$]{0,79}(\.java)?$/u;
-const NAME_HINT = 'The name of a class: letters and digits, a capital letter first.';
 
 export class FileDesk {
   #draftTimer = 0;
@@ -45,6 +45,7 @@ export class FileDesk {
       room.attempt(() => this.choose(value)),
     );
     this.change = element('div', {});
+    this.encoding = new EncodingNote((file) => room.attempt(() => this.#toUtf8(file)));
     const make = button('New…', 'Makes another program', () => room.attempt(() => this.#make('')), {
       id: 'program-new',
     });
@@ -52,7 +53,7 @@ export class FileDesk {
       id: 'program-save',
     });
     room.bar.append(this.choice, make, this.saveButton);
-    room.notes.append(this.change);
+    room.notes.append(this.change, this.encoding.place);
   }
 
   /** @returns {boolean} whether something is lost if the page is closed now */
@@ -71,7 +72,7 @@ export class FileDesk {
       await this.openOwn(wanted);
     } else {
       const path = folderOfNew(list.own) + FIRST_NAME;
-      this.#show(opened('own', path, await this.service.newProgram(path), ''), '');
+      this.#show(opened('own', path, newText(await this.service.newProgram(path))), '');
     }
     if (!this.#looking) {
       this.#looking = true;
@@ -83,11 +84,11 @@ export class FileDesk {
   async openOwn(path) {
     const isSaved = this.list.own.some((each) => each.path === path);
     const isDraft = this.list.drafts.some((each) => each.path === path);
-    const { text, version } = isSaved ? await this.service.read('own', path) : { text: '', version: '' };
-    const draft = isDraft ? (await this.service.read('draft', path)).text : undefined;
+    const file = opened('own', path, isSaved ? await this.service.read('own', path) : newText(''));
+    const draft = isDraft ? (await this.service.read('draft', path)).text.content : undefined;
     keep(KEY, path);
-    this.#show(opened('own', path, text, version), normal(draft ?? text));
-    if (draft !== undefined && normal(draft) !== normal(text)) {
+    this.#show(file, normal(file.problem === '' ? (draft ?? '') : ''));
+    if (file.problem === '' && draft !== undefined && normal(draft) !== file.saved) {
       this.#say('This is what you had not saved.', [
         ['Take the saved one', () => this.#takeSaved()],
         ['Keep this', async () => this.#say('', [])],
@@ -98,15 +99,18 @@ export class FileDesk {
   /** Saves the program. @returns {Promise<boolean>} whether that was possible */
   async save() {
     const { file } = this;
-    if (!file || file.shelf === 'example') {
+    if (!file || !isOpenToChange(file)) {
       return false;
     }
     await this.#keepDraft();
-    const text = this.editor.text;
+    const content = written(file, this.editor.text);
+    const encoding = encodingFor(file.source, content);
     try {
-      const version = await this.service.write(file.path, written(file, text), file.version);
-      this.file = { ...file, saved: text, version };
+      const version = await this.service.write(file.path, encodeText(file.source, content), file.version);
+      const text = { ...file.source, encoding, content };
+      this.file = opened('own', file.path, { text, version, problem: '' });
       this.#isDraftKept = true;
+      this.encoding.show(this.file, file.source.encoding);
       await this.refresh();
       return true;
     } catch (error) {
@@ -122,7 +126,7 @@ export class FileDesk {
   changed() {
     const isWork = isUnsaved(this.file, this.editor.text);
     this.saveButton.disabled = !isWork;
-    if (this.file?.shelf === 'own') {
+    if (isOpenToChange(this.file)) {
       this.#isDraftKept = !isWork;
       clearTimeout(this.#draftTimer);
       this.#draftTimer = window.setTimeout(() => this.room.attempt(() => this.#keepDraft()), DRAFT_MILLISECONDS);
@@ -138,7 +142,7 @@ export class FileDesk {
     clearTimeout(this.#draftTimer);
     const { file } = this;
     const text = this.editor.text;
-    if (file?.shelf !== 'own') {
+    if (!file || !isOpenToChange(file)) {
       return;
     }
     if (isUnsaved(file, text)) {
@@ -153,7 +157,10 @@ export class FileDesk {
   #show(file, text) {
     this.file = file;
     const isExample = file.shelf === 'example';
-    this.editor.open(`${file.shelf} ${file.path}`, text || file.saved, isExample);
+    const isReadOnly = !isOpenToChange(file);
+    const shelf = isReadOnly ? `${file.shelf}, to read` : file.shelf;
+    this.editor.open(`${shelf} ${file.path}`, text || file.saved, isReadOnly);
+    this.encoding.show(file, file.source.encoding);
     this.#isDraftKept = true;
     this.#say('', []);
     if (isExample) {
@@ -181,7 +188,7 @@ export class FileDesk {
     await this.#keepDraft();
     await this.refresh();
     if (shelf === 'example') {
-      this.#show(opened('example', path, (await this.service.read('example', path)).text, ''), '');
+      this.#show(opened('example', path, await this.service.read('example', path)), '');
     } else if (shelf === 'exercise') {
       await this.room.exercises.begin(path);
     } else {
@@ -191,39 +198,23 @@ export class FileDesk {
 
   /** @param {string} example what to begin with, or nothing */
   async #make(example) {
-    const folder = folderOfNew(this.list.own);
-    const name = await ask({
-      title: example ? 'Make my own copy' : 'New program',
-      label: 'Name',
-      value: this.#nameFor(example)
-        .slice(folder.length)
-        .replace(/\.java$/, ''),
-      action: 'Make it',
-      pattern: NAME,
-      hint: NAME_HINT,
-    });
-    if (name) {
-      await this.#create(folder + javaName(name), example);
+    const path = await askPath(example, this.list.own);
+    if (path) {
+      await this.#create(path, example);
     }
   }
 
   /** Makes a copy of the example that is shown, which can be changed and run. */
   async copyExample() {
     if (this.file?.shelf === 'example') {
-      await this.#create(this.#nameFor(this.file.path), this.file.path);
+      await this.#create(freePath(this.file.path, this.list.own), this.file.path);
     }
-  }
-
-  /** @param {string} example @returns {string} a free path for a program that begins with it */
-  #nameFor(example) {
-    const wanted = example ? `My${example.replace(/^Agent_/, '')}.java` : FIRST_NAME;
-    return freeName(folderOfNew(this.list.own) + wanted, this.list.own);
   }
 
   /** @param {string} path @param {string} example */
   async #create(path, example) {
     await this.#keepDraft();
-    await this.service.write(path, await this.service.newProgram(path, example), '');
+    await this.service.write(path, encodeText(UTF_8, await this.service.newProgram(path, example)), '');
     await this.refresh();
     await this.openOwn(path);
   }
@@ -231,13 +222,24 @@ export class FileDesk {
   async #takeSaved() {
     const { file } = this;
     if (file) {
-      const { text, version } = await this.service.read('own', file.path);
-      this.file = opened('own', file.path, text, version);
-      this.editor.replace(this.file.saved);
+      const now = opened('own', file.path, await this.service.read('own', file.path));
+      if (now.problem !== file.problem) {
+        this.#show(now, '');
+        return;
+      }
+      this.file = now;
+      this.editor.replace(now.saved);
+      this.encoding.show(now, now.source.encoding);
       this.#say('', []);
       await this.#keepDraft();
       this.#draw();
     }
+  }
+
+  /** @param {OpenFile} file */
+  async #toUtf8(file) {
+    this.file = { ...file, source: UTF_8 };
+    await this.room.save();
   }
 
   /** @param {string} text */

@@ -1,7 +1,7 @@
 /** The room for programs: editor, compiler and the running program, beside the robot. */
 import { button, byId, element } from '../panels/elements.js';
 import { PANEL_TITLES } from '../state/layout.js';
-import { programAt } from '../state/program/documents.js';
+import { isOpenToChange, programAt } from '../state/program/documents.js';
 import { remarksText } from '../state/program/remarks.js';
 import { CodeEditor } from './code-editor.js';
 import { ExerciseDesk } from './exercise-desk.js';
@@ -137,7 +137,7 @@ class ProgramRoom {
   async check() {
     clearTimeout(this.#checkTimer);
     const { file } = this.files;
-    if (!file || file.shelf === 'example') {
+    if (!file || !isOpenToChange(file)) {
       this.#showRemarks([]);
       return;
     }

@@ -1,5 +1,7 @@
 /** All that the room for programs asks of others: files, compiler, processes, exercises. Nothing else here knows a server. */
 
+import { decodeText, legibleText, UTF_8 } from '../state/decoded-text.js';
+
 /**
  * @typedef {{path: string, version: string}} ListedFile
  * @typedef {object} ProgramList
@@ -13,6 +15,7 @@
  * @typedef {import('../state/program/run.js').ProgramRun} ProgramRun
  * @typedef {import('../state/course.js').Lesson} Lesson
  * @typedef {import('../state/course.js').Attempt} Attempt
+ * @typedef {import('../state/program/documents.js').ReadProgram} ReadProgram
  * @typedef {{label: string, detail: string, kind: string, insert: string, documentation: string}} Proposal
  */
 
@@ -27,10 +30,17 @@ export class ProgramService {
     return (await this.#ask('GET', 'programs')).json();
   }
 
-  /** @param {'own' | 'draft' | 'example'} shelf @param {string} path @returns {Promise<{text: string, version: string}>} */
+  /** @param {'own' | 'draft' | 'example'} shelf @param {string} path @returns {Promise<ReadProgram>} */
   async read(shelf, path) {
     const answer = await this.#ask('GET', `programs/${shelf}/${escaped(path)}`);
-    return { text: await answer.text(), version: answer.headers.get('Version') ?? '' };
+    const version = answer.headers.get('Version') ?? '';
+    const bytes = new Uint8Array(await answer.arrayBuffer());
+    try {
+      return { text: decodeText(bytes), version, problem: '' };
+    } catch (error) {
+      const problem = /** @type {Error} */ (error).message;
+      return { text: { ...UTF_8, content: legibleText(bytes) }, version, problem };
+    }
   }
 
   /** @param {string} path @param {string} [example] what to begin with @returns {Promise<string>} the text of a new program */
@@ -41,12 +51,13 @@ export class ProgramService {
 
   /**
    * @param {string} path
-   * @param {string} text
+   * @param {Uint8Array} bytes
    * @param {string} known the version that this page has seen, empty for a new file
    * @returns {Promise<string>} the new version
    */
-  async write(path, text, known) {
-    const answer = await this.#ask('PUT', `programs/own/${escaped(path)}`, text, { 'Known-Version': known });
+  async write(path, bytes, known) {
+    const content = /** @type {BodyInit} */ (bytes);
+    const answer = await this.#ask('PUT', `programs/own/${escaped(path)}`, content, { 'Known-Version': known });
     return answer.headers.get('Version') ?? '';
   }
 
@@ -111,7 +122,7 @@ export class ProgramService {
     return (await this.#ask('DELETE', 'course/attempt')).json();
   }
 
-  /** @param {string} method @param {string} path @param {string} [body] @param {Record<string, string>} [headers] */
+  /** @param {string} method @param {string} path @param {BodyInit} [body] @param {Record<string, string>} [headers] */
   async #ask(method, path, body, headers = {}) {
     const answer = await fetch(`api/${path}`, { method, body, headers: { ...headers, 'Studio-Token': this.token } });
     if (!answer.ok) {

@@ -1,13 +1,29 @@
 /**
  * Motions as tables for spreadsheets and scripts: a head line with names, then a row for each keyframe. Joints may come in any
- * order, some may be missing, and the cells may be parted by commas, semicolons or tabs. Pure.
+ * order and by NAO's own names, some may be missing, and the cells may be parted by commas, semicolons or tabs. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
  * @typedef {import('./foreign.js').Imported} Imported
+ * @typedef {import('./foreign.js').Row} Row
+ * @typedef {import('./foreign.js').Column} Column
  */
-import { documentOfRows, fourDecimals, numberIn, problemNotes, rowsOf, waysBetween } from './foreign.js';
+import {
+  columnNotes,
+  columnsOf,
+  documentOfRows,
+  numberIn,
+  playedFrames,
+  positiveIn,
+  postureOf,
+  problemNotes,
+  Remarks,
+  rowsOf,
+  waysBetween,
+  withoutEmptyEnd,
+} from './foreign.js';
 import { numberText } from './motion-text.js';
+import { columnOf } from './webots.js';
 
 /** The first is what we write. @type {Array<{names: string[], millis: number, isWay: boolean}>} */
 const TIMES = [
@@ -19,7 +35,7 @@ const TIMES = [
 /** @param {readonly Keyframe[]} frames @param {Body} body @returns {string} ways in milliseconds, angles in degrees */
 export function writeCsv(frames, { joints }) {
   const head = [TIMES[0].names[0], ...joints.map(({ name }) => name)].join(',');
-  const rows = frames.map(({ millis, degrees }) => [millis, ...degrees].map(numberText).join(','));
+  const rows = playedFrames(frames).map(({ millis, degrees }) => [millis, ...degrees].map(numberText).join(','));
   return [head, ...rows, ''].join('\n');
 }
 
@@ -28,44 +44,104 @@ export function writeCsv(frames, { joints }) {
  * @param {Body} body
  * @param {readonly number[]} start angles of joints of which the table says nothing
  * @returns {Imported}
- * @throws {Error} if the head line names no time or no joint; the message is meant for people
+ * @throws {Error} if the head line names no time or no joint, or is not clear; the message is meant for people
  */
-export function readCsv(text, { joints }, start) {
-  const [head, ...rows] = rowsOf(text);
-  const separator = [';', '\t', ','].find((each) => head?.text.includes(each)) ?? ',';
-  const cellsOf = (/** @type {string} */ row) =>
-    row.split(separator).map((cell) => cell.trim().replace(/^"(.*)"$/, '$1'));
-  const names = cellsOf(head?.text ?? '').map((name) => name.toLowerCase().replaceAll(/[ -]/g, '_'));
-  const columns = names.map((name) => joints.findIndex((joint) => joint.name.toLowerCase() === name));
+export function readCsv(text, body, start) {
+  const table = tableOf(rowsOf(text));
+  const { cellsOf, head, timeAt, time } = table;
+  const angles = (/** @type {string[]} */ all) => all.filter((_, i) => i !== timeAt);
+  const columns = columnsOf(head, angles(cellsOf(head.text)), (name) => jointColumn(name, body));
+  const remarks = new Remarks();
+  const wayTo = waysBetween(remarks);
+  let degrees = start;
+  const document = documentOfRows(table.rows, (row) => {
+    if (isComment(row)) {
+      return row.text.replace(/^(#|\/\/)\s*/, '');
+    }
+    const all = cellsOf(row.text).map(decimal);
+    const given = all[timeAt] ?? '';
+    const moment = time.millis * numberIn(given, `a time for ${time.names[0]}`);
+    const expected = 'an angle in degrees, such as -12.5';
+    const next = postureOf(
+      { row, cells: angles(all), expected, toDegrees: (value) => value },
+      columns,
+      degrees,
+      remarks,
+    );
+    const way = time.isWay ? Math.round(time.millis * positiveIn(given, 'a time')) : wayTo(moment, row);
+    degrees = next;
+    return { millis: Math.max(1, way), degrees };
+  });
+  const signs = columns.names.some((name) => columnOf('nao', name))
+    ? ['NAO’s names: read as degrees with NAO’s own signs.']
+    : [];
+  return { document, notes: [...signs, ...columnNotes(columns, body), ...remarks.notes, ...problemNotes(document)] };
+}
+
+/** @param {string} text @returns {boolean} whether it begins as a table of a motion does */
+export function isTable(text) {
+  try {
+    return tableOf(rowsOf(text)).timeAt >= 0;
+  } catch {
+    return false;
+  }
+}
+
+/** @param {Row[]} all */
+function tableOf(all) {
+  const [hint] = /^sep=(.)?$/i.exec(all[0]?.text ?? '') ?? [];
+  const rows = hint === undefined ? all : all.slice(1);
+  const headAt = rows.findIndex((row) => !isComment(row));
+  const head = rows[headAt] ?? { text: '', number: 1 };
+  const separator = hint?.slice(4) || ([';', '\t', ','].find((each) => head.text.includes(each)) ?? ',');
+  const cellsOf = (/** @type {string} */ row) => cells(row, separator);
+  const names = cellsOf(head.text).map(plainName);
   const timeAt = names.findIndex((name) => TIMES.some((time) => time.names.includes(name)));
   const time = TIMES.find((each) => each.names.includes(names[timeAt]));
-  if (!time || columns.every((joint) => joint < 0)) {
+  if (!time) {
     throw new Error(
       'This table is no motion: its first line must name a time (way_ms, time_ms or time_s) and joints such as LEFT_KNEE_PITCH.',
     );
   }
-  const wayTo = waysBetween();
-  let degrees = start;
-  const document = documentOfRows(rows, (row) => {
-    if (/^(#|\/\/)/.test(row.text)) {
-      return row.text.replace(/^(#|\/\/)\s*/, '');
-    }
-    const cells = cellsOf(row.text).map((cell) => (separator === ',' ? cell : cell.replace(',', '.')));
-    const millis = time.millis * numberIn(cells[timeAt] ?? '', `a time for ${names[timeAt]}`);
-    const next = [...degrees];
-    columns.forEach((joint, i) => {
-      if (joint >= 0 && (cells[i] ?? '') !== '') {
-        next[joint] = fourDecimals(numberIn(cells[i], 'an angle in degrees, such as -12.5'));
-      }
-    });
-    degrees = next;
-    return { millis: time.isWay ? Math.round(millis) : wayTo(millis), degrees };
-  });
-  return { document, notes: [...columnNotes(names, columns, timeAt), ...problemNotes(document)] };
+  const isEmpty = (/** @type {Row} */ row) => withoutEmptyEnd(cellsOf(row.text)).length === 0;
+  const others = rows.filter((row, i) => i !== headAt && !isEmpty(row));
+  return { head, cellsOf, timeAt, time: { ...time, names: [names[timeAt]] }, rows: others };
 }
 
-/** @param {string[]} names @param {number[]} columns @param {number} timeAt */
-function columnNotes(names, columns, timeAt) {
-  const unknown = names.filter((name, i) => i !== timeAt && columns[i] < 0 && name !== '');
-  return unknown.length > 0 ? [`Columns that are no joints were left out: ${unknown.join(', ')}.`] : [];
+/** @param {Row} row */
+function isComment({ text }) {
+  return /^(#|\/\/)/.test(text);
+}
+
+/** Splits a row; a cell in quotes may hold the separator. @param {string} row @param {string} separator @returns {string[]} */
+function cells(row, separator) {
+  const found = [];
+  let cell = '';
+  let isQuoted = false;
+  for (const sign of row) {
+    isQuoted = sign === '"' ? !isQuoted : isQuoted;
+    if (sign === separator && !isQuoted) {
+      found.push(cell);
+      cell = '';
+    } else {
+      cell += sign === '"' ? '' : sign;
+    }
+  }
+  return [...found, cell].map((each) => each.trim());
+}
+
+/** @param {string} cell @returns {string} a number as programs write it, for one with a decimal comma */
+function decimal(cell) {
+  return /^[^.,]*,[^.,]*$/.test(cell) ? cell.replace(',', '.') : cell;
+}
+
+/** @param {string} name */
+function plainName(name) {
+  return name.toLowerCase().replaceAll(/[ -]/g, '_');
+}
+
+/** @param {string} name as RoboNewbie or NAO calls a joint @param {Body} body @returns {Column | undefined} */
+function jointColumn(name, { joints }) {
+  const joint = joints.findIndex((each) => each.name.toLowerCase() === plainName(name));
+  return joint < 0 ? columnOf('nao', name) : { joint, sign: 1 };
 }

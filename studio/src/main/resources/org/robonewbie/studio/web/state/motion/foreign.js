@@ -1,6 +1,6 @@
 /**
  * What readers of other programs' motion files share: rows become keyframes, and a row that cannot be read is kept as it is, with
- * its place in the file. Pure.
+ * its place in the file. What belongs together is counted and compared, so that no angle gets to another joint. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -14,6 +14,14 @@
  * @typedef {object} Row of a foreign file
  * @property {string} text
  * @property {number} number of its line, from 1
+ *
+ * @typedef {object} Columns
+ * @property {string[]} names of all columns with angles, as they are written
+ * @property {Array<Column | undefined>} columns what each of them turns; nothing for what this robot does not have
+ *
+ * @typedef {object} Column
+ * @property {number} joint index in the order of the motion files
+ * @property {number} sign 1, or -1 if the other program turns it the other way round
  */
 import { EMPTY_DOCUMENT, newLine } from './motion-text.js';
 
@@ -63,27 +71,156 @@ export function problemNotes({ lines }) {
   return [`Not read and kept as it is: ${problems[0]}${others}. Agents refuse the file until it is mended.`];
 }
 
+/** Notes what was found in many rows, to tell the first and how many they are. */
+export class Remarks {
+  /** @type {Map<string, number[]>} */
+  #lines = new Map();
+
+  /** @param {string} what with “#” where the lines are named @param {Row} row */
+  add(what, row) {
+    this.#lines.set(what, [...(this.#lines.get(what) ?? []), row.number]);
+  }
+
+  /** @returns {string[]} */
+  get notes() {
+    return [...this.#lines].map(([what, lines]) => what.replace('#', placesText([...new Set(lines)])));
+  }
+}
+
+/** @param {number[]} lines @returns {string} such as: line 3, and 2 more */
+function placesText([first, ...others]) {
+  return `line ${first}${others.length > 0 ? `, and ${others.length} more` : ''}`;
+}
+
+/**
+ * Looks up what columns are called.
+ *
+ * @param {Row} row with the names
+ * @param {readonly string[]} written the names of all columns with angles; nothing for one that is left out on purpose
+ * @param {(name: string) => Column | undefined} columnOf
+ * @returns {Columns}
+ * @throws {Error} if none is a joint, one has no name, or two are the same joint; the message is meant for people
+ */
+export function columnsOf(row, written, columnOf) {
+  const names = withoutEmptyEnd(written);
+  const columns = names.map(columnOf);
+  const nameless = names.indexOf('');
+  if (nameless >= 0) {
+    throw new Error(`line ${row.number} has no name for its ${nameless + 1}. column of angles. Write one there.`);
+  }
+  if (!columns.some(Boolean)) {
+    const found = names.length > 0 ? `: found “${names.slice(0, 3).join('”, “')}”` : '';
+    throw new Error(`line ${row.number} names no joint of this robot${found}.`);
+  }
+  const joints = columns.map((column) => column?.joint);
+  const twice = joints.findIndex((joint, i) => joint !== undefined && joints.indexOf(joint) < i);
+  if (twice >= 0) {
+    const other = names[joints.indexOf(joints[twice])];
+    const both = other === names[twice] ? `“${other}” twice` : `one joint twice, as “${other}” and “${names[twice]}”`;
+    throw new Error(`line ${row.number} names ${both}. Leave one of the columns out.`);
+  }
+  return { names, columns };
+}
+
+/** @param {Columns} columns @param {Body} body @returns {string[]} which columns and which joints have no counterpart */
+export function columnNotes({ names, columns }, { joints }) {
+  const unknown = names.filter((_, i) => !columns[i]);
+  const named = new Set(columns.map((column) => column?.joint));
+  const missing = joints.filter((_, i) => !named.has(i)).map(({ name }) => name);
+  return [
+    ...(unknown.length > 0 ? [`Without ${unknown.join(', ')}, which this robot does not have.`] : []),
+    ...(missing.length > 0 ? [`No column for ${listText(missing)}: as in the posture at the start.`] : []),
+  ];
+}
+
+/** @param {string[]} names */
+function listText(names) {
+  const most = 3;
+  const shown = names.slice(0, most).join(', ');
+  return names.length > most ? `${shown} and ${names.length - most} more joints` : shown;
+}
+
+/** @param {readonly string[]} cells @returns {string[]} without the empty ones behind the last separators */
+export function withoutEmptyEnd(cells) {
+  const last = cells.findLastIndex((cell) => cell !== '');
+  return cells.slice(0, last + 1);
+}
+
+/**
+ * Puts the angles of a row into a posture.
+ *
+ * @param {object} row
+ * @param {Row} row.row
+ * @param {readonly string[]} row.cells
+ * @param {string} row.expected such as: an angle in degrees
+ * @param {(value: number) => number} row.toDegrees
+ * @param {Columns} columns
+ * @param {readonly number[]} before angles that stay where the row says nothing
+ * @param {Remarks} remarks
+ * @returns {number[]}
+ */
+export function postureOf({ row, cells, expected, toDegrees }, { names, columns }, before, remarks) {
+  const values = [...cells.slice(0, names.length), ...withoutEmptyEnd(cells.slice(names.length))];
+  if (values.length !== names.length) {
+    throw new UnreadableRow(`found ${values.length} angles, expected ${names.length}, one for each named joint`);
+  }
+  const next = [...before];
+  columns.forEach((column, i) => {
+    if (column && values[i] === '') {
+      remarks.add('Where a cell is empty (#) the joint keeps its angle.', row);
+    } else if (column && values[i] !== '*') {
+      next[column.joint] = fourDecimals(column.sign * toDegrees(numberIn(values[i], expected)));
+    }
+  });
+  return next;
+}
+
 /**
  * Turns moments into the times of the ways between them.
  *
- * @returns {(millis: number) => number} the way to a moment; it must be called for one after the other
+ * @param {Remarks} remarks
+ * @returns {(millis: number, row: Row) => number} the way to a moment; it must be called for one after the other
  */
-export function waysBetween() {
-  let before = 0;
-  return (millis) => {
-    const way = Math.max(LEAST_WAY, Math.round(millis - before));
+export function waysBetween(remarks) {
+  let before = -1;
+  let reached = 0;
+  return (millis, row) => {
+    if (millis <= before) {
+      throw new UnreadableRow(`found the time ${millis} ms, expected a later one than ${before} ms before`);
+    }
+    const way = Math.round(millis - reached);
+    if (before >= 0 && way < LEAST_WAY) {
+      remarks.add('Ways shorter than a cycle of 20 ms are played in 20 ms (#).', row);
+    }
     before = millis;
-    return way;
+    reached += Math.max(LEAST_WAY, way);
+    return Math.max(LEAST_WAY, way);
   };
 }
+
+const NUMBER = /^[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$/;
 
 /** @param {string} text @param {string} expected @returns {number} */
 export function numberIn(text, expected) {
   const value = Number(text);
-  if (text === '' || !Number.isFinite(value)) {
+  if (!NUMBER.test(text) || !Number.isFinite(value)) {
     throw new UnreadableRow(`found “${text}”, expected ${expected}`);
   }
   return value;
+}
+
+/** @param {string} text @param {string} expected @returns {number} */
+export function positiveIn(text, expected) {
+  const value = numberIn(text, expected);
+  if (value <= 0) {
+    throw new UnreadableRow(`found “${text}”, expected ${expected} above 0`);
+  }
+  return value;
+}
+
+/** What is written for other programs: a way takes a cycle at least, as it is played. @param {readonly Keyframe[]} frames */
+export function playedFrames(frames) {
+  return frames.map((frame) => ({ ...frame, millis: Math.max(LEAST_WAY, frame.millis) }));
 }
 
 /** @param {number} degrees @returns {number} with four decimals, which is finer than any motor */

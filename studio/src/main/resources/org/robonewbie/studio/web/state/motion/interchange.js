@@ -4,6 +4,7 @@
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').MotionDocument} MotionDocument
  * @typedef {import('./foreign.js').Imported} Imported
+ * @typedef {import('../decoded-text.js').DecodedText} DecodedText
  *
  * @typedef {object} Format
  * @property {string} id
@@ -11,11 +12,12 @@
  * @property {string} ending of the file's name
  * @property {(document: MotionDocument, body: Body, start: readonly number[]) => string} write
  */
-import { readCsv, writeCsv } from './csv.js';
+import { decodeText, encodingNote } from '../decoded-text.js';
+import { isTable, readCsv, writeCsv } from './csv.js';
 import { problemNotes } from './foreign.js';
 import { keyframesOf } from './motion-document.js';
 import { readNet, writeNet } from './motion-net.js';
-import { decode, textOf } from './motion-text.js';
+import { parse, textOf } from './motion-text.js';
 import { readWebots, writeWebots } from './webots.js';
 
 /** What an import takes. */
@@ -55,6 +57,9 @@ export const FORMATS = [
   },
 ];
 
+/** The largest file that is read, in bytes, as the studio's server takes it. */
+export const MOST_BYTES = 2 * 1024 * 1024;
+
 /**
  * Reads any of these files; what it is is told by its name and its first line.
  *
@@ -63,20 +68,49 @@ export const FORMATS = [
  * @param {Body} body
  * @param {readonly number[]} start angles of joints of which the file says nothing
  * @returns {Imported}
- * @throws {Error} if nothing of the file is a motion; the message is meant for people
+ * @throws {Error} if the file is no motion, or one that would do nothing; the message is meant for people
  */
 export function readMotion(name, bytes, body, start) {
-  const document = decode(bytes);
-  const text = textOf(document).replace(/^\uFEFF/, '');
-  if (text.startsWith('#WEBOTS_MOTION') || /\.motion$/i.test(name)) {
-    return readWebots(text, body, start);
+  try {
+    const text = decodeText(bytes);
+    const { document, notes } = readText(name, text, body, start);
+    if (keyframesOf(document).length === 0) {
+      throw new Error(nothingIn(document));
+    }
+    const inferred = encodingNote(text);
+    return { document, notes: inferred === '' ? notes : [...notes, `In ${inferred}`] };
+  } catch (error) {
+    throw new Error(`${name} was not imported: ${/** @type {Error} */ (error).message}`, { cause: error });
   }
-  if (/^\s*nao\s*[\r\n]/.test(text) || /\.mef$/i.test(name)) {
-    return readNet(text, start);
+}
+
+/** @param {MotionDocument} document @returns {string} why it would do nothing */
+function nothingIn({ lines }) {
+  const at = lines.findIndex((line) => line.problem);
+  const found = lines[at]?.problem;
+  const problem = found?.startsWith('line ') ? found : found && `line ${at + 1} of the file: ${found}`;
+  const others = `The studio imports ${ENDINGS.replaceAll(',', ', ')}.`;
+  return problem ? `no keyframe can be read. ${capital(problem)}. ${others}` : `it has no keyframe. ${others}`;
+}
+
+/** @param {string} text */
+function capital(text) {
+  return text[0].toUpperCase() + text.slice(1);
+}
+
+/** @param {string} name @param {DecodedText} decoded @param {Body} body @param {readonly number[]} start @returns {Imported} */
+function readText(name, decoded, body, start) {
+  const { encoding, hasByteOrderMark, content } = decoded;
+  if (content.startsWith('#WEBOTS_MOTION') || /\.motion$/i.test(name)) {
+    return readWebots(content, body, start);
   }
-  if (/\.[ct]sv$/i.test(name)) {
-    return readCsv(text, body, start);
+  if (/^\s*nao\s*[\r\n]/.test(content) || /\.mef$/i.test(name)) {
+    return readNet(content, body, start);
   }
+  if (/\.[ct]sv$/i.test(name) || isTable(content)) {
+    return readCsv(content, body, start);
+  }
+  const document = { ...parse(content), encoding, hasByteOrderMark };
   return { document, notes: problemNotes(withPlaces(document)) };
 }
 

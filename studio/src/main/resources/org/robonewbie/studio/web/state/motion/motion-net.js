@@ -7,14 +7,29 @@
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
  * @typedef {import('./foreign.js').Imported} Imported
  * @typedef {import('./foreign.js').Row} Row
+ * @typedef {import('./foreign.js').Columns} Columns
  *
  * @typedef {object} Net
- * @property {number[]} columns joint of each angle, in the order of the file
+ * @property {Columns | undefined} columns joint of each angle, in the order of the file; nothing before they are named
+ * @property {Remarks} remarks
  * @property {Map<number, number[]>} postures by number
  * @property {Array<{from: number, to: number, millis: number, row: Row}>} transitions
  * @property {Map<number, string>} problems by line
  */
-import { documentOfRows, fourDecimals, numberIn, problemNotes, rowsOf, UnreadableRow } from './foreign.js';
+import {
+  columnNotes,
+  columnsOf,
+  documentOfRows,
+  numberIn,
+  playedFrames,
+  positiveIn,
+  postureOf,
+  problemNotes,
+  Remarks,
+  rowsOf,
+  UnreadableRow,
+  withoutEmptyEnd,
+} from './foreign.js';
 import { numberText } from './motion-text.js';
 import { ORIGINAL_JOINTS } from './webots.js';
 
@@ -30,18 +45,19 @@ export function writeNet(frames, start) {
   const postures = [start, ...frames.map(({ degrees }) => degrees)];
   const places = postures.map((_, i) => [SPACING * (1 + (i % COLUMNS)), SPACING * (1 + Math.floor(i / COLUMNS))]);
   const nodes = postures.map((degrees, i) => ['keyframe', i, ...places[i], ...degrees.map(numberText)].join(';'));
-  const ways = frames.map(({ millis }, i) => ['transition', i, i + 1, millis, '*'].join(';'));
+  const ways = playedFrames(frames).map(({ millis }, i) => ['transition', i, i + 1, millis, '*'].join(';'));
   const names = ORIGINAL_JOINTS.map((name) => `${name};`).join('');
   return ['nao', '', names, '', ...nodes, '', ...ways, ''].join('\r\n');
 }
 
 /**
  * @param {string} text
+ * @param {Body} body
  * @param {readonly number[]} start angles of joints of which the file says nothing
  * @returns {Imported}
  * @throws {Error} if it is no such net; the message is meant for people
  */
-export function readNet(text, start) {
+export function readNet(text, body, start) {
   const [head, ...rows] = rowsOf(text);
   if (head?.text !== 'nao') {
     throw new Error('This is no net of the original motion editor: its first line is not “nao”.');
@@ -61,7 +77,8 @@ export function readNet(text, start) {
       ? { millis: step.millis, degrees: /** @type {number[]} */ (net.postures.get(step.to)) }
       : `another branch: ${row.text}`;
   });
-  return { document, notes: [...branchNotes(net, steps.length), ...end, ...problemNotes(document)] };
+  const notes = [...branchNotes(net, steps.length), ...end, ...net.remarks.notes, ...problemNotes(document)];
+  return { document, notes: [...(net.columns ? columnNotes(net.columns, body) : []), ...notes] };
 }
 
 /** @param {Row} row */
@@ -78,7 +95,13 @@ function branchNotes({ transitions }, taken) {
 /** @param {readonly Row[]} rows @param {readonly number[]} start @returns {Net} */
 function netOf(rows, start) {
   /** @type {Net} */
-  const net = { columns: [], postures: new Map(), transitions: [], problems: new Map() };
+  const net = {
+    columns: undefined,
+    remarks: new Remarks(),
+    postures: new Map(),
+    transitions: [],
+    problems: new Map(),
+  };
   for (const row of rows) {
     try {
       addRow(net, row, start);
@@ -89,6 +112,12 @@ function netOf(rows, start) {
       net.problems.set(row.number, error.message);
     }
   }
+  for (const { from, to, row } of net.transitions) {
+    const missing = [from, to].find((id) => !net.postures.has(id));
+    if (missing !== undefined) {
+      net.problems.set(row.number, `the file has no keyframe ${missing} that could be read`);
+    }
+  }
   return net;
 }
 
@@ -96,32 +125,39 @@ function netOf(rows, start) {
 function addRow(net, row, start) {
   const cells = row.text.split(';').map((cell) => cell.trim());
   if (cells[0] === 'keyframe') {
-    const [id, , , ...angles] = cells.slice(1).map((cell) => numberIn(cell, 'a number'));
-    if (angles.length !== net.columns.length) {
-      throw new UnreadableRow(
-        `found ${angles.length} angles, expected ${net.columns.length}, one for each named joint`,
-      );
-    }
-    const degrees = [...start];
-    angles.forEach((angle, i) => {
-      degrees[net.columns[i]] = fourDecimals(angle);
-    });
-    net.postures.set(id, degrees);
+    addKeyframe(net, row, cells, start);
   } else if (cells[0] === 'transition') {
-    const [from, to, millis] = cells.slice(1, 4).map((cell) => numberIn(cell, 'a number'));
+    const [from, to] = cells.slice(1, 3).map((cell) => numberIn(cell, 'the number of a keyframe'));
+    const millis = positiveIn(cells[3] ?? '', 'a time in milliseconds');
     net.transitions.push({ from, to, millis: Math.max(20, Math.round(millis)), row });
   } else if (!row.text.startsWith('#')) {
-    net.columns.push(...cells.filter((cell) => cell !== '').map(jointOf));
+    withoutEmptyEnd(cells).forEach(refuseOther);
+    if (net.columns) {
+      throw new UnreadableRow(`found “${cells[0]}”, but the joints are named already`);
+    }
+    net.columns = columnsOf(row, cells, (name) => ({ joint: ORIGINAL_JOINTS.indexOf(name), sign: 1 }));
   }
 }
 
+/** @param {Net} net @param {Row} row @param {string[]} cells @param {readonly number[]} start */
+function addKeyframe(net, row, cells, start) {
+  const [id] = cells.slice(1, 4).map((cell) => numberIn(cell, 'a number'));
+  if (!net.columns) {
+    throw new UnreadableRow('found a keyframe, expected a line with the names of the joints before it');
+  }
+  if (net.postures.has(id)) {
+    throw new UnreadableRow(`found keyframe ${id}, which the file has already`);
+  }
+  const angles = { row, cells: cells.slice(4), expected: 'an angle in degrees, such as -12.5' };
+  const degrees = postureOf({ ...angles, toDegrees: (value) => value }, net.columns, start, net.remarks);
+  net.postures.set(id, degrees);
+}
+
 /** @param {string} name */
-function jointOf(name) {
-  const joint = ORIGINAL_JOINTS.indexOf(name);
-  if (joint < 0) {
+function refuseOther(name) {
+  if (!ORIGINAL_JOINTS.includes(name)) {
     throw new UnreadableRow(`found “${name}”, expected keyframe, transition or the name of a joint`);
   }
-  return joint;
 }
 
 /** The way along the first transitions, until it ends or comes to a keyframe again. @param {Net} net */

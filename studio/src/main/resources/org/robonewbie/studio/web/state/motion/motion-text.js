@@ -12,11 +12,9 @@
  * @property {Keyframe} [keyframe] of a line with a keyframe
  * @property {string} [problem] of a line that cannot be understood
  *
- * @typedef {object} MotionDocument
- * @property {'utf-8' | 'latin-1'} charset
- * @property {string} mark the byte order mark, if there was one
- * @property {readonly Line[]} lines
+ * @typedef {import('../decoded-text.js').Source & {lines: readonly Line[]}} MotionDocument
  */
+import { decodeText, encodeText, UTF_8 } from '../decoded-text.js';
 
 export const JOINT_COUNT = 22;
 
@@ -25,20 +23,16 @@ const DECIMAL = /^[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$/;
 const MARK = '\uFEFF';
 
 /** A document without any line. @type {MotionDocument} */
-export const EMPTY_DOCUMENT = { charset: 'utf-8', mark: '', lines: [] };
+export const EMPTY_DOCUMENT = { ...UTF_8, lines: [] };
 
 /**
  * @param {Uint8Array} bytes content of a file
  * @returns {MotionDocument}
+ * @throws {import('../decoded-text.js').UndecodableText} if they are no text
  */
 export function decode(bytes) {
-  try {
-    const text = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
-    return parse(text);
-  } catch {
-    const characters = Array.from(bytes, (byte) => String.fromCharCode(byte));
-    return { ...parse(characters.join('')), charset: 'latin-1' };
-  }
+  const { encoding, hasByteOrderMark, content } = decodeText(bytes);
+  return { encoding, hasByteOrderMark, lines: linesOf(content) };
 }
 
 /**
@@ -46,10 +40,7 @@ export function decode(bytes) {
  * @returns {Uint8Array} the bytes of the file
  */
 export function encode(document) {
-  const text = textOf(document);
-  const codes = Array.from(text, (character) => character.codePointAt(0) ?? 0);
-  const isLatin = document.charset === 'latin-1' && codes.every((code) => code < 256);
-  return isLatin ? Uint8Array.from(codes) : new TextEncoder().encode(text);
+  return encodeText(document, contentOf(document));
 }
 
 /**
@@ -57,19 +48,25 @@ export function encode(document) {
  * @returns {MotionDocument}
  */
 export function parse(text) {
-  const mark = text.startsWith(MARK) ? MARK : '';
-  const lines = [];
-  for (const [whole, content, end] of text.slice(mark.length).matchAll(/([^\r\n]*)(\r\n|\r|\n|$)/g)) {
-    if (whole !== '') {
-      lines.push(parseLine(content, end));
-    }
-  }
-  return { charset: 'utf-8', mark, lines };
+  const hasByteOrderMark = text.startsWith(MARK);
+  return { encoding: 'UTF-8', hasByteOrderMark, lines: linesOf(hasByteOrderMark ? text.slice(1) : text) };
+}
+
+/** @param {string} content @returns {Line[]} */
+function linesOf(content) {
+  return Array.from(content.matchAll(/([^\r\n]*)(\r\n|\r|\n|$)/g))
+    .filter(([whole]) => whole !== '')
+    .map(([, text, end]) => parseLine(text, end));
+}
+
+/** @param {MotionDocument} document @returns {string} without byte order mark */
+export function contentOf({ lines }) {
+  return lines.map(({ text, end }) => text + end).join('');
 }
 
 /** @param {MotionDocument} document */
 export function textOf(document) {
-  return document.mark + document.lines.map(({ text, end }) => text + end).join('');
+  return (document.hasByteOrderMark ? MARK : '') + contentOf(document);
 }
 
 /**

@@ -1,18 +1,34 @@
 /**
- * Webots' .motion files, which Choregraphe's users exchange too: a head line with the joints' names, then a line with time, pose
- * name and radians for each keyframe. Two programs write them differently: Webots with the signs and names of NAO's documentation,
+ * Webots' .motion files, which Choregraphe's users exchange too: a head line with the joints' names, there or in the line below, then a line with time, pose
+ * name and radians for each keyframe. Some robots of the league write V1.1: “play”, radians and the seconds of the way, with % between them. Two programs write them differently: Webots with the signs and names of NAO's documentation,
  * where bent knees and lowered arms are positive; the original motion editor with the signs of the simulator. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
  * @typedef {import('./foreign.js').Imported} Imported
  * @typedef {'nao' | 'original'} Reading
+ * @typedef {import('./foreign.js').Row} Row
+ * @typedef {import('./foreign.js').Column} Column
  *
- * @typedef {object} Column
- * @property {number} joint index in the order of the motion files
- * @property {number} sign
+ * @typedef {object} Table a Webots motion by its parts
+ * @property {Row} head line with the names
+ * @property {string[]} names
+ * @property {Row[]} rows
+ * @property {string} separator of cells
  */
-import { documentOfRows, fourDecimals, numberIn, problemNotes, rowsOf, UnreadableRow, waysBetween } from './foreign.js';
+import {
+  columnNotes,
+  columnsOf,
+  documentOfRows,
+  playedFrames,
+  positiveIn,
+  postureOf,
+  problemNotes,
+  Remarks,
+  rowsOf,
+  UnreadableRow,
+  waysBetween,
+} from './foreign.js';
 
 const HEAD = '#WEBOTS_MOTION,V1.0';
 
@@ -43,6 +59,8 @@ export const ORIGINAL_JOINTS = [
 ];
 
 const RANGE_SLACK = 2;
+/** Begins the rows of version 1.1. */
+const PLAY = 'play';
 
 /** NAO turns its elbow by ElbowYaw where the simulator calls it arm roll, and bends it by ElbowRoll. @type {string[]} */
 const NAO_JOINTS = ORIGINAL_JOINTS.map((name) =>
@@ -60,7 +78,7 @@ function namesOf(reading) {
 }
 
 /** @param {Reading} reading @param {string} name such as “LElbowRoll” or “LElbowRoll{S}” @returns {Column | undefined} */
-function columnOf(reading, name) {
+export function columnOf(reading, name) {
   const plain = name.trim().replace(/\{.*\}$/, '');
   const joint = namesOf(reading).indexOf(plain);
   return joint < 0 ? undefined : { joint, sign: reading === 'nao' ? signOf(plain) : 1 };
@@ -74,7 +92,7 @@ function columnOf(reading, name) {
 export function writeWebots(frames, reading) {
   const names = namesOf(reading);
   let time = 0;
-  const lines = frames.map(({ millis, degrees }, i) => {
+  const lines = playedFrames(frames).map(({ millis, degrees }, i) => {
     time += millis;
     const angles = names.map((name, joint) => radiansText((reading === 'nao' ? signOf(name) : 1) * degrees[joint]));
     return [timeText(time), `Pose${i + 1}`, ...angles].join(',');
@@ -90,44 +108,72 @@ export function writeWebots(frames, reading) {
  * @throws {Error} if it is no Webots motion; the message is meant for people
  */
 export function readWebots(text, body, start) {
-  const [head, ...rows] = rowsOf(text);
-  if (!head?.text.startsWith('#WEBOTS_MOTION')) {
-    throw new Error('This is no Webots motion: its first line does not begin with #WEBOTS_MOTION.');
-  }
-  const names = head.text.split(',').slice(2);
+  const table = tableOf(rowsOf(text));
   const [nao, original] = /** @type {Reading[]} */ (['nao', 'original']).map((reading) => ({
     reading,
-    document: readAs(reading, names, rows, start),
+    ...readAs(reading, table, start),
   }));
   const found = misfits(nao.document, body) <= misfits(original.document, body) ? nao : original;
-  const unknown = names.filter((name) => columnOf('nao', name) === undefined);
   const signs =
     found.reading === 'nao'
       ? 'Read with NAO’s own signs, as Webots writes them.'
       : 'Read with the signs of the original motion editor.';
-  const left = unknown.length > 0 ? [`Without ${unknown.join(', ')}, which this robot does not have.`] : [];
-  return { document: found.document, notes: [signs, ...left, ...problemNotes(found.document)] };
+  const { document, columns, remarks } = found;
+  return { document, notes: [signs, ...columnNotes(columns, body), ...remarks.notes, ...problemNotes(document)] };
 }
 
-/** @param {Reading} reading @param {string[]} names @param {import('./foreign.js').Row[]} rows @param {readonly number[]} start */
-function readAs(reading, names, rows, start) {
-  const columns = names.map((name) => columnOf(reading, name));
-  const wayTo = waysBetween();
+/** @param {Row[]} all @returns {Table} */
+function tableOf([head, ...rest]) {
+  const [magic, version = '', ...written] = (head?.text ?? '').split(',').map((cell) => cell.trim());
+  if (!magic.startsWith('#WEBOTS_MOTION')) {
+    throw new Error('This is no Webots motion: its first line does not begin with #WEBOTS_MOTION.');
+  }
+  if (!/^V1\.[01]$/.test(version)) {
+    throw new Error(`This Webots motion is of version “${version}”; V1.0 and V1.1 can be read.`);
+  }
+  if (written.every((name) => name === '')) {
+    return tableBelow(rest);
+  }
+  return { head, names: written, rows: rest, separator: separatorOf(rest[0]) };
+}
+
+/** @param {Row | undefined} row */
+function separatorOf(row) {
+  return row?.text.includes('%') ? '%' : ',';
+}
+
+/** The names are in the line below the head. @param {Row[]} all @returns {Table} */
+function tableBelow([names, ...rows]) {
+  const separator = separatorOf(names);
+  const cells = (names?.text ?? '').split(separator).map((cell) => cell.trim());
+  if (cells[0] === '' || cells[0] === PLAY || /^[\d:.]+$/.test(cells[0])) {
+    throw new Error('This Webots motion names no joints, neither in its first line nor in the one below.');
+  }
+  return { head: names, names: cells, rows, separator };
+}
+
+/** @param {Reading} reading @param {Table} table @param {readonly number[]} start */
+function readAs(reading, { head, names, rows, separator }, start) {
+  const columns = columnsOf(head, names, (name) => columnOf(reading, name));
+  const remarks = new Remarks();
+  const wayTo = waysBetween(remarks);
   let degrees = start;
-  return documentOfRows(rows, (row) => {
-    const [time, , ...values] = row.text.split(',').map((cell) => cell.trim());
-    const moment = momentOf(time);
-    const next = [...degrees];
-    values.forEach((value, i) => {
-      const column = columns[i];
-      if (column && value !== '*' && value !== '') {
-        const radians = numberIn(value, 'an angle in radians, such as -0.35');
-        next[column.joint] = fourDecimals((column.sign * radians * 180) / Math.PI);
-      }
-    });
+  const document = documentOfRows(rows, (row) => {
+    const all = row.text.split(separator).map((cell) => cell.trim());
+    const isPlay = all[0] === PLAY;
+    const moment = isPlay ? 0 : momentOf(all[0]);
+    const cells = isPlay ? all.slice(1, -1) : all.slice(2);
+    const toDegrees = (/** @type {number} */ radians) => (radians * 180) / Math.PI;
+    const expected = 'an angle in radians, such as -0.35';
+    const next = postureOf({ row, cells, expected, toDegrees }, columns, degrees, remarks);
+    const millis = isPlay ? 1000 * positiveIn(all[all.length - 1], 'the seconds of the way') : wayTo(moment, row);
+    if (isPlay) {
+      remarks.add('The number at the end of each line was read as the seconds of its way (from # on).', head);
+    }
     degrees = next;
-    return { millis: wayTo(moment), degrees };
+    return { millis: Math.max(1, Math.round(millis)), degrees };
   });
+  return { document, columns, remarks };
 }
 
 /** How many angles a robot could not reach: the wrong reading has bent knees beyond their range. @param {import('./motion-text.js').MotionDocument} document @param {Body} body */

@@ -53,6 +53,9 @@ final class Firefox implements AutoCloseable {
     private static final String ANNOUNCEMENT = "WebDriver BiDi listening on ";
     private static final int PATIENCE_SECONDS = 120;
 
+    /** The Control key, as WebDriver calls it. */
+    private static final String CONTROL = "\uE009";
+
     private final Process process;
     private final DevTools tools;
     private final String context;
@@ -164,13 +167,30 @@ final class Firefox implements AutoCloseable {
     void type(String text) {
         JsonArray keys = new JsonArray();
         for (int i = 0; i < text.length(); i++) {
-            for (String kind : List.of("keyDown", "keyUp")) {
-                JsonObject key = new JsonObject();
-                key.addProperty("type", kind);
-                key.addProperty("value", text.substring(i, i + 1));
-                keys.add(key);
-            }
+            keys.add(key("keyDown", text.substring(i, i + 1)));
+            keys.add(key("keyUp", text.substring(i, i + 1)));
         }
+        perform(keys);
+    }
+
+    /** Presses a key while Control is held. */
+    void typeWithControl(String letter) {
+        JsonArray keys = new JsonArray();
+        keys.add(key("keyDown", CONTROL));
+        keys.add(key("keyDown", letter));
+        keys.add(key("keyUp", letter));
+        keys.add(key("keyUp", CONTROL));
+        perform(keys);
+    }
+
+    private static JsonObject key(String kind, String value) {
+        JsonObject key = new JsonObject();
+        key.addProperty("type", kind);
+        key.addProperty("value", value);
+        return key;
+    }
+
+    private void perform(JsonArray keys) {
         JsonObject keyboard = new JsonObject();
         keyboard.addProperty("type", "key");
         keyboard.addProperty("id", "keyboard");

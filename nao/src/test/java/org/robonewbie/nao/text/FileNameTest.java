@@ -1,0 +1,45 @@
+package org.robonewbie.nao.text;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.stream.Stream;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class FileNameTest {
+
+    static Stream<List<String>> names() {
+        return Table.rows("file-names.tsv");
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void saysWhatIsWrongWithAName(List<String> row) {
+        assertThat(FileName.problem(row.get(0)).orElse("-")).isEqualTo(row.get(1));
+    }
+
+    @Property
+    void goodNameIsOneFileInItsFolder(@ForAll String name) {
+        if (FileName.problem(name).isEmpty()) {
+            assertThat(FileName.isPortable(name)).isTrue();
+            assertThat(name).isNotBlank().doesNotContain("/", "\\", "\0").doesNotStartWith(".");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"CON", "con", "NUL.x", "LPT1", "COM0", "COM\u00b9", "lpt\u00b3.rec", "aux .x", "goal.", "goal "})
+    void refusesWhatWindowsCannotHave(String name) {
+        assertThat(FileName.isPortable(name)).isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"goal", "console", "CON-1", "LPT", "COM10", "my.con", "first try 2", "null"})
+    void takesAllOthers(String name) {
+        assertThat(FileName.isPortable(name)).isTrue();
+    }
+}

@@ -1,0 +1,40 @@
+/** Says above a program how its file is encoded, if that is not certain or has changed. */
+import { button, element } from '../panels/elements.js';
+import { encodingNote } from '../state/decoded-text.js';
+import { fileName } from '../state/program/remarks.js';
+
+/** @typedef {import('../state/program/documents.js').OpenFile} OpenFile */
+
+export class EncodingNote {
+  place = element('div', { id: 'program-encoding' });
+
+  /** @param {(file: OpenFile) => void} change saves the file as UTF-8 */
+  constructor(change) {
+    this.change = change;
+  }
+
+  /** @param {OpenFile} file @param {string} before its encoding before it was saved */
+  show(file, before) {
+    const { encoding } = file.source;
+    const inferred = encodingNote({ ...file.source, content: file.content });
+    const name = fileName(file.path);
+    if (file.problem !== '') {
+      this.#say(`${name} cannot be decoded and is only shown: ${file.problem}`);
+    } else if (encoding !== before) {
+      this.#say(`${name} is saved as ${encoding} now, since ${before} cannot hold all of its letters.`);
+    } else if (inferred !== '') {
+      this.#say(
+        `${name}: ${inferred}`,
+        button('Save as UTF-8', '', () => this.change(file)),
+      );
+    } else {
+      this.place.replaceChildren();
+    }
+  }
+
+  /** @param {string} text @param {...HTMLElement} deeds */
+  #say(text, ...deeds) {
+    const note = element('div', { class: 'program-note quiet', role: 'status' }, element('p', {}, text), ...deeds);
+    this.place.replaceChildren(note);
+  }
+}

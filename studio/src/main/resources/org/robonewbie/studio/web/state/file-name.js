@@ -1,0 +1,65 @@
+/**
+ * Names that a file can have on Windows, macOS and Linux alike, in the letters of any language. The same rule as the Java class
+ * FileName. Pure.
+ */
+
+const MOST_CHARACTERS = 80;
+const RESERVED = /[/\\:*?"<>|%]/;
+const CONTROL = /\p{Cc}/u;
+const BLANK = /[\u00A0\u1680\u2000-\u200A\u202F\u205F]/;
+const INVISIBLE = /[\u00AD\u061C\u180E\u200B\u200E\u200F\u2028-\u202E\u2060-\u206F\uFEFF\uFFF9-\uFFFB\uFFFE\uFFFF]/;
+const HALF = /[\uD800-\uDBFF](?![\uDC00-\uDFFF])|(?<![\uD800-\uDBFF])[\uDC00-\uDFFF]/;
+const DEVICE = /^(con|prn|aux|nul|(com|lpt)[0-9\u00b9\u00b2\u00b3]) *(\..*)?$/i;
+
+/** @type {Array<[RegExp, (sign: string) => string]>} */
+const WRONG = [
+  [RESERVED, (sign) => `"${sign}"`],
+  [CONTROL, (sign) => `the control character ${code(sign)}`],
+  [BLANK, (sign) => `the blank ${code(sign)}, which is not that of the space bar`],
+  [INVISIBLE, (sign) => `the invisible character ${code(sign)}`],
+  [HALF, (sign) => `half a character (${code(sign)})`],
+];
+
+/**
+ * macOS writes some letters as two characters, other systems as one; both are the same name.
+ *
+ * @param {string} name
+ * @returns {string} the name as files are called here
+ */
+export function composedName(name) {
+  return name.normalize('NFC');
+}
+
+/**
+ * @param {string} name without folder and ending
+ * @returns {string} what is wrong with it, such as: contains "/"; nothing if it is good
+ */
+export function nameProblem(name) {
+  if (name === '') {
+    return 'is empty';
+  }
+  if (name.length > MOST_CHARACTERS) {
+    return `has ${name.length} characters, and ${MOST_CHARACTERS} are the most`;
+  }
+  const wrong = WRONG.map(([signs, words]) => ({ at: name.search(signs), words }))
+    .filter(({ at }) => at >= 0)
+    .sort((one, other) => one.at - other.at)[0];
+  if (wrong) {
+    return `contains ${wrong.words(name[wrong.at])}`;
+  }
+  return edgeProblem(name) || (DEVICE.test(name) ? 'is the name of a device on Windows' : '');
+}
+
+/** @param {string} name */
+function edgeProblem(name) {
+  const signName = (/** @type {string} */ sign) => (sign === '.' ? 'dot' : 'blank');
+  if (/^[. ]/.test(name)) {
+    return `begins with a ${signName(name[0])}`;
+  }
+  return /[. ]$/.test(name) ? `ends with a ${signName(name[name.length - 1])}` : '';
+}
+
+/** @param {string} sign */
+function code(sign) {
+  return `U+${sign.charCodeAt(0).toString(16).toUpperCase().padStart(4, '0')}`;
+}

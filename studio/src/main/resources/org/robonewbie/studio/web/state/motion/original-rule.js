@@ -1,0 +1,42 @@
+/**
+ * Tells motions that were made for RoboNewbie 1.1, which did not approach a keyframe of less than two cycles at all. Pure.
+ *
+ * @typedef {import('./motion-text.js').Keyframe} Keyframe
+ * @typedef {import('./motion-text.js').MotionDocument} MotionDocument
+ */
+import { keyframesOf } from './motion-document.js';
+import { parse } from './motion-text.js';
+
+const TWO_CYCLES = 40;
+const ORIGINAL = '// play: 1.1';
+
+/** What files say of themselves since then. */
+const DESCRIBED = /^\s*\/\/\s*(play|columns|measured|does|start|end|ball|made by)\s*:/i;
+
+/** @param {MotionDocument} document @returns {boolean} whether it says nothing of itself, as the files of RoboNewbie 1.1 */
+export function isUndescribed({ lines }) {
+  return !lines.some(({ text }) => DESCRIBED.test(text));
+}
+
+/**
+ * Whether a motion has keyframes that RoboNewbie 1.1 did not approach, among others. A motion of nothing but short ways was recorded,
+ * and would stand still by that rule.
+ *
+ * @param {MotionDocument} document
+ * @returns {boolean}
+ */
+export function hasSkippedKeyframes(document) {
+  const frames = keyframesOf(document);
+  const short = frames.filter(({ millis }) => millis > 0 && millis < TWO_CYCLES);
+  const isOther = (/** @type {Keyframe} */ frame) => {
+    const before = frames[frames.indexOf(frame) - 1];
+    return before !== undefined && frame.degrees.some((angle, joint) => angle !== before.degrees[joint]);
+  };
+  return short.some(isOther) && 2 * short.length <= frames.length;
+}
+
+/** @param {MotionDocument} document @returns {MotionDocument} that is played by the rule of RoboNewbie 1.1 */
+export function asOriginal(document) {
+  const end = document.lines.find((line) => line.end !== '')?.end ?? '\n';
+  return { ...document, lines: [...parse(ORIGINAL + end).lines, ...document.lines] };
+}
