@@ -9,6 +9,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.robonewbie.agent.Options;
 import org.robonewbie.app.program.CommandWord;
+import org.robonewbie.nao.file.FileNames;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -58,6 +59,8 @@ public final class RoboNewbieCommand {
 
     private static final Set<String> OWN_OPTIONS = Set.of("-h", "--help", "-V", "--version");
 
+    private static final Set<String> CHECKS = Set.of("doctor", "course", "help");
+
     /** Commands that have to start fast: all others are not even looked at. */
     private static final Map<String, Supplier<Object>> AT_ONCE = Map.of(
             SimulatorCommand.NAME, SimulatorCommand::new,
@@ -77,10 +80,21 @@ public final class RoboNewbieCommand {
             System.out.println(version());
             return CommandLine.ExitCode.OK;
         }
+        Optional<String> unreadable = mayWrite(arguments) ? FileNames.trouble(arguments) : Optional.empty();
+        if (unreadable.isPresent()) {
+            System.err.println("robonewbie: " + unreadable.get());
+            return CommandLine.ExitCode.USAGE;
+        }
         String[] complete = withDefaultCommand(arguments);
         Supplier<Object> command = AT_ONCE.get(complete[0]);
         return (command == null ? commandLine() : prepared(new CommandLine(new Alone()).addSubcommand(command.get())))
                 .execute(complete);
+    }
+
+    /** Help and checks of the computer are useful where names of files cannot be read, too. */
+    private static boolean mayWrite(String... arguments) {
+        boolean isCheck = arguments.length > 0 && CHECKS.contains(arguments[0]);
+        return !isCheck && Stream.of(arguments).noneMatch(OWN_OPTIONS::contains);
     }
 
     /** {@return all commands with their options} */

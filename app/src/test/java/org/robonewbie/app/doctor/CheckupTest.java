@@ -28,7 +28,7 @@ class CheckupTest {
                         Checkup.of(false).findings().spliterator(), false)
                 .toList();
 
-        assertThat(findings).hasSize(11).noneMatch(finding -> finding.verdict() == Verdict.BROKEN);
+        assertThat(findings).hasSize(12).noneMatch(finding -> finding.verdict() == Verdict.BROKEN);
     }
 
     @Test

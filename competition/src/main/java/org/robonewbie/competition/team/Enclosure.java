@@ -44,9 +44,9 @@ public record Enclosure(Fence fence, Optional<Path> door, Collection<Path> hidde
         if (door.isEmpty()) {
             return command;
         }
-        List<Path> readable = new ArrayList<>(ProgramCommand.ownClassPath().stream()
-                .map(path -> path.toAbsolutePath().normalize())
-                .toList());
+        ClassPath classPath = ProgramCommand.classPathOf(program);
+        List<Path> readable = new ArrayList<>(classPath.places());
+        readable.addAll(classPath.files());
         readable.add(Path.of(System.getProperty("java.home")));
         if (program instanceof TeamProgram.OfCommand other) {
             other.files().forEach(file -> readable.add(besides(file)));

@@ -1,6 +1,5 @@
 package org.robonewbie.competition.team;
 
-import java.io.File;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.nio.file.Files;
@@ -12,6 +11,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
+import javax.tools.StandardLocation;
 import javax.tools.ToolProvider;
 
 /**
@@ -40,6 +40,9 @@ record SourceFolder(Path folder, boolean deep) {
         Files.createDirectories(classes);
         StringWriter messages = new StringWriter();
         try (StandardJavaFileManager disk = compiler.getStandardFileManager(null, null, null)) {
+            disk.setLocationFromPaths(
+                    StandardLocation.CLASS_PATH,
+                    ClassPath.ofThisProgram().with(libraries()).places());
             boolean correct = compiler.getTask(
                             messages, disk, null, options(classes), null, disk.getJavaFileObjectsFromPaths(sources()))
                     .call();
@@ -47,19 +50,8 @@ record SourceFolder(Path folder, boolean deep) {
         }
     }
 
-    private List<String> options(Path classes) throws IOException {
-        String libraries = String.join(
-                File.pathSeparator, libraries().stream().map(Path::toString).toList());
-        return List.of(
-                "-g",
-                "-parameters",
-                "-proc:none",
-                "-encoding",
-                "UTF-8",
-                "-d",
-                classes.toString(),
-                "-classpath",
-                System.getProperty("java.class.path") + File.pathSeparator + libraries);
+    private static List<String> options(Path classes) {
+        return List.of("-g", "-parameters", "-proc:none", "-encoding", "UTF-8", "-d", classes.toString());
     }
 
     private List<Path> classPath(Path classes) throws IOException {

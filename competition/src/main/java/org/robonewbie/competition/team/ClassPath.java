@@ -1,0 +1,102 @@
+package org.robonewbie.competition.team;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.jar.Attributes;
+import java.util.jar.JarOutputStream;
+import java.util.jar.Manifest;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * The class path of a Java process. Its option separates places by colons (on Windows semicolons), so that none can have one in its
+ * name, and it cannot express characters beyond 16 bits, such as emoji. Where a place has such a name, an empty jar in the folder for
+ * temporary files refers to all places, as addresses in its manifest.
+ *
+ * @param places absolute paths of folders and jars
+ */
+public record ClassPath(List<Path> places) {
+
+    /** A process that ends at once may still need its jar, so it is kept until this process ends. */
+    private static final Map<ClassPath, Path> JARS = new ConcurrentHashMap<>();
+
+    /** Makes all paths absolute. */
+    public ClassPath {
+        places =
+                places.stream().map(place -> place.toAbsolutePath().normalize()).toList();
+    }
+
+    /** {@return the class path with which this process was started} */
+    public static ClassPath ofThisProgram() {
+        return new ClassPath(Stream.of(System.getProperty("java.class.path").split(File.pathSeparator, -1))
+                .map(Path::of)
+                .toList());
+    }
+
+    /**
+     * Adds places.
+     *
+     * @param more folders and jars, which are searched last
+     * @return all of them
+     */
+    public ClassPath with(List<Path> more) {
+        return new ClassPath(Stream.concat(places.stream(), more.stream()).toList());
+    }
+
+    /**
+     * Returns the class path as an option of Java.
+     *
+     * @return what follows {@code -cp}
+     * @throws WrongEntryException if the folder for temporary files has a name that cannot stand in an option
+     */
+    public String option() {
+        return files().stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
+    }
+
+    /** {@return the files and folders that the option names} */
+    List<Path> files() {
+        return places.stream().allMatch(ClassPath::canBeOption)
+                ? places
+                : List.of(JARS.computeIfAbsent(this, ClassPath::jar));
+    }
+
+    private static boolean canBeOption(Path place) {
+        String name = place.toString();
+        return !name.contains(File.pathSeparator) && name.chars().noneMatch(c -> Character.isSurrogate((char) c));
+    }
+
+    private Path jar() {
+        Manifest manifest = new Manifest();
+        manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
+        manifest.getMainAttributes()
+                .put(
+                        Attributes.Name.CLASS_PATH,
+                        places.stream()
+                                .map(place -> place.toUri().toASCIIString())
+                                .collect(Collectors.joining(" ")));
+        try {
+            Path jar = Files.createTempFile("robonewbie-classes", ".jar");
+            jar.toFile().deleteOnExit();
+            if (!canBeOption(jar)) {
+                throw new WrongEntryException("The folder for temporary files, " + jar.getParent()
+                        + ", has a character in its name that Java does not take in a class path (\""
+                        + File.pathSeparator
+                        + "\" or an emoji). Choose another one: on Linux and macOS by TMPDIR, on Windows by TEMP.");
+            }
+            try (OutputStream file = Files.newOutputStream(jar);
+                    JarOutputStream out = new JarOutputStream(file, manifest)) {
+                out.finish();
+            }
+            return jar;
+        } catch (IOException unwritable) {
+            throw new UncheckedIOException(unwritable);
+        }
+    }
+}
