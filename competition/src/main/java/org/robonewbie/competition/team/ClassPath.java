@@ -4,6 +4,7 @@ import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -33,11 +34,27 @@ public record ClassPath(List<Path> places) {
                 places.stream().map(place -> place.toAbsolutePath().normalize()).toList();
     }
 
-    /** {@return the class path with which this process was started} */
+    /** {@return the classes of this program: its class path, or the one jar to which a jar of the launcher refers} */
     public static ClassPath ofThisProgram() {
-        return new ClassPath(Stream.of(System.getProperty("java.class.path").split(File.pathSeparator, -1))
-                .map(Path::of)
-                .toList());
+        Path own = ownPlace();
+        return new ClassPath(
+                canBeOption(own)
+                        ? Stream.of(System.getProperty("java.class.path").split(File.pathSeparator, -1))
+                                .map(Path::of)
+                                .toList()
+                        : List.of(own));
+    }
+
+    private static Path ownPlace() {
+        try {
+            return Path.of(ClassPath.class
+                    .getProtectionDomain()
+                    .getCodeSource()
+                    .getLocation()
+                    .toURI());
+        } catch (URISyntaxException impossible) {
+            throw new IllegalStateException(impossible);
+        }
     }
 
     /**
