@@ -90,6 +90,10 @@ final class JavaSource {
      * @throws CompilationFailedException if it has errors; they have been shown
      */
     Supplier<Class<?>> load(List<Path> classPath) {
+        Optional<String> tooNew = CompactSource.trouble(text, simpleName());
+        if (tooNew.isPresent()) {
+            throw new CompilationFailedException(tooNew.get());
+        }
         CompilerMessages messages = new CompilerMessages();
         Optional<CompiledClasses> classes = compile(classPath, messages);
         messages.print(System.err);
@@ -187,7 +191,8 @@ final class JavaSource {
         }
     }
 
-    private String simpleName() {
+    /** The name of the file without its ending. */
+    String simpleName() {
         return file.getFileName().toString().replaceFirst("\\.java$", "");
     }
 

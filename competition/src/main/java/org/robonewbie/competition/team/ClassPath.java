@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.jar.Attributes;
 import java.util.jar.JarOutputStream;
@@ -85,8 +86,22 @@ public record ClassPath(List<Path> places) {
     }
 
     private static boolean canBeOption(Path place) {
-        String name = place.toString();
-        return !name.contains(File.pathSeparator) && name.chars().noneMatch(c -> Character.isSurrogate((char) c));
+        return obstacle(place).isEmpty();
+    }
+
+    /**
+     * Looks for a character that cannot stand in a class path as Java's tools take it.
+     *
+     * @param place a folder or jar
+     * @return the first such character of its absolute path; empty if there is none
+     */
+    public static Optional<String> obstacle(Path place) {
+        return place.toAbsolutePath()
+                .toString()
+                .codePoints()
+                .filter(letter -> Character.isSupplementaryCodePoint(letter) || letter == File.pathSeparatorChar)
+                .mapToObj(Character::toString)
+                .findFirst();
     }
 
     private Path jar() {
@@ -101,11 +116,12 @@ public record ClassPath(List<Path> places) {
         try {
             Path jar = Files.createTempFile("robonewbie-classes", ".jar");
             jar.toFile().deleteOnExit();
-            if (!canBeOption(jar)) {
-                throw new WrongEntryException("The folder for temporary files, " + jar.getParent()
-                        + ", has a character in its name that Java does not take in a class path (\""
-                        + File.pathSeparator
-                        + "\" or an emoji). Choose another one: on Linux and macOS by TMPDIR, on Windows by TEMP.");
+            Optional<String> obstacle = obstacle(jar);
+            if (obstacle.isPresent()) {
+                throw new WrongEntryException(
+                        "Java does not take the character \"" + obstacle.get() + "\" in the path of "
+                                + jar.getParent()
+                                + ". Choose another folder for temporary files: on Linux and macOS by TMPDIR, on Windows by TEMP.");
             }
             try (OutputStream file = Files.newOutputStream(jar);
                     JarOutputStream out = new JarOutputStream(file, manifest)) {
