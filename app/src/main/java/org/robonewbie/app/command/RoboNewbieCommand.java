@@ -28,13 +28,9 @@ import picocli.CommandLine.TypeConversionException;
             RunCommand.class,
             SimulatorCommand.class,
             StudioCommand.class,
-            FidelityCommand.class,
             RecordCommand.class,
-            RecordReferenceCommand.class,
-            MeasureCommand.class,
             CompetitionCommand.class,
             OptimiseCommand.class,
-            BenchmarkCommand.class,
             GradeCommand.class,
             ProgressCommand.class,
             NewCommand.class,
@@ -51,7 +47,7 @@ import picocli.CommandLine.TypeConversionException;
             "  robonewbie                            watch a robot play soccer in the browser",
             "  robonewbie run Agent_BasicStructure   run an example",
             "  robonewbie run MyAgent.java           run your own agent",
-            "  robonewbie run --help                 more about one command",
+            "  robonewbie help run                   more about one command",
             "",
             "Exit code: 0 all went well, 1 the command ran and failed, 2 it was called wrongly."
         })
@@ -85,7 +81,7 @@ public final class RoboNewbieCommand {
             System.err.println("robonewbie: " + unreadable.get());
             return CommandLine.ExitCode.USAGE;
         }
-        String[] complete = withDefaultCommand(arguments);
+        String[] complete = withDefaultCommand(withHelpAsOption(arguments));
         Supplier<Object> command = AT_ONCE.get(complete[0]);
         return (command == null ? commandLine() : prepared(new CommandLine(new Alone()).addSubcommand(command.get())))
                 .execute(complete);
@@ -147,6 +143,14 @@ public final class RoboNewbieCommand {
 
     private static Optional<CommandLine> subcommand(CommandLine commandLine, String name) {
         return Optional.ofNullable(commandLine.getSubcommands().get(name));
+    }
+
+    /** {@code help run} means {@code run --help}. */
+    private static String[] withHelpAsOption(String... arguments) {
+        return arguments.length > 0 && arguments[0].equals("help")
+                ? Stream.concat(Stream.of(arguments).skip(1), Stream.of("--help"))
+                        .toArray(String[]::new)
+                : arguments;
     }
 
     /** Options without a command belong to the demo: {@code robonewbie --seed 3}. */

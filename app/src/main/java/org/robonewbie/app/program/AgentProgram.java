@@ -1,6 +1,7 @@
 package org.robonewbie.app.program;
 
 import java.lang.reflect.InvocationTargetException;
+import java.net.ConnectException;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -54,6 +55,10 @@ public final class AgentProgram {
                 break;
             }
             System.err.println("    at " + line);
+        }
+        if (thrown instanceof ConnectException || thrown.getCause() instanceof ConnectException) {
+            System.err.println(
+                    "No server answers there. If the program needs a simulator, start one first: robonewbie simulator");
         }
     }
 }

@@ -10,6 +10,7 @@ import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.Tag;
@@ -29,6 +30,17 @@ class CheckupTest {
                 .toList();
 
         assertThat(findings).hasSize(12).noneMatch(finding -> finding.verdict() == Verdict.BROKEN);
+    }
+
+    @Test
+    void encodingIsToldWithWhatToDo() {
+        assertThat(EncodingCheck.of(Optional.empty(), true, "UTF-8").verdict()).isEqualTo(Verdict.WELL);
+        assertThat(EncodingCheck.of(Optional.empty(), false, "ANSI_X3.4-1968").toText())
+                .startsWith("look  Encoding")
+                .contains("ANSI_X3.4-1968", "export LC_ALL=C.UTF-8");
+        assertThat(EncodingCheck.of(Optional.of("The name is lost."), false, "x")
+                        .toText())
+                .startsWith("FAIL  Encoding       The name is lost.");
     }
 
     @Test

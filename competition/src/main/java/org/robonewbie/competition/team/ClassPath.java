@@ -16,6 +16,7 @@ import java.util.jar.JarOutputStream;
 import java.util.jar.Manifest;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.robonewbie.nao.file.TemporaryFiles;
 
 /**
  * The class path of a Java process. Its option separates places by colons (on Windows semicolons), so that none can have one in its
@@ -114,14 +115,12 @@ public record ClassPath(List<Path> places) {
                                 .map(place -> place.toUri().toASCIIString())
                                 .collect(Collectors.joining(" ")));
         try {
-            Path jar = Files.createTempFile("robonewbie-classes", ".jar");
+            Path jar = TemporaryFiles.file("robonewbie-classes", ".jar");
             jar.toFile().deleteOnExit();
             Optional<String> obstacle = obstacle(jar);
             if (obstacle.isPresent()) {
-                throw new WrongEntryException(
-                        "Java does not take the character \"" + obstacle.get() + "\" in the path of "
-                                + jar.getParent()
-                                + ". Choose another folder for temporary files: on Linux and macOS by TMPDIR, on Windows by TEMP.");
+                throw new WrongEntryException("Java does not take the character \"" + obstacle.get()
+                        + "\" in the path of " + jar.getParent() + ". " + TemporaryFiles.howToChoose());
             }
             try (OutputStream file = Files.newOutputStream(jar);
                     JarOutputStream out = new JarOutputStream(file, manifest)) {
@@ -129,7 +128,7 @@ public record ClassPath(List<Path> places) {
             }
             return jar;
         } catch (IOException unwritable) {
-            throw new UncheckedIOException(unwritable);
+            throw new UncheckedIOException(unwritable.getMessage(), unwritable);
         }
     }
 }
