@@ -1,6 +1,6 @@
 @echo off
 rem Runs RoboNewbie; app\src\launcher\java\Build.java builds it first where that is needed. "robonewbie" does it on Linux and macOS.
-setlocal
+setlocal DisableDelayedExpansion
 set "JAR="
 set "JAVA=java"
 if exist "%JAVA_HOME%\bin\java.exe" set "JAVA=%JAVA_HOME%\bin\java.exe"

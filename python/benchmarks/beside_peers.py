@@ -105,7 +105,7 @@ def servers(seconds):
     """Whole servers."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "runs.json")
-        java("benchmark", "--robots", "1,22", "--scene", "walking,heap", "--seconds", str(seconds), "--json", str(file))
+        java("bench", "speed", "--robots", "1,22", "--scene", "walking,heap", "--seconds", str(seconds), "--json", str(file))
         return {(run["robots"], run["scene"]): run for run in json.loads(file.read_text(encoding="utf-8"))["runs"]}
 
 

@@ -85,6 +85,17 @@ def _java():
     return java
 
 
+def _environment():
+    """Java decodes names of files by the locale, and needs UTF-8 for letters such as ü; robonewbie's launcher does the same."""
+    if os.name == "nt":
+        return None
+    try:
+        charmap = subprocess.run(["locale", "charmap"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout
+    except OSError:
+        charmap = ""
+    return None if charmap.strip() == "UTF-8" else {**os.environ, "LC_ALL": "C.UTF-8"}
+
+
 class _Process:
     """The simulator, which serves all environments of this Python program and ends with it."""
 
@@ -92,7 +103,12 @@ class _Process:
         command = _command() + ["gym"]
         try:
             self.process = subprocess.Popen(
-                command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, start_new_session=os.name != "nt"
+                command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                text=True,
+                start_new_session=os.name != "nt",
+                env=_environment(),
             )
         except OSError as wrong:
             raise RoboNewbieError(f"The simulator cannot be started with {command[0]}: {wrong}") from wrong

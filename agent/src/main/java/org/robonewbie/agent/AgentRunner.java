@@ -23,6 +23,8 @@ import org.robonewbie.protocol.frame.AgentLink;
 /** Runs the agents of one program in the same game. */
 final class AgentRunner {
 
+    private static final double SECONDS_OF_THE_START = 0.5;
+
     private final SimulatorConnection simulator;
     private final AtomicInteger exitCode = new AtomicInteger();
 
@@ -180,10 +182,19 @@ final class AgentRunner {
             System.err.println(refused.getMessage());
             code = 2;
         } catch (IOException lost) {
-            System.err.println("The simulator has not let the robot in: " + lost.getMessage());
+            System.err.println(notLetIn(options, lost));
             code = 2;
         }
         exitCode.accumulateAndGet(code, Math::max);
+    }
+
+    /** Says why a robot has not come into the game; a very short one is over before the robot has introduced itself. */
+    static String notLetIn(Options options, IOException lost) {
+        double seconds = options.seconds().orElse(Double.POSITIVE_INFINITY);
+        return seconds < SECONDS_OF_THE_START
+                ? "--seconds " + seconds
+                        + " was over before the robot could begin, whose start takes about 0.3 s. Give at least 1."
+                : "The simulator has not let the robot in: " + lost.getMessage();
     }
 
     /** A run without pictures and without a log would end without a word. */

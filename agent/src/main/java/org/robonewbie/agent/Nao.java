@@ -86,7 +86,7 @@ public final class Nao extends Robot implements AutoCloseable {
             return new Nao(clockwork, session, simulator, printer::close);
         } catch (IOException lost) {
             simulator.close();
-            throw new StartUpException("The simulator has not let the robot in: " + lost.getMessage());
+            throw new StartUpException(AgentRunner.notLetIn(options, lost));
         } catch (StartUpException refused) {
             simulator.close();
             throw refused;

@@ -1,5 +1,6 @@
 package org.robonewbie.app;
 
+import java.io.File;
 import java.io.IOException;
 import java.util.Optional;
 import org.robonewbie.app.command.RoboNewbieCommand;
@@ -20,11 +21,20 @@ public final class Main {
      */
     public static void main(String[] arguments) throws IOException {
         prepare();
+        Optional.ofNullable(System.getProperty("robonewbie.link")).ifPresent(Main::deleteAtTheEnd);
         Optional<StartArchive> archive = StartArchive.wanted();
         if (archive.isPresent()) {
             archive.get().makeAtTheEnd();
         }
         System.exit(RoboNewbieCommand.run(arguments));
+    }
+
+    /** The launcher has made a folder with a jar that refers to this program, whose own place cannot stand in a class path. */
+    private static void deleteAtTheEnd(String link) {
+        File folder = new File(link);
+        folder.deleteOnExit(); // what was named last is deleted first
+        new File(folder, "manifest").deleteOnExit();
+        new File(folder, "robonewbie.jar").deleteOnExit();
     }
 
     /** What comes before each command. */

@@ -1,8 +1,10 @@
 package org.robonewbie.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,6 +12,10 @@ import java.nio.file.attribute.FileTime;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.jar.Attributes;
+import java.util.jar.JarFile;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -18,6 +24,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.competition.team.TeamFolder;
 
 /** Starts the real launcher with a Java and a Maven that only say what they were asked. */
 @DisabledOnOs(OS.WINDOWS)
@@ -43,7 +52,12 @@ class LauncherTest {
             "cp",
             "mv",
             "grep",
-            "tail");
+            "tail",
+            "locale",
+            "od",
+            "tr",
+            "fold",
+            "mktemp");
 
     @TempDir
     Path temporaryFolder = Path.of("");
@@ -238,6 +252,67 @@ class LauncherTest {
                 .contains("<-XX:SharedArchiveFile=" + home.toRealPath() + "/app/target/launch/robonewbie-17.0.15.jsa>");
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"LANG=", "LANG=C", "LC_ALL=POSIX", "LC_CTYPE=C", "LANG=xx_XX.UTF-8", "LC_ALL=xx_XX.UTF-8"})
+    void javaGetsUtf8WhateverTheShellHas(String setting) throws Exception {
+        assumeThat(new String(
+                        new ProcessBuilder("locale", "-a")
+                                .start()
+                                .getInputStream()
+                                .readAllBytes(),
+                        StandardCharsets.UTF_8))
+                .containsIgnoringCase("C.utf");
+        write(home.resolve("maven/org/robonewbie/robonewbie/2.0.0/robonewbie-2.0.0.jar"), "jar");
+
+        Ended start = end(begin(List.of(setting), home.resolve("robonewbie"), "--help"));
+
+        assertThat(start.err()).isEmpty();
+        assertThat(start.out()).contains("charmap UTF-8,");
+    }
+
+    @Test
+    void languageOfMessagesStaysWhenTheEncodingIsChanged() throws Exception {
+        write(home.resolve("maven/org/robonewbie/robonewbie/2.0.0/robonewbie-2.0.0.jar"), "jar");
+
+        Ended start = end(begin(List.of("LC_ALL=POSIX"), home.resolve("robonewbie"), "--help"));
+
+        assertThat(start.out()).contains("messages POSIX");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"a:b", "x \uD83D\uDCBB y", "100% \uD83E\uDD16 Übung"})
+    void programInAFolderThatNoClassPathCanNameStartsByAJarThatNamesIt(String name) throws Exception {
+        assumeThat(System.getProperty("sun.jnu.encoding")).isEqualTo("UTF-8");
+        Path odd = Files.createDirectories(temporaryFolder.resolve(name));
+        Path jar = odd.resolve("maven/org/robonewbie/robonewbie/2.0.0/robonewbie-2.0.0.jar");
+        Files.copy(Project.ROOT.resolve("robonewbie"), odd.resolve("robonewbie"));
+        write(jar, "jar");
+        Files.createSymbolicLink(jdk.resolve("bin/jar"), Path.of(System.getProperty("java.home"), "bin", "jar"));
+
+        Ended start = end(begin(List.of("LC_ALL=C.UTF-8"), odd.resolve("robonewbie"), "--help"));
+
+        Matcher link = Pattern.compile("<-Drobonewbie.link=(.*)>").matcher(start.out());
+        assertThat(link.find()).as(start.out() + start.err()).isTrue();
+        try (JarFile made = new JarFile(link.group(1) + "/robonewbie.jar")) {
+            String address = made.getManifest().getMainAttributes().getValue(Attributes.Name.CLASS_PATH);
+            assertThat(Path.of(URI.create(address))).isEqualTo(jar.toRealPath());
+        } finally {
+            TeamFolder.delete(Path.of(link.group(1)));
+        }
+    }
+
+    @Test
+    void folderThatCannotBeNamedAtAllIsRefused() throws Exception {
+        Path odd = Files.createDirectories(temporaryFolder.resolve("a:b"));
+        Files.copy(Project.ROOT.resolve("robonewbie"), odd.resolve("robonewbie"));
+        write(odd.resolve("maven/org/robonewbie/robonewbie/2.0.0/robonewbie-2.0.0.jar"), "jar");
+
+        Ended start = end(begin(odd.resolve("robonewbie"), "--help"));
+
+        assertThat(start.exitCode()).isEqualTo(1);
+        assertThat(start.err()).contains("a colon or an emoji in its name: ", "/a:b", "Rename or move that folder.");
+    }
+
     @Test
     void stoppedBuildLeavesNothingBehind() throws Exception {
         maven("kill -TERM $PPID; exec sleep 30");
@@ -268,6 +343,10 @@ class LauncherTest {
     }
 
     private Begun begin(Path launcher, String... arguments) throws IOException {
+        return begin(List.of(), launcher, arguments);
+    }
+
+    private Begun begin(List<String> locale, Path launcher, String... arguments) throws IOException {
         List<String> command = new ArrayList<>(List.of("sh", launcher.toString()));
         command.addAll(List.of(arguments));
         Path errors = Files.createTempFile(temporaryFolder, "errors", ".txt");
@@ -275,6 +354,12 @@ class LauncherTest {
                 new ProcessBuilder(command).directory(temporaryFolder.toFile()).redirectError(errors.toFile());
         builder.environment().put("JAVA_HOME", jdk.toString());
         builder.environment().put("PATH", tools.toString());
+        if (!locale.isEmpty()) {
+            builder.environment().keySet().removeIf(name -> name.equals("LANG") || name.startsWith("LC_"));
+            locale.stream()
+                    .map(setting -> setting.split("=", 2))
+                    .forEach(each -> builder.environment().put(each[0], each[1]));
+        }
         return new Begun(builder.start(), errors);
     }
 
@@ -293,6 +378,7 @@ class LauncherTest {
                   *Build.java) exec '%s/bin/java' -XX:TieredStopAtLevel=1 "$@" ;;
                 esac
                 echo "in $PWD"
+                echo "charmap $(locale charmap 2>&1), messages ${LC_MESSAGES-}"
                 for argument in "$@"; do echo "<$argument>"; done
                 exit 7
                 """.formatted(version, System.getProperty("java.home")));

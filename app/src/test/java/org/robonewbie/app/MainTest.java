@@ -59,11 +59,27 @@ class MainTest {
     }
 
     @Test
-    void subjectsOfBenchAreWhatMeasureTakesAsAWord() {
-        Printed shortened = Printed.by("bench", "agents", "--seeds", "0");
+    void impossibleNumberOfTrialsIsRefused() {
+        assertThat(Printed.by("bench", "agents", "--seeds", "0").err())
+                .contains("--seeds 0: give a number of trials of at least 1.");
+    }
 
-        assertThat(shortened).isEqualTo(Printed.by("measure", "agents", "--seeds", "0"));
-        assertThat(shortened.err()).contains("--seeds 0: give a number of trials of at least 1.");
+    @ParameterizedTest
+    @ValueSource(strings = {"measure", "benchmark", "fidelity", "record-reference"})
+    void whatIsMeasuredHasOneName(String formerName) {
+        Printed answer = Printed.by(formerName, "--help");
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err()).contains("There is no command \"" + formerName + "\".");
+        assertThat(Printed.by("bench", "--help").out()).doesNotContain("measure,", "record-reference");
+    }
+
+    @Test
+    void wordHelpShowsTheHelp() {
+        assertThat(Printed.by("help")).isEqualTo(Printed.by("--help"));
+        assertThat(Printed.by("help", "grade")).isEqualTo(Printed.by("grade", "--help"));
+        assertThat(Printed.by("help", "bench", "speed")).isEqualTo(Printed.by("bench", "speed", "--help"));
+        assertThat(Printed.by("help", "graed").err()).contains("Did you mean grade?");
     }
 
     @Test
@@ -154,7 +170,7 @@ class MainTest {
 
     @Test
     void folderOfRecordingsThatIsMissingIsNamed() {
-        Printed answer = Printed.by("fidelity", "nowhere");
+        Printed answer = Printed.by("bench", "fidelity", "nowhere");
 
         assertThat(answer.exitCode()).isEqualTo(2);
         assertThat(answer.err()).contains("nowhere is not a folder");

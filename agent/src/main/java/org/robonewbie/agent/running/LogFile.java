@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.log.LogLine;
 import org.robonewbie.agent.log.LogOverflow;
+import org.robonewbie.nao.file.TemporaryFiles;
 
 /** Moves the oldest lines of a very long log into a temporary file, a few at a time so that no cycle is late because of it. */
 public final class LogFile implements LogOverflow {
@@ -23,7 +24,7 @@ public final class LogFile implements LogOverflow {
     @Override
     public void take(List<LogLine> oldest) {
         try {
-            Path path = file.isPresent() ? file.get() : Files.createTempFile("robonewbie-log-", ".txt");
+            Path path = file.isPresent() ? file.get() : TemporaryFiles.file("robonewbie-log-", ".txt");
             file = Optional.of(path);
             try (BufferedWriter writer = Files.newBufferedWriter(path, StandardOpenOption.APPEND)) {
                 for (LogLine line : oldest) {

@@ -1,8 +1,10 @@
 package org.robonewbie.agent.running;
 
 import java.io.IOException;
+import java.nio.file.InvalidPathException;
 import java.util.Optional;
 import java.util.ServiceLoader;
+import org.robonewbie.nao.file.FileNames;
 import org.robonewbie.protocol.embedded.EmbeddedSimulator;
 import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -24,6 +26,10 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
      * @throws IOException if there is no such simulator; the message is a sentence for the user
      */
     public static SimulatorConnection open(WantedSimulator wanted) throws IOException {
+        Optional<String> unreadable = FileNames.trouble();
+        if (unreadable.isPresent()) {
+            throw new IOException(unreadable.get());
+        }
         return switch (wanted.kind()) {
             case SERVER -> Server.join(wanted.host(), wanted.port());
             case OWN -> startOwn(wanted);
@@ -92,6 +98,8 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
             return new Own(provider.get().start(wanted.own()));
         } catch (IOException impossible) {
             throw new IOException("The simulator cannot start: " + impossible.getMessage(), impossible);
+        } catch (InvalidPathException refused) {
+            throw new IOException(FileNames.explain(refused), refused);
         }
     }
 

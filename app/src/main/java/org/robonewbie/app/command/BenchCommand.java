@@ -7,11 +7,7 @@ import picocli.CommandLine.Mixin;
 /** All that is measured, in one place: motions, agents, a server under load, speed and fidelity. */
 @Command(
         name = "bench",
-        description = {
-            "Measure motions, agents and the simulator on this computer.",
-            "",
-            "The names measure, benchmark, fidelity and record-reference do the same."
-        },
+        description = "Measure motions, agents and the simulator on this computer.",
         synopsisSubcommandLabel = "SUBJECT",
         commandListHeading = "%nSubjects:%n",
         sortOptions = false,
@@ -38,9 +34,6 @@ final class BenchCommand {
         bench.addSubcommand("speed", new BenchmarkCommand());
         bench.addSubcommand("fidelity", new FidelityCommand());
         bench.addSubcommand("record", new RecordReferenceCommand());
-        bench.getSubcommands()
-                .forEach((name, subject) ->
-                        subject.getCommandSpec().name(name).usageMessage().hidden(false));
         return bench;
     }
 }

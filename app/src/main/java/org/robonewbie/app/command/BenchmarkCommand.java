@@ -24,8 +24,7 @@ import picocli.CommandLine.Option;
 
 /** Measures how fast a server is with 1 to 22 robots. */
 @Command(
-        name = "benchmark",
-        hidden = true,
+        name = "speed",
         description = "Measure how fast the simulator is with 1 to 22 robots that stand, walk or lie in a heap.",
         sortOptions = false,
         footer = {
@@ -33,12 +32,12 @@ import picocli.CommandLine.Option;
             "The processor time is that of the server alone; the factor of real time includes the agents.",
             "",
             "Examples:",
-            "  robonewbie benchmark",
-            "  robonewbie benchmark --robots 1,22 --scene walking --seconds 60 --json result.json",
-            "  robonewbie benchmark --physics exact --scene heap --robots 6",
-            "  robonewbie benchmark --robots 1 --scene walking --seconds 20000 --heap-every 2000      10^6 cycles: is memory lost?",
-            "  robonewbie benchmark --json figures.json --table table.md      the table of docs/performance.md",
-            "  robonewbie benchmark --host 127.0.0.1 --pid 4711      another server in sync mode, such as rcssserver3d",
+            "  robonewbie bench speed",
+            "  robonewbie bench speed --robots 1,22 --scene walking --seconds 60 --json result.json",
+            "  robonewbie bench speed --physics exact --scene heap --robots 6",
+            "  robonewbie bench speed --robots 1 --scene walking --seconds 20000 --heap-every 2000      10^6 cycles: is memory lost?",
+            "  robonewbie bench speed --json figures.json --table table.md      the table of docs/performance.md",
+            "  robonewbie bench speed --host 127.0.0.1 --pid 4711      another server in sync mode, such as rcssserver3d",
             "",
             "A real rcssserver3d: say $agentSyncMode = true and $enableRealTimeMode = false in a copy of its spark.rb in the folder",
             "in which it starts, start it there without any monitor, find its process with \"pidof rcssserver3d\", and measure it on",

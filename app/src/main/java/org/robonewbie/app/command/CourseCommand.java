@@ -2,7 +2,6 @@ package org.robonewbie.app.command;
 
 import java.util.concurrent.Callable;
 import org.robonewbie.app.doctor.Checkup;
-import org.robonewbie.app.program.CalledWronglyException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -27,19 +26,15 @@ final class CourseCommand implements Callable<Integer> {
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Option(names = "--check", description = "Check this computer.")
-    private boolean check;
+    @Option(names = "--check", description = "Check this computer, which the command does without it too.")
+    @SuppressWarnings("UnusedVariable") // what the option asks for is what the command does
+    private boolean check = true;
 
     @Option(names = "--headless", description = "Do not look at studio, browser and graphics.")
     private boolean headless;
 
     @Override
     public Integer call() {
-        if (!check) {
-            throw new CalledWronglyException(
-                    "What about the course? \"robonewbie course --check\" looks whether this computer is"
-                            + " ready; \"robonewbie grade --class FOLDER\" grades a class.");
-        }
         return DoctorCommand.report(Checkup.ofRoom(headless), "This computer is ready for the course.");
     }
 }

@@ -20,14 +20,13 @@ import picocli.CommandLine.Parameters;
 /** Replays recordings of a real rcssserver3d and tells how closely the simulator follows them. */
 @Command(
         name = "fidelity",
-        hidden = true,
         description = "Replay recordings of a real rcssserver3d and measure how closely the simulator follows them.",
         footer = {
             "",
             "Examples:",
-            "  robonewbie fidelity                       the recordings that come with RoboNewbie",
-            "  robonewbie fidelity my-recordings --json result.json",
-            "  robonewbie fidelity --link tcp            the same with an agent connected over TCP"
+            "  robonewbie bench fidelity                       the recordings that come with RoboNewbie",
+            "  robonewbie bench fidelity my-recordings --json result.json",
+            "  robonewbie bench fidelity --link tcp            the same with an agent connected over TCP"
         })
 final class FidelityCommand implements Callable<Integer> {
 

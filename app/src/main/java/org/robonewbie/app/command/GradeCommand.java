@@ -29,6 +29,7 @@ import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.progress.SolutionShelf;
+import org.robonewbie.nao.file.TemporaryFiles;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -159,8 +160,7 @@ final class GradeCommand implements Callable<Integer> {
             return ExitCode.OK;
         }
         if (watched && recording.isEmpty()) {
-            recording =
-                    Optional.of(Files.createTempDirectory("robonewbie-grade").resolve(exercise.name() + ".rec"));
+            recording = Optional.of(TemporaryFiles.folder("robonewbie-grade").resolve(exercise.name() + ".rec"));
         }
         language.language(); // refused before the trials, not after them
         GradingProcess process = new GradingProcess(exercise, program, conditions());

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.learning.measure.MotionMeasurement;
 import org.robonewbie.nao.model.RobotType;
@@ -15,31 +16,9 @@ import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 
 /** Tries all shipped motions or the example agents many times, or a server under load, and prints how well that works. */
-@Command(
-        name = "measure",
-        hidden = true,
-        description = {
-            "Measure how well RoboNewbie works on this computer.",
-            "",
-            "motions, agents: try all shipped motions or the example agents many times in the simulator.",
-            "team: let the example team play halves on the league's pitch against as many Agent_BetterSoccer.",
-            "server: let many robots play whole matches over TCP; does the server keep step with the clock?"
-        },
-        footer = {
-            "",
-            "Examples:",
-            "  robonewbie measure motions                20 trials of each motion",
-            "  robonewbie measure motions --seeds 3      a quick look",
-            "  robonewbie measure motions --first-seed 1000 --json result.json",
-            "  robonewbie measure agents                 20 games of each example agent",
-            "  robonewbie measure team --players 3       20 halves, 3 against 3",
-            "  robonewbie measure team --players 1       one player alone, for 5 minutes of open play",
-            "  robonewbie measure server                 11 against 11 for 10 minutes on the clock",
-            "  robonewbie measure server --fast --matches 3"
-        })
+@Command
 final class MeasureCommand implements Callable<Integer> {
 
     private static final String MOTIONS = "motions";
@@ -52,16 +31,30 @@ final class MeasureCommand implements Callable<Integer> {
             TEAM, "Let the example team play halves against as many others.",
             SERVER, "Let many robots play whole matches over TCP; does the server keep step with the clock?");
 
+    private static final Map<String, String[]> FOOTERS = Map.of(
+            MOTIONS,
+            examples(
+                    "robonewbie bench motions                20 trials of each motion",
+                    "robonewbie bench motions --seeds 3      a quick look",
+                    "robonewbie bench motions --first-seed 1000 --json result.json"),
+            AGENTS,
+            examples("robonewbie bench agents                 20 games of each example agent"),
+            TEAM,
+            examples(
+                    "robonewbie bench team --players 3       20 halves, 3 against 3",
+                    "robonewbie bench team --players 1       one player alone, for 5 minutes of open play"),
+            SERVER,
+            examples(
+                    "robonewbie bench server                 11 against 11 for 10 minutes on the clock",
+                    "robonewbie bench server --fast --matches 3"));
+
     /** What can be measured. */
     static final List<String> SUBJECTS = List.of(MOTIONS, AGENTS, TEAM, SERVER);
 
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Parameters(
-            paramLabel = "motions|agents|team|server",
-            description = "What to measure: motions, agents, team or server.")
-    private String subject = MOTIONS;
+    private final String subject;
 
     @Option(
             names = "--seeds",
@@ -116,15 +109,20 @@ final class MeasureCommand implements Callable<Integer> {
     @Mixin
     final WithoutStudioOption withoutStudio = new WithoutStudioOption();
 
-    /** Makes a command that measures one subject, which need not be named then. */
+    private static String[] examples(String... lines) {
+        return Stream.concat(Stream.of("", "Examples:"), Stream.of(lines).map(line -> "  " + line))
+                .toArray(String[]::new);
+    }
+
+    private MeasureCommand(String subject) {
+        this.subject = subject;
+    }
+
+    /** Makes a command that measures one subject. */
     static CommandLine of(String subject) {
-        MeasureCommand command = new MeasureCommand();
-        command.subject = subject;
-        CommandSpec spec = CommandSpec.forAnnotatedObject(command);
-        spec.remove(spec.positionalParameters().get(0));
-        spec.usageMessage()
-                .description(DESCRIPTIONS.get(subject))
-                .footer("", "Example:", "  robonewbie bench " + subject);
+        CommandSpec spec =
+                CommandSpec.forAnnotatedObject(new MeasureCommand(subject)).name(subject);
+        spec.usageMessage().description(DESCRIPTIONS.get(subject)).footer(FOOTERS.get(subject));
         return new CommandLine(spec);
     }
 
@@ -135,11 +133,6 @@ final class MeasureCommand implements Callable<Integer> {
         }
         if (players < 1 || players > 11) {
             throw new CalledWronglyException("--players " + players + ": a team has 1 to 11 players.");
-        }
-        if (!List.of(MOTIONS, AGENTS, TEAM).contains(subject)) {
-            throw new CalledWronglyException(
-                    "\"" + subject
-                            + "\" cannot be measured; write: robonewbie measure motions, or: measure agents, or: measure team, or: measure server");
         }
         if (seeds < 1) {
             throw new CalledWronglyException("--seeds " + seeds + ": give a number of trials of at least 1.");

@@ -10,6 +10,7 @@ import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.program.ProgramFile;
+import org.robonewbie.competition.team.ClassPath;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -80,6 +81,12 @@ final class NewCommand implements Callable<Integer> {
             throw new CalledWronglyException(
                     "There is a folder " + name + " already, and it is kept. Take another name.");
         }
+        ClassPath.obstacle(project).ifPresent(character -> {
+            throw new CalledWronglyException(
+                    "Maven, Gradle and Java's tools cannot build a project in a folder whose path has the"
+                            + " character \"" + character + "\": " + project.toAbsolutePath()
+                            + ". Begin it in another folder.");
+        });
         Path jar = ownJar();
         new NewProject(folder, chosen, tool, origin, jar, versionOf(jar)).create(project);
         System.out.println("Your project is in " + project.toAbsolutePath() + System.lineSeparator()

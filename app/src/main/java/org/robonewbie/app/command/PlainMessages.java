@@ -2,12 +2,14 @@ package org.robonewbie.app.command;
 
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.program.CommandWord;
+import org.robonewbie.nao.file.FileNames;
 import picocli.CommandLine;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -44,6 +46,9 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
         }
         if (exception instanceof NoSuchFileException) {
             return "There is no file or folder " + message + ".";
+        }
+        if (exception instanceof InvalidPathException refused) {
+            return FileNames.explain(refused);
         }
         return exception instanceof FileSystemException ? "File trouble with " + message + "." : message;
     }

@@ -18,8 +18,7 @@ import picocli.CommandLine.Option;
 
 /** Records robots and balls on a running server, so that {@code fidelity} can tell whether our simulator does the same. */
 @Command(
-        name = "record-reference",
-        hidden = true,
+        name = "record",
         description = {
             "Record robots and balls on a running rcssserver3d (or robonewbie simulator), for \"robonewbie fidelity\" to replay.",
             "",
@@ -30,13 +29,13 @@ import picocli.CommandLine.Option;
         footer = {
             "",
             "Examples:",
-            "  robonewbie record-reference                          ten scenarios into the folder reference",
-            "  robonewbie record-reference --host lab7 --out lab7 --type 3",
-            "  robonewbie record-reference --scenario h_squat --scenario d_fall_front",
-            "  robonewbie record-reference --commands my/h_squat.jsonl.gz   the commands of another recording again",
+            "  robonewbie bench record                          ten scenarios into the folder reference",
+            "  robonewbie bench record --host lab7 --out lab7 --type 3",
+            "  robonewbie bench record --scenario h_squat --scenario d_fall_front",
+            "  robonewbie bench record --commands my/h_squat.jsonl.gz   the commands of another recording again",
             "  robonewbie simulator --sync --no-noise --monitor-step 0.02 --set BeamNoiseXY=0 --set BeamNoiseAngle=0",
             "                                                       a server of ours to try it with",
-            "  robonewbie fidelity reference                        compare what was recorded"
+            "  robonewbie bench fidelity reference                        compare what was recorded"
         })
 final class RecordReferenceCommand implements Callable<Integer> {
 
@@ -100,7 +99,7 @@ final class RecordReferenceCommand implements Callable<Integer> {
         List<ReferenceScenario> scenarios = scenarios();
         new ReferenceRecorder(new ReferenceServer(host, port, monitorPort), type, System.out)
                 .record(scenarios, directory);
-        System.out.println("Recorded into " + directory + ". Compare with: robonewbie fidelity " + directory);
+        System.out.println("Recorded into " + directory + ". Compare with: robonewbie bench fidelity " + directory);
         return ExitCode.OK;
     }
 

@@ -9,6 +9,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.robonewbie.agent.Options;
 import org.robonewbie.app.program.CommandWord;
+import org.robonewbie.nao.file.FileNames;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -27,13 +28,9 @@ import picocli.CommandLine.TypeConversionException;
             RunCommand.class,
             SimulatorCommand.class,
             StudioCommand.class,
-            FidelityCommand.class,
             RecordCommand.class,
-            RecordReferenceCommand.class,
-            MeasureCommand.class,
             CompetitionCommand.class,
             OptimiseCommand.class,
-            BenchmarkCommand.class,
             GradeCommand.class,
             ProgressCommand.class,
             NewCommand.class,
@@ -50,13 +47,15 @@ import picocli.CommandLine.TypeConversionException;
             "  robonewbie                            watch a robot play soccer in the browser",
             "  robonewbie run Agent_BasicStructure   run an example",
             "  robonewbie run MyAgent.java           run your own agent",
-            "  robonewbie run --help                 more about one command",
+            "  robonewbie help run                   more about one command",
             "",
             "Exit code: 0 all went well, 1 the command ran and failed, 2 it was called wrongly."
         })
 public final class RoboNewbieCommand {
 
     private static final Set<String> OWN_OPTIONS = Set.of("-h", "--help", "-V", "--version");
+
+    private static final Set<String> CHECKS = Set.of("doctor", "course", "help");
 
     /** Commands that have to start fast: all others are not even looked at. */
     private static final Map<String, Supplier<Object>> AT_ONCE = Map.of(
@@ -77,10 +76,21 @@ public final class RoboNewbieCommand {
             System.out.println(version());
             return CommandLine.ExitCode.OK;
         }
-        String[] complete = withDefaultCommand(arguments);
+        Optional<String> unreadable = mayWrite(arguments) ? FileNames.trouble(arguments) : Optional.empty();
+        if (unreadable.isPresent()) {
+            System.err.println("robonewbie: " + unreadable.get());
+            return CommandLine.ExitCode.USAGE;
+        }
+        String[] complete = withDefaultCommand(withHelpAsOption(arguments));
         Supplier<Object> command = AT_ONCE.get(complete[0]);
         return (command == null ? commandLine() : prepared(new CommandLine(new Alone()).addSubcommand(command.get())))
                 .execute(complete);
+    }
+
+    /** Help and checks of the computer are useful where names of files cannot be read, too. */
+    private static boolean mayWrite(String... arguments) {
+        boolean isCheck = arguments.length > 0 && CHECKS.contains(arguments[0]);
+        return !isCheck && Stream.of(arguments).noneMatch(OWN_OPTIONS::contains);
     }
 
     /** {@return all commands with their options} */
@@ -133,6 +143,14 @@ public final class RoboNewbieCommand {
 
     private static Optional<CommandLine> subcommand(CommandLine commandLine, String name) {
         return Optional.ofNullable(commandLine.getSubcommands().get(name));
+    }
+
+    /** {@code help run} means {@code run --help}. */
+    private static String[] withHelpAsOption(String... arguments) {
+        return arguments.length > 0 && arguments[0].equals("help")
+                ? Stream.concat(Stream.of(arguments).skip(1), Stream.of("--help"))
+                        .toArray(String[]::new)
+                : arguments;
     }
 
     /** Options without a command belong to the demo: {@code robonewbie --seed 3}. */

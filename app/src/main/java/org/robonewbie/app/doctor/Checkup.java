@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import org.robonewbie.nao.file.FileNames;
 
 /** All checks of the installation, from Java to a robot that stands. */
 public final class Checkup {
@@ -21,6 +22,10 @@ public final class Checkup {
     public static Checkup of(boolean headless) {
         Checkup checkup = new Checkup();
         checkup.checks.add(JavaCheck::version);
+        checkup.checks.add(EncodingCheck::ofNames);
+        if (FileNames.trouble().isPresent()) {
+            return checkup;
+        }
         checkup.checks.add(JavaCheck::compiler);
         checkup.checks.add(JavaCheck::memory);
         checkup.checks.add(JavaCheck::mathematics);
@@ -44,6 +49,9 @@ public final class Checkup {
      */
     public static Checkup ofRoom(boolean headless) {
         Checkup checkup = of(headless);
+        if (FileNames.trouble().isPresent()) {
+            return checkup;
+        }
         checkup.checks.add(StartTimeCheck::measured);
         if (!headless) {
             checkup.checks.add(GraphicsCheck::drawn);

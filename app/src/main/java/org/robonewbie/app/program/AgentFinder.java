@@ -12,6 +12,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.log.Spelling;
+import org.robonewbie.competition.team.MainMethod;
 
 /** Finds the program that the user names: an example, a class or a Java file. */
 public final class AgentFinder {
@@ -134,6 +135,12 @@ public final class AgentFinder {
     }
 
     static CalledWronglyException withoutMain(Class<?> type) {
+        if (MainMethod.isShort(type)) {
+            return new CalledWronglyException(CompactSource.needsNewerJava(
+                            "The main method of " + type.getSimpleName(),
+                            Runtime.version().feature())
+                    + ", or write: public static void main(String[] args)");
+        }
         String robot = Agent.class.isAssignableFrom(type) ? "" : """
                  It is no robot either: write "public class %s extends Agent", with "import org.robonewbie.agent.Agent;" at the top, and
                 what the robot does in "protected void think()".""".formatted(type.getSimpleName());

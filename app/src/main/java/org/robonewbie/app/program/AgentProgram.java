@@ -1,36 +1,30 @@
 package org.robonewbie.app.program;
 
 import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.Method;
-import java.lang.reflect.Modifier;
+import java.net.ConnectException;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.robonewbie.competition.team.MainMethod;
 import picocli.CommandLine.ExitCode;
 
 /** A user's program: a class with a {@code main} method. */
 public final class AgentProgram {
 
-    private final Method main;
+    private final MainMethod main;
 
-    private AgentProgram(Method main) {
+    private AgentProgram(MainMethod main) {
         this.main = main;
     }
 
-    /** Takes a class as a program, if it has a public static {@code main(String[])}. */
+    /** Takes a class as a program, if it has a main method. */
     static Optional<AgentProgram> of(Class<?> type) {
-        try {
-            Method main = type.getDeclaredMethod("main", String[].class);
-            boolean callable = Modifier.isStatic(main.getModifiers()) && Modifier.isPublic(main.getModifiers());
-            return callable ? Optional.of(new AgentProgram(main)) : Optional.empty();
-        } catch (NoSuchMethodException none) {
-            return Optional.empty();
-        }
+        return MainMethod.of(type).map(AgentProgram::new);
     }
 
     /** {@return the name of the class} */
     String className() {
-        return main.getDeclaringClass().getName();
+        return main.type().getName();
     }
 
     /**
@@ -40,16 +34,15 @@ public final class AgentProgram {
      * @return the exit code: 0, or 1 after an exception
      */
     public int run(List<String> options) {
-        ClassLoader loader = main.getDeclaringClass().getClassLoader();
+        ClassLoader loader = main.type().getClassLoader();
         Thread.currentThread().setContextClassLoader(loader);
         try {
-            main.setAccessible(true);
-            main.invoke(null, (Object) options.toArray(String[]::new));
+            main.call(options.toArray(String[]::new));
             return ExitCode.OK;
         } catch (InvocationTargetException thrown) {
             report(Objects.requireNonNull(thrown.getCause()));
             return ExitCode.SOFTWARE;
-        } catch (IllegalAccessException impossible) {
+        } catch (ReflectiveOperationException impossible) {
             throw new IllegalStateException(className() + ".main cannot be called", impossible);
         }
     }
@@ -62,6 +55,10 @@ public final class AgentProgram {
                 break;
             }
             System.err.println("    at " + line);
+        }
+        if (thrown instanceof ConnectException || thrown.getCause() instanceof ConnectException) {
+            System.err.println(
+                    "No server answers there. If the program needs a simulator, start one first: robonewbie simulator");
         }
     }
 }

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.regex.Matcher;
 
 /**
  * How people have to write the name of this program where they are: {@code robonewbie} if the system finds it, else with its folder, such
@@ -39,7 +40,8 @@ public record CommandWord(String text) {
         }
         String near = folder.relativize(program).toString();
         String shown = near.length() < program.toString().length() ? near : program.toString();
-        return new CommandWord(shown.contains(" ") ? "\"" + shown + "\"" : shown);
+        boolean plain = shown.matches("[\\p{L}\\p{N}/._+@%,:=-]+");
+        return new CommandWord(plain ? shown : "'" + shown.replace("'", "'\\''") + "'");
     }
 
     /**
@@ -51,6 +53,6 @@ public record CommandWord(String text) {
     public String in(String words) {
         return text.equals(NAME)
                 ? words
-                : words.replaceAll("(?<![\\w./-])robonewbie (?=[a-z-])", text.replace("$", "\\$") + " ");
+                : words.replaceAll("(?<![\\w./-])robonewbie (?=[a-z-])", Matcher.quoteReplacement(text + " "));
     }
 }

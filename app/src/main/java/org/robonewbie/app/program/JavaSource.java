@@ -1,7 +1,6 @@
 package org.robonewbie.app.program;
 
 import com.sun.source.util.JavacTask;
-import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
@@ -15,11 +14,12 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardJavaFileManager;
+import javax.tools.StandardLocation;
+import org.robonewbie.competition.team.ClassPath;
 
 /**
  * A Java file of the user, compiled in memory together with the other files of its folder that it needs. Nothing is
@@ -32,6 +32,9 @@ final class JavaSource {
             new AtomicReference<>(Optional.empty());
 
     private static final Pattern PACKAGE = Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
+
+    private static final List<String> OPTIONS =
+            List.of("-g", "-XDshould-stop.ifError=FLOW", "-parameters", "-proc:none", "-implicit:class");
 
     private final Path file;
     private final String text;
@@ -87,6 +90,10 @@ final class JavaSource {
      * @throws CompilationFailedException if it has errors; they have been shown
      */
     Supplier<Class<?>> load(List<Path> classPath) {
+        Optional<String> tooNew = CompactSource.trouble(text, simpleName());
+        if (tooNew.isPresent()) {
+            throw new CompilationFailedException(tooNew.get());
+        }
         CompilerMessages messages = new CompilerMessages();
         Optional<CompiledClasses> classes = compile(classPath, messages);
         messages.print(System.err);
@@ -125,10 +132,16 @@ final class JavaSource {
         StandardJavaFileManager disk =
                 KEPT.getAndSet(Optional.empty()).orElseGet(() -> compiler.getStandardFileManager(null, null, null));
         try {
+            disk.setLocationFromPaths(StandardLocation.SOURCE_PATH, List.of(rootFolder()));
+            disk.setLocationFromPaths(
+                    StandardLocation.CLASS_PATH,
+                    new ClassPath(classPath)
+                            .with(ClassPath.ofThisProgram().places())
+                            .places());
             CompiledClasses classes = new CompiledClasses(disk);
             PrintWriter out = new PrintWriter(System.err, true, Charset.defaultCharset());
-            JavacTask task = (JavacTask)
-                    compiler.getTask(out, classes, messages, options(classPath), null, List.of(new Text(file, text)));
+            JavacTask task =
+                    (JavacTask) compiler.getTask(out, classes, messages, OPTIONS, null, List.of(new Text(file, text)));
             return work.of(task, classes);
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
@@ -169,22 +182,6 @@ final class JavaSource {
         }
     }
 
-    private List<String> options(List<Path> classPath) {
-        String ownAndRoboNewbie = Stream.concat(
-                        classPath.stream().map(Path::toString), Stream.of(System.getProperty("java.class.path")))
-                .collect(Collectors.joining(File.pathSeparator));
-        return List.of(
-                "-g",
-                "-XDshould-stop.ifError=FLOW",
-                "-parameters",
-                "-proc:none",
-                "-implicit:class",
-                "-sourcepath",
-                rootFolder().toString(),
-                "-classpath",
-                ownAndRoboNewbie);
-    }
-
     private Class<?> mainClass(ClassLoader loader) {
         try {
             return loader.loadClass(className());
@@ -194,7 +191,8 @@ final class JavaSource {
         }
     }
 
-    private String simpleName() {
+    /** The name of the file without its ending. */
+    String simpleName() {
         return file.getFileName().toString().replaceFirst("\\.java$", "");
     }
 

@@ -2,9 +2,9 @@ package org.robonewbie.app.program;
 
 import java.io.BufferedReader;
 import java.io.ByteArrayInputStream;
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStreamReader;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -34,8 +34,10 @@ public final class ProgramOnCall {
     static String call(String className, List<Path> classPath, List<String> options) {
         return className + SEPARATOR
                 + String.join(
-                        File.pathSeparator,
-                        classPath.stream().map(Path::toString).toList())
+                        " ",
+                        classPath.stream()
+                                .map(place -> place.toUri().toString())
+                                .toList())
                 + SEPARATOR + String.join(SEPARATOR, options) + "\n";
     }
 
@@ -54,7 +56,8 @@ public final class ProgramOnCall {
             return 0;
         }
         List<String> words = Arrays.asList(call.split(SEPARATOR, -1));
-        List<Path> classPath = Arrays.stream(words.get(1).split(File.pathSeparator, -1))
+        List<Path> classPath = Arrays.stream(words.get(1).split(" ", -1))
+                .map(URI::create)
                 .map(Path::of)
                 .toList();
         return new AgentFinder(examples, classPath).ofClass(words.get(0)).run(words.subList(2, words.size()));

@@ -1,13 +1,11 @@
 package org.robonewbie.app.program;
 
-import java.io.File;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.robonewbie.competition.team.ClassPath;
 
 /**
  * The command lines that run {@code robonewbie grade} and {@code robonewbie run} in a separate process with this Java and these
@@ -76,7 +74,7 @@ public final class StudentJava {
                 WITHOUT_ATTACH));
         command.addAll(startArchive());
         command.addAll(javaOptions);
-        command.addAll(List.of("-cp", classPath(), MAIN));
+        command.addAll(List.of("-cp", ClassPath.ofThisProgram().option(), MAIN));
         command.addAll(arguments);
         return command;
     }
@@ -86,12 +84,5 @@ public final class StudentJava {
         return ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
                 .filter(option -> option.startsWith(ARCHIVE))
                 .toList();
-    }
-
-    /** The classes of this program, wherever the process is started. */
-    private static String classPath() {
-        return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
-                .map(entry -> Path.of(entry).toAbsolutePath().toString())
-                .collect(Collectors.joining(File.pathSeparator));
     }
 }

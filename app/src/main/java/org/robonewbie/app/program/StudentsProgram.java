@@ -4,12 +4,12 @@ import com.sun.source.tree.CompilationUnitTree;
 import com.sun.source.util.JavacTask;
 import com.sun.source.util.Trees;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import javax.tools.Diagnostic;
 import org.robonewbie.app.hint.FrameworkNames;
+import org.robonewbie.nao.file.TemporaryFiles;
 import org.robonewbie.studio.completion.BegunWord;
 import org.robonewbie.studio.completion.Completion;
 import org.robonewbie.studio.completion.Proposal;
@@ -56,6 +56,10 @@ public final class StudentsProgram {
 
     /** {@return what the compiler says about it} */
     public List<Remark> check() {
+        Optional<String> tooNew = CompactSource.trouble(text, source.simpleName());
+        if (tooNew.isPresent()) {
+            return List.of(new Remark(0, 1, 1, true, tooNew.get(), ""));
+        }
         CompilerMessages messages = new CompilerMessages();
         source.check(classPath, messages);
         return messages.remarks().stream().map(StudentsProgram::remark).toList();
@@ -107,7 +111,7 @@ public final class StudentsProgram {
         if (classes.isEmpty()) {
             return Optional.empty();
         }
-        Path folder = Files.createTempDirectory("robonewbie-program");
+        Path folder = TemporaryFiles.folder("robonewbie-program");
         classes.get().writeTo(folder);
         return Optional.of(new Compiled(source.className(), folder));
     }

@@ -1,9 +1,9 @@
 package org.robonewbie.app.program;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import org.robonewbie.competition.team.TeamFolder;
+import org.robonewbie.nao.file.TemporaryFiles;
 
 /**
  * A folder that is gone with all of its files when it is closed.
@@ -20,7 +20,7 @@ public record TemporaryFolder(Path path) implements AutoCloseable {
      * @throws IOException if the system's folder for temporary files cannot be written
      */
     public static TemporaryFolder create(String name) throws IOException {
-        return new TemporaryFolder(Files.createTempDirectory(name));
+        return new TemporaryFolder(TemporaryFiles.folder(name));
     }
 
     @Override

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.nao.file.TemporaryFiles;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.recording.RecordingReader;
@@ -98,7 +99,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
 
     /** A log is turned into a recording, which the system's folder for temporary files keeps until the program ends. */
     private static Path converted(Path log, String name) throws IOException {
-        Path folder = Files.createTempDirectory("robonewbie-log");
+        Path folder = TemporaryFiles.folder("robonewbie-log");
         Path recording = folder.resolve(name.replaceAll("\\.(log|txt|gz)", "") + RecordingShelf.ENDING);
         recording.toFile().deleteOnExit();
         folder.toFile().deleteOnExit();

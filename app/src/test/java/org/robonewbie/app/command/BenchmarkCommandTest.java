@@ -40,7 +40,7 @@ class BenchmarkCommandTest {
 
     @Test
     void tellsHowToMeasureARealServer() {
-        assertThat(Printed.by("benchmark", "--help").out())
+        assertThat(Printed.by("bench", "speed", "--help").out())
                 .contains("$agentSyncMode = true")
                 .contains("pidof rcssserver3d");
     }

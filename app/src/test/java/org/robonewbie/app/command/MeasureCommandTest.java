@@ -25,16 +25,6 @@ class MeasureCommandTest {
     }
 
     @Test
-    void saysWhatCanBeMeasured() {
-        MeasureCommand command = command("mountains");
-
-        assertThatThrownBy(command::call)
-                .isInstanceOf(CalledWronglyException.class)
-                .hasMessage("\"mountains\" cannot be measured; write: robonewbie measure motions, or: measure agents,"
-                        + " or: measure team, or: measure server");
-    }
-
-    @Test
     void saysWhoTheOthersCanBe() {
         MeasureCommand command = command("team", "--against", "Agent_Nobody");
 
@@ -58,9 +48,9 @@ class MeasureCommandTest {
                 .containsPattern("Agent_BetterSoccer +1 +1 +[0-9.]+ s");
     }
 
-    private static MeasureCommand command(String... arguments) {
-        MeasureCommand command = new MeasureCommand();
-        new CommandLine(command).parseArgs(arguments);
-        return command;
+    private static MeasureCommand command(String subject, String... arguments) {
+        CommandLine command = MeasureCommand.of(subject);
+        command.parseArgs(arguments);
+        return (MeasureCommand) command.getCommandSpec().userObject();
     }
 }

@@ -1,6 +1,7 @@
 package org.robonewbie.app.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.io.StringWriter;
@@ -10,7 +11,11 @@ import java.util.List;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.app.Printed;
 import org.robonewbie.app.Project;
 import org.robonewbie.app.command.NewProject.BuildTool;
@@ -118,6 +123,32 @@ class NewCommandTest {
         assertThat(printed.exitCode()).isEqualTo(2);
         assertThat(printed.err())
                 .contains("\"2 robots\" is no name for a project. Use letters, digits and -, such as my-team.");
+    }
+
+    @DisabledOnOs(OS.WINDOWS)
+    @ParameterizedTest
+    @ValueSource(strings = {"a:b", "x\uD83D\uDCBB"})
+    void folderInWhichNoToolCanBuildIsRefusedByItsCharacter(String name) {
+        assumeThat(System.getProperty("sun.jnu.encoding")).isEqualTo("UTF-8");
+        Path project = folder.resolve(name).resolve("team");
+
+        Printed printed = Printed.by("new", project.toString());
+
+        assertThat(printed.exitCode()).isEqualTo(2);
+        assertThat(printed.err())
+                .contains("whose path has the character \"" + name.substring(1).replace("b", "") + "\": ");
+        assertThat(folder.resolve(name)).doesNotExist();
+    }
+
+    @Test
+    void projectNamesItsRepositoryByAnAddressAndTheEncodingOfItsSources() throws IOException {
+        Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
+        Path project = folder.resolve("my-team");
+
+        new NewProject("my-team", "team", BuildTool.MAVEN, NewProject.Origin.AGENT, jar, "2.0").create(project);
+
+        assertThat(project.resolve("pom.xml")).content().contains("<url>${project.baseUri}lib</url>");
+        assertThat(project.resolve("README.md")).content().contains("javac -encoding UTF-8 ");
     }
 
     @Test

@@ -10,6 +10,7 @@ import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.Tag;
@@ -28,7 +29,18 @@ class CheckupTest {
                         Checkup.of(false).findings().spliterator(), false)
                 .toList();
 
-        assertThat(findings).hasSize(11).noneMatch(finding -> finding.verdict() == Verdict.BROKEN);
+        assertThat(findings).hasSize(12).noneMatch(finding -> finding.verdict() == Verdict.BROKEN);
+    }
+
+    @Test
+    void encodingIsToldWithWhatToDo() {
+        assertThat(EncodingCheck.of(Optional.empty(), true, "UTF-8").verdict()).isEqualTo(Verdict.WELL);
+        assertThat(EncodingCheck.of(Optional.empty(), false, "ANSI_X3.4-1968").toText())
+                .startsWith("look  Encoding")
+                .contains("ANSI_X3.4-1968", "export LC_ALL=C.UTF-8");
+        assertThat(EncodingCheck.of(Optional.of("The name is lost."), false, "x")
+                        .toText())
+                .startsWith("FAIL  Encoding       The name is lost.");
     }
 
     @Test

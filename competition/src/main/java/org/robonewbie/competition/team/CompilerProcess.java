@@ -59,13 +59,14 @@ record CompilerProcess(Fence fence) {
 
     private List<String> command(SourceFolder sources, Path classes) {
         List<String> words = new ArrayList<>(ProgramCommand.java(MEGABYTES));
-        words.addAll(List.of("-cp", ProgramCommand.classPath(List.of()), TeamCompiler.class.getName()));
+        ClassPath classPath = ClassPath.ofThisProgram();
+        words.addAll(List.of("-cp", classPath.option(), TeamCompiler.class.getName()));
         words.addAll(
                 List.of(sources.folder().toString(), sources.deep() ? TeamCompiler.DEEP : "flat", classes.toString()));
         if (!fence.isUp()) {
             return words;
         }
-        List<Path> readable = new ArrayList<>(ProgramCommand.ownPlaces());
+        List<Path> readable = new ArrayList<>(classPath.readable());
         readable.add(sources.folder());
         return fence.enclose(words, readable, classes);
     }

@@ -44,7 +44,8 @@ public record Enclosure(Fence fence, Optional<Path> door, Collection<Path> hidde
         if (door.isEmpty()) {
             return command;
         }
-        List<Path> readable = new ArrayList<>(ProgramCommand.ownPlaces());
+        List<Path> readable =
+                new ArrayList<>(ProgramCommand.classPathOf(program).readable());
         if (program instanceof TeamProgram.OfCommand other) {
             other.files().forEach(file -> readable.add(besides(file)));
         } else if (program instanceof TeamProgram.OfJava java) {

@@ -1,7 +1,6 @@
 package org.robonewbie.competition.team;
 
 import java.io.IOException;
-import java.lang.reflect.Modifier;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Path;
@@ -60,10 +59,7 @@ final class MainClasses {
 
     private static boolean hasMain(ClassLoader loader, String name) {
         try {
-            int modifiers = Class.forName(name, false, loader)
-                    .getDeclaredMethod("main", String[].class)
-                    .getModifiers();
-            return Modifier.isPublic(modifiers) && Modifier.isStatic(modifiers);
+            return MainMethod.of(Class.forName(name, false, loader)).isPresent();
         } catch (ReflectiveOperationException | LinkageError none) {
             return false;
         }

@@ -1,6 +1,5 @@
 package org.robonewbie.competition.team;
 
-import java.io.File;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.nio.file.Files;
@@ -9,10 +8,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
+import javax.tools.StandardLocation;
 import javax.tools.ToolProvider;
 
 /**
@@ -33,6 +32,9 @@ record SourceFolder(Path folder, boolean deep) {
         JavaCompiler compiler = compiler();
         StringWriter messages = new StringWriter();
         try (StandardJavaFileManager disk = compiler.getStandardFileManager(null, null, null)) {
+            disk.setLocationFromPaths(
+                    StandardLocation.CLASS_PATH,
+                    ClassPath.ofThisProgram().with(libraries()).places());
             boolean correct = compiler.getTask(
                             messages, disk, null, options(classes), null, disk.getJavaFileObjectsFromPaths(sources()))
                     .call();
@@ -52,11 +54,7 @@ record SourceFolder(Path folder, boolean deep) {
                                 + System.getProperty("java.home")));
     }
 
-    private List<String> options(Path classes) throws IOException {
-        String classPath = Stream.concat(
-                        Stream.of(System.getProperty("java.class.path")),
-                        libraries().stream().map(Path::toString))
-                .collect(Collectors.joining(File.pathSeparator));
+    private static List<String> options(Path classes) {
         return List.of(
                 "-g",
                 "-parameters",
@@ -66,9 +64,7 @@ record SourceFolder(Path folder, boolean deep) {
                 "-d",
                 classes.toString(),
                 "-sourcepath",
-                classes.toString(), // else sources on the class path would be compiled, too
-                "-classpath",
-                classPath);
+                classes.toString()); // else sources on the class path would be compiled, too
     }
 
     /** Where the program finds its classes and files when they have been compiled into a folder. */

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * The first class in the process of a team: it starts the team's program, and ends it with all that belongs to it as soon as
@@ -65,8 +66,14 @@ public final class TeamGuard {
 
     private static void runClass(String name, List<String> arguments) throws ReflectiveOperationException {
         try {
-            Class.forName(name).getMethod("main", String[].class).invoke(null, (Object)
-                    arguments.toArray(String[]::new));
+            Class<?> type = Class.forName(name);
+            String[] words = arguments.toArray(String[]::new);
+            Optional<MainMethod> own = MainMethod.of(type);
+            if (own.isPresent()) {
+                own.get().call(words);
+            } else {
+                type.getMethod("main", String[].class).invoke(null, (Object) words); // an inherited one
+            }
         } catch (InvocationTargetException thrown) {
             Throwable cause = Objects.requireNonNull(thrown.getCause());
             System.err.println(name + " ended with " + cause);

@@ -2,7 +2,6 @@ package org.robonewbie.competition.trial;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -20,6 +19,7 @@ import org.robonewbie.competition.team.ProcessTree;
 import org.robonewbie.competition.team.TeamFolder;
 import org.robonewbie.competition.team.TeamProcess;
 import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.nao.file.TemporaryFiles;
 
 /**
  * Knows which program may come through which door in one trial. Behind a fence a door is a file that only its team sees. Without,
@@ -49,7 +49,7 @@ final class Doorkeeper implements AutoCloseable {
         this.programs = programs;
         this.hidden = hidden;
         this.log = log;
-        this.folder = fence.isUp() ? Optional.of(Files.createTempDirectory("doors")) : Optional.empty();
+        this.folder = fence.isUp() ? Optional.of(TemporaryFiles.folder("doors")) : Optional.empty();
     }
 
     /** The file of a team's door; empty if it is a TCP port. */

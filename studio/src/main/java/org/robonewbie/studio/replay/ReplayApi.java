@@ -18,6 +18,7 @@ import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.Fields;
+import org.robonewbie.nao.file.TemporaryFiles;
 import org.robonewbie.simulator.file.RecordingAbout;
 import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.monitor.RecordedLog;
@@ -180,7 +181,7 @@ public final class ReplayApi extends Handler.Abstract {
     }
 
     private static byte[] log(Path recording) throws IOException {
-        Path log = Files.createTempFile("robonewbie", ".log");
+        Path log = TemporaryFiles.file("robonewbie", ".log");
         ByteArrayOutputStream packed = new ByteArrayOutputStream();
         try (GZIPOutputStream out = new GZIPOutputStream(packed)) {
             RecordedLog.write(recording, log);

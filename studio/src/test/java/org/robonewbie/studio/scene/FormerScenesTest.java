@@ -13,8 +13,8 @@ class FormerScenesTest {
 
     @Test
     void sceneIsListedAndLoadedToTheBit() throws IOException, URISyntaxException {
-        SceneFolder folder = new SceneFolder(Path.of(
-                Objects.requireNonNull(FormerScenesTest.class.getResource("/former-files/scenes"))
+        SceneFolder folder = new SceneFolder(
+                Path.of(Objects.requireNonNull(FormerScenesTest.class.getResource("/former-files/scenes"))
                         .toURI()));
 
         KeptMoment moment = folder.load("empty-pitch");

@@ -1,0 +1,84 @@
+package org.robonewbie.competition.team;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class MainMethodTest {
+
+    private static final List<String> CALLS = new ArrayList<>();
+
+    static class Classic {
+        public static void main(String[] args) {
+            CALLS.add("classic " + args.length);
+        }
+    }
+
+    static class Instance {
+        void main() {
+            CALLS.add("instance");
+        }
+    }
+
+    static class WithArguments {
+        void main() {
+            CALLS.add("without");
+        }
+
+        protected void main(String[] args) {
+            CALLS.add("with " + args[0]);
+        }
+    }
+
+    static class StaticWithoutModifier {
+        static void main() {
+            CALLS.add("static");
+        }
+    }
+
+    static class Hidden {
+        private void main() {
+            CALLS.add("hidden");
+        }
+    }
+
+    static class WithoutConstructor {
+        private final int number;
+
+        WithoutConstructor(int number) {
+            this.number = number;
+        }
+
+        void main() {
+            CALLS.add("number " + number);
+        }
+    }
+
+    @Test
+    void shortFormsBeginFromJava25On() throws Exception {
+        CALLS.clear();
+        for (Class<?> type : List.of(Classic.class, Instance.class, WithArguments.class, StaticWithoutModifier.class)) {
+            MainMethod.of(type, 25).orElseThrow().call("a", "b");
+        }
+
+        assertThat(CALLS).containsExactly("classic 2", "instance", "with a", "static");
+    }
+
+    @ParameterizedTest
+    @ValueSource(classes = {Instance.class, WithArguments.class, StaticWithoutModifier.class})
+    void olderJavaDoesNotBeginWithThemAndCanSayWhy(Class<?> type) {
+        assertThat(MainMethod.of(type, 17)).isEmpty();
+        assertThat(MainMethod.of(type, 24)).isEmpty();
+        assertThat(MainMethod.isShort(type)).isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(classes = {Hidden.class, WithoutConstructor.class, String.class})
+    void whatNoJavaBeginsWithIsNone(Class<?> type) {
+        assertThat(MainMethod.isShort(type)).isFalse();
+    }
+}
