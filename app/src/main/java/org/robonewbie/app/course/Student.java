@@ -41,12 +41,17 @@ record Student(Process process, OutputStream calls, Path complaints) {
 
     /** Why the robots of a trial gave up: what they say themselves, or that the process has ended. */
     Optional<Score> reason(int port) {
-        return complaint(port).or(() -> process.isAlive() ? Optional.empty() : Optional.of(ending()));
+        return complaint(Integer.toString(port)).or(() -> process.isAlive() ? Optional.empty() : Optional.of(ending()));
     }
 
-    private Optional<Score> complaint(int port) {
+    /** What makes the program slow, if anything does. */
+    Optional<Score> slowness() {
+        return complaint(RobotsOnCall.SLOW);
+    }
+
+    private Optional<Score> complaint(String file) {
         try {
-            String text = Files.readString(complaints.resolve(Integer.toString(port)));
+            String text = Files.readString(complaints.resolve(file));
             String[] lines =
                     text.substring(0, Math.min(MOST_CHARACTERS, text.length())).split("\n", 2);
             return Optional.of(Score.failed(0, lines[0], lines.length > 1 ? lines[1] : Performance.MEND));

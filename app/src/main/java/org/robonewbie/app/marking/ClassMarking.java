@@ -73,7 +73,7 @@ public final class ClassMarking {
                 List.copyOf(all.submissions().keySet()),
                 marks,
                 all.troubles(),
-                CopyCheck.pairs(submissions),
+                CopyCheck.of(submissions),
                 seeds);
         Path page = table.write(results);
         progress.accept(String.format(
@@ -82,7 +82,7 @@ public final class ClassMarking {
                 all.submissions().size(),
                 submissions.size(),
                 reused,
-                table.copies()));
+                table.sentence()));
         return page;
     }
 
