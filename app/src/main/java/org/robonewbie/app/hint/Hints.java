@@ -58,13 +58,21 @@ public final class Hints {
 
         /** Whether it is about a name that is written with its package, as in a line that imports it. */
         private boolean isAboutImport() {
-            boolean wholePackage = UNKNOWN_PACKAGE.matcher(text).find()
-                    && text.contains("package " + place.strip() + " ")
-                    && place.contains(".");
-            boolean type = IMPORTED.matcher(place.strip()).matches()
-                    && (UNKNOWN_PACKAGE.matcher(text).find()
-                            || IN_PACKAGE.matcher(text).find());
-            return wholePackage || type;
+            Matcher unknown = UNKNOWN_PACKAGE.matcher(text);
+            boolean noPackage = unknown.find();
+            return IMPORTED.matcher(imported()).matches()
+                            && (noPackage || IN_PACKAGE.matcher(text).find())
+                    || noPackage && unknown.group(1).contains(".") && isWholePackage();
+        }
+
+        /** In a line that imports all of a package nothing of it is underlined. */
+        private boolean isWholePackage() {
+            return !place.contains(".");
+        }
+
+        /** What is underlined, without blanks around it. */
+        private String imported() {
+            return place.strip();
         }
 
         /** The compiler takes a variable that it does not know for a package, too. */
@@ -140,13 +148,13 @@ public final class Hints {
         if (!remark.isAboutImport()) {
             return Optional.empty();
         }
-        String written = remark.place().strip();
+        String written = remark.imported();
         Matcher unknown = UNKNOWN_PACKAGE.matcher(remark.text());
         Optional<String> meant = Optional.ofNullable(names.types().get(remark.lastName()));
         if (meant.isEmpty() && unknown.find()) {
             String home = unknown.group(1);
             meant = Spelling.nearest(home, FrameworkNames.PACKAGES)
-                    .map(near -> near + written.substring(home.length()));
+                    .map(near -> near + (remark.isWholePackage() ? ".*" : written.substring(home.length())));
         }
         return meant.map(name -> "Did you mean " + name + "?");
     }

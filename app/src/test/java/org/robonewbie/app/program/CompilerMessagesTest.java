@@ -63,7 +63,7 @@ class CompilerMessagesTest {
                     org.robonewbie.nao.Jiont         | Joint
                     org.robonewbie.nao.motions.Jump  | org.robonewbie.nao.motion.Jump
                     java.utl.ArrayList               | java.util.ArrayList
-                    java.utils.*                     | java.util
+                    java.utils.*                     | java.util.*
                     """)
     void misspeltImportIsToldWithTheOneThatWasMeant(String written, String meant) throws IOException {
         String type = written.endsWith("*") ? "ArrayList" : written.substring(written.lastIndexOf('.') + 1);
