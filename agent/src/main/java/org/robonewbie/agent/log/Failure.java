@@ -17,7 +17,7 @@ public final class Failure {
      */
     public static Throwable rootOf(Throwable thrown) {
         Throwable cause = thrown.getCause();
-        return thrown instanceof ExceptionInInitializerError && cause != null ? cause : thrown;
+        return thrown instanceof LinkageError && thrown.getMessage() == null && cause != null ? cause : thrown;
     }
 
     /**
