@@ -3,6 +3,7 @@ import java.io.DataOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
+import java.lang.module.ModuleDescriptor;
 import java.lang.reflect.Executable;
 import java.lang.reflect.Modifier;
 import java.net.URI;
@@ -10,9 +11,13 @@ import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robonewbie.web.compiling.ProgramLibrary;
 
@@ -20,7 +25,8 @@ import org.robonewbie.web.compiling.ProgramLibrary;
  * Packs what the compiler in the page has to know: Java's classes that programs may use there, with all that these are made of, and
  * those of RoboNewbie. A file is its number of classes, then each with its path, the number of its bytes, and these.
  *
- * <p>Usage: {@code java -cp CLASS_PATH PackLibrary.java FILE}
+ * <p>Usage: {@code java -cp CLASS_PATH PackLibrary.java FILE MISSING}. The second file gets the names of Java's classes that
+ * programs of the page do not have: a line for each package, with its name and those of the classes.
  */
 final class PackLibrary {
 
@@ -38,6 +44,10 @@ final class PackLibrary {
         "java.lang.Enum$EnumDesc", "java.lang.runtime.ObjectMethods", "java.lang.LinkageError",
         "java.lang.IncompatibleClassChangeError"
     };
+
+    /** Whose classes students know from elsewhere. */
+    private static final List<String> MODULES =
+            List.of("java.base", "java.desktop", "java.logging", "java.net.http", "java.prefs", "java.sql", "java.xml");
 
     private PackLibrary() {}
 
@@ -62,7 +72,44 @@ final class PackLibrary {
         Path file = Path.of(args[0]);
         Files.createDirectories(file.getParent());
         Files.write(file, packed.toByteArray());
+        Files.writeString(Path.of(args[1]), missing(classes.keySet()));
         System.out.println(classes.size() + " classes, " + packed.size() + " bytes");
+    }
+
+    /** Java's public classes that are not in the page, and whose names none of its classes has. */
+    private static String missing(Set<String> files) throws IOException, ClassNotFoundException {
+        Set<String> known = files.stream()
+                .map(file -> file.substring(file.lastIndexOf('/') + 1).replace(".class", ""))
+                .collect(Collectors.toCollection(TreeSet::new));
+        StringBuilder lines = new StringBuilder();
+        for (String module : MODULES) {
+            for (ModuleDescriptor.Exports exported :
+                    new TreeSet<>(ModuleLayer.boot().findModule(module).orElseThrow().getDescriptor().exports())) {
+                if (exported.isQualified() || !exported.source().startsWith("java")) {
+                    continue;
+                }
+                List<String> names = new ArrayList<>();
+                Path folder = Path.of(URI.create("jrt:/" + module + "/" + exported.source().replace('.', '/')));
+                try (Stream<Path> all = Files.list(folder)) {
+                    for (Path file : all.filter(each -> each.toString().endsWith(".class")).sorted().toList()) {
+                        String name = file.getFileName().toString().replace(".class", "");
+                        if (!name.contains("$") && !name.equals("package-info") && isPublic(exported.source() + "." + name)
+                                && known.add(name)) {
+                            names.add(name);
+                        }
+                    }
+                }
+                if (!names.isEmpty()) {
+                    lines.append(exported.source()).append(' ').append(String.join(" ", names)).append('\n');
+                }
+            }
+        }
+        return lines.toString();
+    }
+
+    private static boolean isPublic(String name) throws ClassNotFoundException {
+        return Modifier.isPublic(
+                Class.forName(name, false, ClassLoader.getPlatformClassLoader()).getModifiers());
     }
 
     /** The named classes, what they are made of, and what their methods take and give. */

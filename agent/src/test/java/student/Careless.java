@@ -5,7 +5,7 @@ import org.robonewbie.agent.Robot;
 import org.robonewbie.nao.Joint;
 
 /** A program with the mistakes that beginners make; the tests want to read its line numbers. */
-public final class Careless extends Agent {
+public class Careless extends Agent {
 
     private final Mistake mistake;
 
@@ -45,5 +45,37 @@ public final class Careless extends Agent {
     /** Talks too much. */
     public static void longSpeech(Robot nao) {
         nao.say("this-is-much-longer-than-allowed");
+    }
+
+    /** Keeps more than there is room for. */
+    public static void tooMuch(Robot nao) {
+        if (nao.getTime() > 0) {
+            throw new OutOfMemoryError("Java heap space");
+        }
+    }
+
+    /** Uses a class whose fields cannot be prepared. */
+    public static void brokenTable(Robot nao) {
+        nao.setJointSpeed(Joint.NECK_YAW, Table.SPEED);
+    }
+
+    /** Moves a joint that a motion moves, and one that it leaves alone. */
+    public static void motionAndCommand(Robot nao) {
+        nao.setJointSpeed(Joint.RIGHT_SHOULDER_PITCH, 5);
+        nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, 5);
+    }
+
+    /** Shows a number with a point as a whole one. */
+    public static Careless withWrongPattern() {
+        return new Careless(nao -> {}) {
+            @Override
+            protected void think() {
+                log.info("angle %d", nao.getJointAngle(Joint.NECK_YAW));
+            }
+        };
+    }
+
+    private static final class Table {
+        static final int SPEED = Integer.parseInt("fast");
     }
 }

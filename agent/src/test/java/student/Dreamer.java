@@ -1,5 +1,7 @@
 package student;
 
+import java.util.function.BooleanSupplier;
+
 /** A program that takes its time. */
 public final class Dreamer {
 
@@ -10,5 +12,17 @@ public final class Dreamer {
         for (int i = 0; i < times; i++) {
             tick.run();
         }
+    }
+
+    /** Goes on until the time has come. */
+    public static void dreamUntil(BooleanSupplier end) {
+        while (!end.getAsBoolean()) {
+            Thread.onSpinWait();
+        }
+    }
+
+    /** Sleeps. */
+    public static void sleep() throws InterruptedException {
+        Thread.sleep(Long.MAX_VALUE);
     }
 }

@@ -1,29 +1,115 @@
 /** What to do instead of that which Java has and this page lacks. Pure. */
 
 const ELSEWHERE = 'RoboNewbie on your computer has it.';
+const THREADS = `This page has no threads: let think() do a little of each behaviour, one after the other. ${ELSEWHERE}`;
+const WAITING = `This page has no threads, and think() must not wait: count cycles, or compare nao.getTime() with the time at which something began. ${ELSEWHERE}`;
+const FILES = `This page has neither files nor a keyboard for programs: log.info(...) shows what a program says. ${ELSEWHERE}`;
+const DATES = `Time on the pitch is nao.getTime(), in seconds. Dates are not in this page. ${ELSEWHERE}`;
+const WINDOWS = `This page opens no windows. ${ELSEWHERE}`;
 
-/** @type {Array<[RegExp, string]>} */
-const INSTEAD = [
-  [
-    /class (Thread|Timer|TimerTask|ExecutorService|Executors|CompletableFuture|AtomicInteger|AtomicBoolean)\b|(package|have) java\.util\.concurrent|have java\.lang\.Thread\b/,
-    `This page has no threads: let think() do a little of each behaviour, one after the other. ${ELSEWHERE}`,
-  ],
+/** What a full name of Java's begins with. @type {Array<[RegExp, string]>} */
+const BY_NAME = [
+  [/^java\.(lang\.Thread$|util\.concurrent\.TimeUnit$)/, WAITING],
+  [/^java\.(util\.concurrent|lang\.Thread|util\.Timer|lang\.(Runtime|Process))/, THREADS],
+  [/^java\.(io|nio|net)\.|^java\.util\.(Scanner|Properties|zip|jar)\b/, FILES],
+  [/^java\.time\b|^java\.util\.(Date|Calendar|GregorianCalendar|TimeZone)$/, DATES],
+  [/^javax\.swing|^java\.awt/, WINDOWS],
+];
+
+/** @type {Record<string, string>} */
+const SIMILAR = {
+  EnumMap: 'HashMap or TreeMap',
+  EnumSet: 'HashSet or TreeSet',
+  Hashtable: 'HashMap',
+  IdentityHashMap: 'HashMap',
+  WeakHashMap: 'HashMap',
+  Vector: 'ArrayList',
+  Stack: 'ArrayDeque with push and pop',
+  BitSet: 'an array of boolean',
+  StringTokenizer: 'split of String',
+  StringJoiner: 'String.join',
+  StringBuffer: 'StringBuilder',
+  BigDecimal: 'double',
+  BigInteger: 'long',
+  DecimalFormat: 'String.format("%.2f", value)',
+  NumberFormat: 'String.format("%.2f", value)',
+  SecureRandom: 'Random',
+  ThreadLocalRandom: 'Random',
+};
+
+/** Words of javac about parts of RoboNewbie. @type {Array<[RegExp, string]>} */
+const OF_ROBONEWBIE = [
   [
     /package org\.robonewbie\.(exercises|trial|simulator|learning)|class (Grader|Exercises|ExerciseCheck)\b/,
     `Programs of this page cannot start trials themselves: press Check, and change the numbers between two trials. ${ELSEWHERE}`,
   ],
-  [
-    /class (File|Files|Path|Paths|Scanner|FileReader|FileWriter|BufferedReader|BufferedWriter|InputStream|Socket)\b|package java\.(nio|net)|(have|for) java\.(io|nio|net)\./,
-    `This page has neither files nor a keyboard for programs: log.info(...) shows what a program says. ${ELSEWHERE}`,
-  ],
-  [
-    /package java\.time|class (Instant|Duration|LocalDate|LocalTime|Date)\b/,
-    `Time on the pitch is nao.getTime(), in seconds. Dates are not in this page. ${ELSEWHERE}`,
-  ],
-  [/package (javax?\.swing|java\.awt)|class (JFrame|JPanel|Graphics)\b/, `This page opens no windows. ${ELSEWHERE}`],
 ];
 
-/** @param {string} remark of javac, or why a program cannot run here @returns {string} what to do; empty if that is nothing that only the page lacks */
-export function insteadOfMissing(remark) {
-  return INSTEAD.find(([lacking]) => lacking.test(remark))?.[1] ?? '';
+/** What javac names that it does not know, or the page that it does not have. */
+const NAMES = [
+  /package ((?:[a-z]\w*\.)+[a-z]\w*) does not exist/,
+  /symbol: +(?:class|variable|static) +([A-Z]\w*)[^]*location: +package ([\w.]+)/,
+  /symbol: +(?:class|variable|static) +([A-Z]\w*)/,
+  /package ([A-Z]\w*) does not exist/,
+  /(?:have|has no|for) (javax?\.(?:[a-z]\w*\.)*[A-Z]\w*)/,
+];
+
+/**
+ * @param {string} list a line for each package of Java, with its name and those of its classes that the page lacks
+ * @returns {Map<string, string>} full name by simple name
+ */
+export function missingClasses(list) {
+  /** @type {Map<string, string>} */
+  const all = new Map();
+  for (const line of list.split('\n').filter(Boolean)) {
+    const [home, ...names] = line.trim().split(' ');
+    names.forEach((name) => all.set(name, `${home}.${name}`));
+  }
+  return all;
+}
+
+/**
+ * @param {string} remark of javac, or why a program cannot run here
+ * @param {Map<string, string>} missing full names of what the page lacks, by simple names
+ * @returns {string} what to do; empty if that is nothing that only the page lacks
+ */
+export function insteadOfMissing(remark, missing = new Map()) {
+  const own = OF_ROBONEWBIE.find(([lacking]) => lacking.test(remark));
+  if (own) {
+    return own[1];
+  }
+  const name = fullName(remark, missing);
+  return name ? advice(name) : '';
+}
+
+/** @param {string} name of a class or package of Java's, with its package */
+function advice(name) {
+  const known = BY_NAME.find(([begin]) => begin.test(name));
+  if (known) {
+    return known[1];
+  }
+  const similar = SIMILAR[name.slice(name.lastIndexOf('.') + 1)];
+  return `This page does not have ${name}${similar ? `: use ${similar} instead` : ''}. ${ELSEWHERE}`;
+}
+
+/** @param {string} remark @param {Map<string, string>} missing */
+function fullName(remark, missing) {
+  for (const pattern of NAMES) {
+    const found = pattern.exec(remark);
+    const name = found && (found[2] ? `${found[2]}.${found[1]}` : found[1]);
+    if (name && /^javax?\./.test(name)) {
+      return isMissing(name, missing) ? name : '';
+    }
+    if (name && missing.has(name)) {
+      return missing.get(name);
+    }
+  }
+  return '';
+}
+
+/** A misspelt package or class of Java's is a mistake and no lack. @param {string} name @param {Map<string, string>} missing */
+function isMissing(name, missing) {
+  const simple = name.slice(name.lastIndexOf('.') + 1);
+  const full = [...missing.values()];
+  return missing.size === 0 || missing.get(simple) === name || full.some((each) => each.startsWith(`${name}.`));
 }

@@ -1,5 +1,5 @@
 /** Java's compiler in a worker of its own, which begins when somebody opens the room for programs. */
-import { insteadOfMissing } from './missing-classes.js';
+import { insteadOfMissing, missingClasses } from './missing-classes.js';
 
 /**
  * @typedef {import('../state/program/remarks.js').Remark} Remark
@@ -15,6 +15,8 @@ export class PageCompiler {
   /** @type {Worker | undefined} */
   #worker;
   #asked = 0;
+  /** @type {Promise<Map<string, string>> | undefined} what Java has and this page lacks */
+  #missing;
   /** @type {Promise<Comments> | undefined} what the classes of RoboNewbie do */
   #comments;
   #begun;
@@ -33,7 +35,9 @@ export class PageCompiler {
    */
   async compile(sources, shown) {
     const made = await this.#ask([...sources]);
-    return { remarks: remarks(made.remarks, shown, sources.get(shown) ?? ''), classes: made.classes };
+    this.#missing ??= fetch('compiler/missing.txt').then(async (answer) => missingClasses(await answer.text()));
+    const missing = made.remarks.length === 0 ? new Map() : await this.#missing;
+    return { remarks: remarks(made.remarks, shown, sources.get(shown) ?? '', missing), classes: made.classes };
   }
 
   /**
@@ -80,9 +84,10 @@ export class PageCompiler {
  * @param {string[]} lines one remark of the compiler each, with tabs between its parts
  * @param {string} shown
  * @param {string} text
+ * @param {Map<string, string>} missing
  * @returns {Remark[]} those of the file in the editor, and those of no place
  */
-function remarks(lines, shown, text) {
+function remarks(lines, shown, text, missing) {
   return lines.map((line) => {
     const [kind, path, number, begin, end, hint, ...words] = line.split('\t');
     const isHere = path === shown && Number(begin) >= 0;
@@ -93,7 +98,7 @@ function remarks(lines, shown, text) {
       line: isHere ? Number(number) : 0,
       serious: kind === 'ERROR',
       text: (isHere || path === '' ? '' : `${path}:${number}: `) + words.join('\t'),
-      hint: insteadOfMissing(words.join('\t')) || hint,
+      hint: insteadOfMissing(words.join('\t'), missing) || hint,
     };
   });
 }

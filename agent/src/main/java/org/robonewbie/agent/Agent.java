@@ -8,11 +8,12 @@ import org.robonewbie.agent.cycle.Clockwork;
 import org.robonewbie.agent.cycle.CycleWatch;
 import org.robonewbie.agent.cycle.Session;
 import org.robonewbie.agent.cycle.SingleMessagePort;
+import org.robonewbie.agent.log.Failure;
 import org.robonewbie.agent.log.Logger;
-import org.robonewbie.agent.log.StudentCode;
 import org.robonewbie.agent.motion.LookAround;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.perception.LocalFieldView;
+import org.robonewbie.agent.running.ThinkSpelling;
 import org.robonewbie.agent.walk.Walk;
 
 /**
@@ -37,6 +38,7 @@ import org.robonewbie.agent.walk.Walk;
 public abstract class Agent {
 
     private static final int MOST_CALLS = 8;
+    private static final String CLASS_THAT_FAILED_BEFORE = "Could not initialize class";
 
     private final Clockwork clockwork = new Clockwork(nameOf(getClass()));
     private final TunableNumbers numbers = TunableNumbers.of(nameOf(getClass()), clockwork.mistakes());
@@ -143,8 +145,11 @@ public abstract class Agent {
                 sense();
                 think();
                 act();
-            } catch (RuntimeException | StackOverflowError | AssertionError mistake) {
+            } catch (RuntimeException | StackOverflowError | AssertionError | LinkageError mistake) {
                 report(mistake);
+            } catch (OutOfMemoryError exhausted) {
+                reportExhausted(exhausted);
+                throw exhausted;
             }
         }
     }
@@ -167,6 +172,13 @@ public abstract class Agent {
         session.leave();
     }
 
+    /** Reports a misspelt {@code think()} and numbers in the program's file that it does not have. */
+    final void reportWhatIsMissing() {
+        ThinkSpelling.wrongIn(getClass(), Agent.class, nameOf(getClass()))
+                .ifPresent(sentence -> clockwork.mistakes().reportAt("", sentence, () -> sentence));
+        numbers.reportUnknown();
+    }
+
     final void begin(Options wanted) {
         options = wanted;
     }
@@ -184,15 +196,25 @@ public abstract class Agent {
     }
 
     /** Reports an exception, and does the rest of the cycle without the program. */
-    private void report(Throwable mistake) {
+    private void report(Throwable thrown) {
+        boolean reportedBefore = failed && String.valueOf(thrown.getMessage()).startsWith(CLASS_THAT_FAILED_BEFORE);
         failed = true;
-        String step = failedStep(mistake.getStackTrace());
-        String place = StudentCode.place(mistake.getStackTrace()).orElse("");
-        clockwork.mistakes().reportAt(place, step + mistake.getClass(), () -> {
-            log.error("%s failed: %s%s", step, mistake, stack(mistake));
-            return step + " failed with " + mistake + "; the robot goes on with the next step.";
-        });
+        Throwable mistake = Failure.rootOf(thrown);
+        String step = failedStep(thrown.getStackTrace());
+        if (!reportedBefore) {
+            clockwork.mistakes().reportAt(Failure.place(mistake), step + mistake.getClass(), () -> {
+                log.error("%s failed: %s%s", step, mistake, stack(mistake));
+                return step + " failed with " + mistake + "; the robot goes on with the next step.";
+            });
+        }
         session.complete();
+    }
+
+    /** There may be too little memory for more than one sentence. */
+    private void reportExhausted(OutOfMemoryError exhausted) {
+        failed = true;
+        String step = failedStep(exhausted.getStackTrace());
+        clockwork.mistakes().reportAt(Failure.place(exhausted), "memory", () -> step + " " + Failure.MEMORY);
     }
 
     /** The method that {@link #run} has called: the last call before it. */
@@ -215,6 +237,7 @@ public abstract class Agent {
                 .limit(MOST_CALLS)
                 .takeWhile(call -> !call.getClassName().equals(Agent.class.getName()))
                 .map(call -> "\n                      at " + call)
+                .distinct()
                 .collect(Collectors.joining());
     }
 

@@ -2,12 +2,17 @@ package org.robonewbie.agent;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Consumer;
 import org.robonewbie.agent.cycle.CycleWatch;
 import org.robonewbie.agent.cycle.LinkPort;
 import org.robonewbie.agent.cycle.Session;
 import org.robonewbie.agent.cycle.SingleMessagePort;
+import org.robonewbie.agent.running.CycleOwner;
 import org.robonewbie.agent.running.SimulatorConnection;
+import org.robonewbie.agent.running.Slowness;
+import org.robonewbie.agent.running.Watchdog;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -50,6 +55,20 @@ public final class AgentDriver {
         agent.begin(who);
         agent.clockwork().senses().setType(who.robotType());
         agent.clockwork().senses().introduce(who.team(), who.number(), side);
+    }
+
+    /**
+     * Watches the program while {@link #respond} runs it: reports a misspelt {@code think()}, cycles that do not end, and slow ones.
+     *
+     * @param listener called in the program's thread when many cycles have been slow, with what to do about it
+     * @return ends watching
+     */
+    public Watchdog watch(Consumer<Slowness> listener) {
+        agent.reportWhatIsMissing();
+        Watchdog watchdog =
+                Watchdog.start(CycleOwner.FRAMEWORK, agent.clockwork().mistakes(), Optional.empty(), listener);
+        session = new Session(agent.clockwork(), port, OptionalDouble.empty(), watchdog);
+        return watchdog;
     }
 
     /**

@@ -12,6 +12,7 @@ import org.robonewbie.agent.cycle.Clockwork;
 import org.robonewbie.agent.cycle.CycleWatch;
 import org.robonewbie.agent.cycle.LinkPort;
 import org.robonewbie.agent.cycle.Session;
+import org.robonewbie.agent.running.CycleOwner;
 import org.robonewbie.agent.running.JoinTurn;
 import org.robonewbie.agent.running.LogPrinter;
 import org.robonewbie.agent.running.PunctualPort;
@@ -166,11 +167,12 @@ final class AgentRunner {
     private void live(Agent agent, AgentLink link, Options options, JoinTurn turn) {
         int code;
         agent.begin(options);
-        agent.numbers().reportUnknown();
+        agent.reportWhatIsMissing();
         link.offerState(new AgentState(agent));
         try (LogPrinter printer = new LogPrinter(agent.clockwork().log(), System.out, simulator::close);
                 link;
-                Watchdog watchdog = Watchdog.start(agent.clockwork().mistakes(), giveUp(options));
+                Watchdog watchdog = Watchdog.start(
+                        CycleOwner.FRAMEWORK, agent.clockwork().mistakes(), giveUp(options), slowness -> {});
                 Session session = join(agent.clockwork(), simulator, link, options, watchdog, turn)) {
             agent.run(session);
             if (options.isHeadless()) {
@@ -178,6 +180,8 @@ final class AgentRunner {
             }
             boolean failed = agent.hasFailed() || session.isBroken();
             code = failed || agent.clockwork().mistakes().isSerious() ? 1 : 0;
+        } catch (OutOfMemoryError reported) {
+            code = 1;
         } catch (StartUpException refused) {
             System.err.println(refused.getMessage());
             code = 2;

@@ -1,15 +1,18 @@
 package org.robonewbie.agent;
 
 import java.io.IOException;
+import java.util.Optional;
 import org.robonewbie.agent.cycle.Clockwork;
-import org.robonewbie.agent.cycle.CycleWatch;
 import org.robonewbie.agent.cycle.Session;
 import org.robonewbie.agent.motion.LookAround;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.perception.LocalFieldView;
+import org.robonewbie.agent.running.CycleOwner;
 import org.robonewbie.agent.running.JoinTurn;
 import org.robonewbie.agent.running.LogPrinter;
+import org.robonewbie.agent.running.RobotsOfProcess;
 import org.robonewbie.agent.running.SimulatorConnection;
+import org.robonewbie.agent.running.Watchdog;
 import org.robonewbie.agent.walk.Walk;
 
 /**
@@ -79,15 +82,24 @@ public final class Nao extends Robot implements AutoCloseable {
     /** Brings a robot into the game of a simulator that belongs to this robot alone. */
     static Nao join(Options options, SimulatorConnection simulator) {
         Clockwork clockwork = new Clockwork("the robot");
+        Watchdog watchdog = Watchdog.start(CycleOwner.PROGRAM, clockwork.mistakes(), Optional.empty(), slowness -> {});
         try {
-            Session session = AgentRunner.join(
-                    clockwork, simulator, simulator.connect(), options, CycleWatch.NONE, new JoinTurn());
+            Session session =
+                    AgentRunner.join(clockwork, simulator, simulator.connect(), options, watchdog, new JoinTurn());
             LogPrinter printer = new LogPrinter(clockwork.log(), System.out, simulator::close);
-            return new Nao(clockwork, session, simulator, printer::close);
+            RobotsOfProcess.enter(clockwork.mistakes());
+            watchdog.thinkBegins();
+            return new Nao(clockwork, session, simulator, () -> {
+                watchdog.close();
+                printer.close();
+                RobotsOfProcess.leave(clockwork.mistakes());
+            });
         } catch (IOException lost) {
+            watchdog.close();
             simulator.close();
             throw new StartUpException(AgentRunner.notLetIn(options, lost));
         } catch (StartUpException refused) {
+            watchdog.close();
             simulator.close();
             throw refused;
         }

@@ -1,6 +1,7 @@
 package org.robonewbie.agent;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayOutputStream;
@@ -154,6 +155,84 @@ class AgentTest {
         assertThat(printedLines())
                 .containsExactly("1.00 s: think() failed with java.lang.ArrayIndexOutOfBoundsException: Index 22 out of"
                         + " bounds for length 22; the robot goes on with the next step. (Careless.java:42)");
+    }
+
+    @Test
+    void saysOnceWhatIsWrongWithAPatternOfTheLog() {
+        AgentDriver agent = new AgentDriver(Careless.withWrongPattern());
+
+        agent.respond(Messages.standing().build());
+        agent.respond(Messages.standing().build());
+
+        assertThat(printedLines())
+                .singleElement()
+                .asString()
+                .matches(
+                        "1\\.00 s: %d is for whole numbers; %\\.1f for 0\\.0, in \"angle %d\"\\. \\(Careless\\.java:\\d+\\)");
+    }
+
+    @Test
+    void endsARunWithoutMemoryInOneSentence() {
+        AgentDriver agent = new AgentDriver(new Careless(Careless::tooMuch));
+
+        assertThatThrownBy(() -> agent.respond(Messages.standing().build())).isInstanceOf(OutOfMemoryError.class);
+
+        assertThat(agent.hasFailed()).isTrue();
+        assertThat(printedLines())
+                .singleElement()
+                .asString()
+                .matches(
+                        "1\\.00 s: think\\(\\) has used all memory that Java has; the run ends here\\. Does the program keep"
+                                + " something in each cycle and never forget it\\? \\(Careless\\.java:\\d+\\)");
+    }
+
+    @Test
+    void namesTheLineOfAFieldThatCouldNotBePreparedAndOnlyThat() {
+        AgentDriver agent = new AgentDriver(new Careless(Careless::brokenTable));
+
+        agent.respond(Messages.standing().build());
+        agent.respond(Messages.standing().build());
+
+        assertThat(printedLines())
+                .singleElement()
+                .asString()
+                .matches(
+                        "1\\.00 s: think\\(\\) failed with java\\.lang\\.NumberFormatException: For input string: \"fast\";"
+                                + " the robot goes on with the next step\\. \\(Careless\\.java:\\d+\\)");
+    }
+
+    @Test
+    void saysOnceThatAMotionAndACommandWantTheSameJoint() {
+        AgentDriver agent = new AgentDriver(new Agent() {
+            @Override
+            protected void think() {
+                motions.start("wave");
+                Careless.motionAndCommand(nao);
+            }
+        });
+
+        for (int cycle = 0; cycle < 100; cycle++) {
+            agent.respond(Messages.standing().at(cycle * 0.02).build());
+        }
+
+        assertThat(printedLines())
+                .singleElement()
+                .asString()
+                .containsPattern(
+                        "RIGHT_SHOULDER_PITCH is turned by the motion \"\\w+\", too: it obeys this command until the next"
+                                + " motion starts\\. Wait for motions\\.isFinished\\(\\), or leave the joint to the motion\\."
+                                + " \\(Careless\\.java:\\d+\\)");
+    }
+
+    @Test
+    void watchesForAThinkThatIsMissing() {
+        AgentDriver agent = new AgentDriver(new Agent() {});
+
+        agent.watch(slowness -> {}).close();
+
+        assertThat(printedLines())
+                .containsExactly("0.00 s: Agent has no think(); the robot does nothing."
+                        + " Write what it does into: protected void think() { ... }");
     }
 
     @Test

@@ -66,8 +66,8 @@ class CompetitionTest {
                 .extracting(row ->
                         row.rank() + " " + row.team() + ": " + row.cells().get(3))
                 .containsExactly(
-                        "6 Crasher: its program ended before the trial was over",
-                        "6 Killed: its program ended before the trial was over",
+                        "6 Crasher: its program ended before the trial was over (exit code 1)",
+                        "6 Killed: its program ended before the trial was over (exit code 137)",
                         "6 Hanger: its program kept the world waiting and was taken out",
                         "6 Eater: its program needed more memory than is allowed",
                         "6 Leaver: its program ended before the trial was over");

@@ -1,6 +1,7 @@
 package org.robonewbie.agent.cycle;
 
 import java.util.List;
+import java.util.Optional;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.log.RunLog;
 import org.robonewbie.agent.motion.LookAround;
@@ -32,7 +33,7 @@ public final class Clockwork {
     private final Senses senses = new Senses();
     private final Motors motors = new Motors(senses.joints());
     private final LookAround lookAround = new LookAround(motors);
-    private final Commands commands = new Commands(senses, motors, mistakes);
+    private final Commands commands = new Commands(senses, motors, mistakes, this::turningMotion);
     private final MotionSequencer motions;
     private final WalkController walk;
     private final FieldMemory fieldView = new FieldMemory(mistakes);
@@ -48,6 +49,7 @@ public final class Clockwork {
         motions = new MotionSequencer(motors, MotionFiles.library(), mistakes, senses::bodyPosition);
         walk = new WalkController(motors, motions, mistakes, senses::bodyPosition);
         log.setListener(telemetry::publish);
+        log.setPatternListener(advice -> mistakes.report("log pattern", advice));
         mistakes.setListener(telemetry::publish);
     }
 
@@ -97,6 +99,10 @@ public final class Clockwork {
     public void startOver() {
         motions.reset();
         loseOrientation();
+    }
+
+    private Optional<String> turningMotion(Joint joint) {
+        return motions.turning(joint);
     }
 
     /** What the robot knows of place and posture is no longer true. */

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.math.PortableMath;
@@ -26,15 +27,17 @@ public final class Commands {
     private final Senses senses;
     private final Motors motors;
     private final Mistakes mistakes;
+    private final Function<Joint, Optional<String>> turningMotion;
     private final boolean[] atEnd = new boolean[Joint.COUNT];
     private Optional<Say> say = Optional.empty();
     private Optional<Beam> beam = Optional.empty();
     private boolean requestsPass;
 
-    Commands(Senses senses, Motors motors, Mistakes mistakes) {
+    Commands(Senses senses, Motors motors, Mistakes mistakes, Function<Joint, Optional<String>> turningMotion) {
         this.senses = senses;
         this.motors = motors;
         this.mistakes = mistakes;
+        this.turningMotion = turningMotion;
     }
 
     /**
@@ -50,6 +53,7 @@ public final class Commands {
                     () -> "Joint speed NaN for " + joint + " is ignored. Was something divided by zero?");
             return;
         }
+        reportConflict(joint);
         double most = joint.maxDegreesPerSecond();
         if (Math.abs(speed) > most) {
             mistakes.report(
@@ -82,6 +86,7 @@ public final class Commands {
                             degrees, speed, joint, speed <= 0 ? SPEED_IS_A_SIZE : "Was something divided by zero?"));
             return;
         }
+        reportConflict(joint);
         if (joint.clampDegrees(degrees) != degrees) {
             mistakes.report(
                     "range " + joint,
@@ -91,6 +96,18 @@ public final class Commands {
                             degrees, joint, joint.minDegrees(), joint.maxDegrees()));
         }
         motors.setTarget(joint, degrees, speed);
+    }
+
+    /** A command for a joint that a motion leaves alone, such as one of the head during a kick, is as it should be. */
+    private void reportConflict(Joint joint) {
+        turningMotion
+                .apply(joint)
+                .ifPresent(motion -> mistakes.report(
+                        "motion and command " + joint,
+                        () -> format(
+                                "%s is turned by the motion \"%s\", too: it obeys this command until the next motion starts."
+                                        + " Wait for motions.isFinished(), or leave the joint to the motion.",
+                                joint, motion)));
     }
 
     /**

@@ -11,6 +11,9 @@ public interface CycleWatch {
         public void thinkBegins() {}
 
         @Override
+        public void thinkResumes() {}
+
+        @Override
         public void thinkEnds() {}
 
         @Override
@@ -22,7 +25,10 @@ public interface CycleWatch {
     /** The sensors have been read. */
     void thinkBegins();
 
-    /** The answer is complete. */
+    /** The answer has been sent; the program may do more before it asks for the next message. */
+    void thinkResumes();
+
+    /** The answer is complete, or the program asks for the next message. */
     void thinkEnds();
 
     /** {@return file and line where the program spent its time in a slow cycle; empty if that is not known} */

@@ -87,6 +87,7 @@ public final class Session implements AutoCloseable {
         } catch (IOException failure) {
             reportBroken(failure);
         }
+        watch.thinkResumes();
     }
 
     /** Answers as {@link #act}, and reports it if there is no message to answer. */
@@ -120,6 +121,7 @@ public final class Session implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
+        watch.thinkEnds();
         port.close();
     }
 
@@ -136,6 +138,7 @@ public final class Session implements AutoCloseable {
     }
 
     private boolean receive() {
+        watch.thinkEnds();
         over = left || broken || isTimeOver() || !hasReceived();
         sensed = over;
         answered = over;

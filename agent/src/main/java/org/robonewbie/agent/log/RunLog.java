@@ -4,10 +4,10 @@ import java.io.PrintStream;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
-import java.util.IllegalFormatException;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /** The log of one robot during one run, as the framework handles it. */
 public final class RunLog implements Logger {
@@ -21,9 +21,10 @@ public final class RunLog implements Logger {
     private final int capacity;
     private final Deque<LogLine> lines = new ArrayDeque<>();
     private LogOverflow overflow = new DroppedLines();
-    private LogLevel level = LogLevel.INFO;
+    private volatile LogLevel level = LogLevel.INFO;
     private double seconds;
     private Consumer<LogLine> listener = line -> {};
+    private volatile Consumer<Supplier<String>> patternListener = advice -> {};
 
     /**
      * Creates an empty log.
@@ -40,7 +41,7 @@ public final class RunLog implements Logger {
     }
 
     @Override
-    public synchronized void setLevel(LogLevel level) {
+    public void setLevel(LogLevel level) {
         this.level = level;
     }
 
@@ -60,6 +61,15 @@ public final class RunLog implements Logger {
      */
     public synchronized void setListener(Consumer<LogLine> listener) {
         this.listener = listener;
+    }
+
+    /**
+     * Sets the listener for patterns that do not fit their values.
+     *
+     * @param listener called in the thread that logs, with what is wrong
+     */
+    public void setPatternListener(Consumer<Supplier<String>> listener) {
+        patternListener = listener;
     }
 
     /**
@@ -113,14 +123,17 @@ public final class RunLog implements Logger {
         lines.clear();
     }
 
-    private synchronized void log(LogLevel importance, String format, Object[] values) {
-        if (importance.compareTo(level) < 0) {
-            return;
+    private void log(LogLevel importance, String format, Object[] values) {
+        if (importance.compareTo(level) >= 0) {
+            append(importance, MinusZero.removed(text(format, values)));
         }
+    }
+
+    private synchronized void append(LogLevel importance, String text) {
         if (lines.size() == capacity) {
             moveOldest(Math.min(capacity, LINES_TO_MOVE));
         }
-        LogLine line = new LogLine(seconds, importance, MinusZero.removed(text(format, values)));
+        LogLine line = new LogLine(seconds, importance, text);
         lines.addLast(line);
         listener.accept(line);
     }
@@ -133,15 +146,20 @@ public final class RunLog implements Logger {
     }
 
     /** A wrong pattern must not stop a robot: then pattern and values are written as they are. */
-    private static String text(String format, Object[] values) {
+    private String text(String format, Object[] values) {
         if (values.length == 0) {
             return format;
         }
         try {
-            return String.format(Locale.ROOT, format, values);
-        } catch (IllegalFormatException wrongPattern) {
-            return format + " " + Arrays.toString(values);
+            String text = String.format(Locale.ROOT, format, values);
+            if (!PatternAdvice.leavesValuesOut(format, values)) {
+                return text;
+            }
+        } catch (IllegalArgumentException wrongPattern) {
+            // below, as a pattern that leaves values out
         }
+        patternListener.accept(() -> PatternAdvice.of(format, values));
+        return format + " " + Arrays.toString(values);
     }
 
     /** Counts the lines that are dropped. */

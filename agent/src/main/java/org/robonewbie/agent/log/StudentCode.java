@@ -44,6 +44,18 @@ public final class StudentCode {
                 .map(frame -> frame.getFileName() + ":" + frame.getLineNumber());
     }
 
+    /**
+     * Keeps the calls of the robot's own program.
+     *
+     * @param trace innermost call first
+     * @return its calls, in the same order
+     */
+    public static List<StackTraceElement> lines(StackTraceElement[] trace) {
+        return Arrays.stream(trace)
+                .filter(call -> isTheirs(call.getClassName()))
+                .toList();
+    }
+
     private static boolean isTheirs(String className) {
         for (String prefix : NOT_THEIRS) {
             if (className.startsWith(prefix)) {

@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.agent.perception.BodyPosition;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
@@ -134,6 +135,17 @@ public final class MotionSequencer implements Motions {
     @Override
     public Optional<String> current() {
         return player.filter(playing -> !isFinished())
+                .map(playing -> playing.motion().name());
+    }
+
+    /**
+     * Returns the motion that turns a joint now.
+     *
+     * @param joint the joint
+     * @return its name; empty if no motion turns the joint
+     */
+    public Optional<String> turning(Joint joint) {
+        return player.filter(playing -> !isFinished() && playing.turns(joint))
                 .map(playing -> playing.motion().name());
     }
 

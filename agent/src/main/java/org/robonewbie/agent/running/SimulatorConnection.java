@@ -31,7 +31,7 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
             throw new IOException(unreadable.get());
         }
         return switch (wanted.kind()) {
-            case SERVER -> Server.join(wanted.host(), wanted.port());
+            case SERVER -> Server.join(wanted.host(), wanted.port(), "");
             case OWN -> startOwn(wanted);
             case ANY -> joinOrStart(wanted);
         };
@@ -78,9 +78,14 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
     @Override
     public abstract void close();
 
+    /** What somebody needs to know who may not expect another simulator. */
+    private static final String RUNS_ALREADY =
+            ", which runs already. Watch it in the studio whose address stands in the"
+                    + " terminal where it was started; to start anew, end it there first, or add --seed 1.";
+
     private static SimulatorConnection joinOrStart(WantedSimulator wanted) throws IOException {
         try {
-            return Server.join(wanted.host(), wanted.port());
+            return Server.join(wanted.host(), wanted.port(), RUNS_ALREADY);
         } catch (IOException noServer) {
             return startOwn(wanted);
         }
@@ -147,18 +152,20 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
 
         private final String host;
         private final int port;
+        private final String advice;
         private final TelemetryClient telemetry;
         private Optional<AgentLink> firstLink;
 
-        private Server(String host, int port, AgentLink firstLink) {
+        private Server(String host, int port, String advice, AgentLink firstLink) {
+            this.advice = advice;
             this.host = host;
             this.port = port;
             this.firstLink = Optional.of(firstLink);
             this.telemetry = TelemetryClient.open(TelemetryServer.portFor(port));
         }
 
-        static Server join(String host, int port) throws IOException {
-            return new Server(host, port, TcpAgentLink.connect(host, port));
+        static Server join(String host, int port, String advice) throws IOException {
+            return new Server(host, port, advice, TcpAgentLink.connect(host, port));
         }
 
         @Override
@@ -175,7 +182,7 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
 
         @Override
         public String description() {
-            return "Joins the server at " + place();
+            return "Joins the server at " + place() + advice;
         }
 
         @Override

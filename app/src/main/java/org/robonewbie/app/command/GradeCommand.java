@@ -1,10 +1,12 @@
 package org.robonewbie.app.command;
 
 import java.io.IOException;
+import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
@@ -14,6 +16,7 @@ import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.app.course.Coach;
 import org.robonewbie.app.course.GradingConditions;
 import org.robonewbie.app.course.GradingProcess;
+import org.robonewbie.app.course.ProgressTable;
 import org.robonewbie.app.course.RobotsOnCall;
 import org.robonewbie.app.marking.ClassMarking;
 import org.robonewbie.app.program.AgentFinder;
@@ -28,6 +31,8 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Language;
+import org.robonewbie.exercises.progress.ExerciseProgress;
+import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.exercises.progress.SolutionShelf;
 import org.robonewbie.nao.file.TemporaryFiles;
 import picocli.CommandLine.Command;
@@ -60,6 +65,7 @@ import picocli.CommandLine.Parameters;
 final class GradeCommand implements Callable<Integer> {
 
     private static final String GIVEN_TEAM = "org.robonewbie.team.";
+    private static final char TICK = '✓';
 
     @Mixin
     final HelpOption help = new HelpOption();
@@ -140,7 +146,8 @@ final class GradeCommand implements Callable<Integer> {
             return gradeClass(classFolder.get());
         }
         if (exerciseName.isEmpty()) {
-            System.out.print(CommandWord.here().in(list(language.language())));
+            System.out.print(CommandWord.here()
+                    .in(list(language.language(), Coach.ofUser().progress())));
             return ExitCode.OK;
         }
         Exercise exercise = exercise(exerciseName.get());
@@ -278,14 +285,32 @@ final class GradeCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    private static String list(Language spoken) {
+    private static String list(Language spoken, Progress progress) {
         List<String> lines = new ArrayList<>();
-        lines.add("The exercises are:");
+        lines.add("The exercises are" + (progress.exercises().isEmpty() ? ":" : ", with your best points:"));
         for (Exercise exercise : Exercises.all()) {
-            lines.add(String.format("  %-20s %s", exercise.fullName(), spoken.translated(exercise.goal())));
+            lines.add(String.format(
+                    Locale.ROOT,
+                    "%s %-20s %s",
+                    points(progress.of(exercise)),
+                    exercise.fullName(),
+                    spoken.translated(exercise.goal())));
         }
-        lines.add("Begin with: robonewbie grade raise-arms --start");
+        lines.add(
+                progress.exercises().isEmpty()
+                        ? "Begin with: robonewbie grade raise-arms --start"
+                        : new ProgressTable(progress).sum() + ". More: robonewbie progress");
         return lines.stream().map(line -> line + System.lineSeparator()).collect(Collectors.joining());
+    }
+
+    /** A tick and the best points, as wide as the blanks of an exercise that was not tried. */
+    private static String points(ExerciseProgress state) {
+        if (state.tries() == 0) {
+            return "      ";
+        }
+        boolean ticks = Charset.defaultCharset().newEncoder().canEncode(TICK);
+        String tick = state.passed() ? String.valueOf(ticks ? TICK : '+') : " ";
+        return String.format(Locale.ROOT, "%s %4.1f", tick, state.bestPoints());
     }
 
     static CalledWronglyException unknown(String name) {

@@ -72,7 +72,11 @@ final class ProgressCommand implements Callable<Integer> {
                 throw new CalledWronglyException("There is no file " + file
                         + ". Each member of the team has one: .robonewbie/progress.json in the home folder.");
             }
-            team = team.joined(new ProgressFile(file).read());
+            ProgressFile member = new ProgressFile(file);
+            if (member.isDamaged()) {
+                System.err.println("The file " + file + " is damaged or holds no progress, and counts as empty.");
+            }
+            team = team.joined(member.read());
         }
         return team;
     }

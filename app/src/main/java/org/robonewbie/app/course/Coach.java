@@ -28,6 +28,7 @@ public final class Coach {
     private final Clock clock;
     private final Map<String, ExerciseProgress> remembered = new HashMap<>();
     private boolean unwritable;
+    private boolean damageSaid;
 
     /**
      * Prepares the coach.
@@ -60,7 +61,11 @@ public final class Coach {
     /** {@return how far the user is} */
     public synchronized Progress progress() {
         try {
-            return file.isPresent() && !unwritable ? file.get().read() : new Progress(remembered);
+            if (file.isEmpty() || unwritable) {
+                return new Progress(remembered);
+            }
+            sayIfDamaged(file.get());
+            return file.get().read();
         } catch (IOException unreadable) {
             complain(unreadable);
             return new Progress(remembered);
@@ -168,6 +173,7 @@ public final class Coach {
     private synchronized ExerciseProgress change(Exercise exercise, UnaryOperator<ExerciseProgress> change) {
         if (file.isPresent() && !unwritable) {
             try {
+                sayIfDamaged(file.get());
                 return file.get().update(exercise, change);
             } catch (IOException failed) {
                 complain(failed);
@@ -175,6 +181,16 @@ public final class Coach {
         }
         return remembered.merge(
                 exercise.name(), change.apply(ExerciseProgress.NONE), (before, fresh) -> change.apply(before));
+    }
+
+    /** Says it once: the file is empty or new afterwards. */
+    private void sayIfDamaged(ProgressFile kept) throws IOException {
+        if (!damageSaid && kept.isDamaged()) {
+            damageSaid = true;
+            System.err.println(
+                    "The file of your progress, " + kept.file() + ", is damaged and counts as empty. With your next try"
+                            + " it is kept as " + kept.damagedFile() + ", and a new one begins.");
+        }
     }
 
     private void complain(IOException problem) {

@@ -101,17 +101,20 @@ public final class GradingProcess {
         long end = System.nanoTime()
                 + TimeUnit.SECONDS.toNanos(SECONDS_AT_LEAST + (long) SECONDS_FOR_EACH_SEED * conditions.seeds());
         for (Future<Score> trial : trials) {
-            scores.add(new Grade.SeededScore(scores.size() + 1, await(trial, end)));
+            scores.add(new Grade.SeededScore(scores.size() + 1, await(trial, end, student)));
         }
         threads.shutdownNow();
         return scores;
     }
 
-    private static Score await(Future<Score> trial, long end) {
+    private static Score await(Future<Score> trial, long end, Student student) {
         try {
             return trial.get(Math.max(0, end - System.nanoTime()), TimeUnit.NANOSECONDS);
         } catch (TimeoutException late) {
-            return Score.failed(0, "The program took too long.", "Does it wait for something that never comes?");
+            return Score.failed(
+                    0,
+                    "The program took too long.",
+                    student.slowness().map(Score::finding).orElse("Does it wait for something that never comes?"));
         } catch (ExecutionException mistake) {
             throw new IllegalStateException("The judge has failed; please report this.", mistake);
         } catch (InterruptedException stopped) {

@@ -18,6 +18,9 @@ import java.util.function.Supplier;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.Options;
+import org.robonewbie.agent.running.CycleOwner;
+import org.robonewbie.agent.running.Slowness;
+import org.robonewbie.agent.running.Watchdog;
 import org.robonewbie.exercises.Patience;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
@@ -37,7 +40,11 @@ public final class RobotsOnCall {
     /** The file that says that the program can be started. */
     static final String READY = "ready";
 
+    /** The file that says what makes the program slow. */
+    static final String SLOW = "slow";
+
     private static final String HERE = "127.0.0.1";
+    private static final double MOST_IDLE_MILLISECONDS = 50;
 
     private final Supplier<? extends Agent> program;
     private final Path complaints;
@@ -145,6 +152,15 @@ public final class RobotsOnCall {
         Call call = robot.call();
         AgentDriver driver = new AgentDriver(program.get());
         driver.introduce(Options.none().withTeam(call.team()).withNumber(call.number()), call.side());
+        Watchdog watchdog = driver.watch(slowness -> noteSlowness(robot, slowness));
+        try {
+            play(robot, link, driver);
+        } finally {
+            watchdog.close();
+        }
+    }
+
+    private void play(Robot robot, TcpAgentLink link, AgentDriver driver) throws IOException {
         PerceptorMessageReader reader = new PerceptorMessageReader();
         MessageBuffer message = new MessageBuffer();
         MessageBuffer answer = new MessageBuffer();
@@ -164,12 +180,26 @@ public final class RobotsOnCall {
         }
     }
 
+    /** A program that sleeps in its cycles would take minutes for a trial; one that computes too much may be right all the same. */
+    private void noteSlowness(Robot robot, Slowness slowness) {
+        String finding =
+                CycleOwner.FRAMEWORK.finding(slowness, " at " + slowness.cause().place());
+        write(SLOW, finding + "\n" + slowness.advice());
+        if (slowness.isIdle() && slowness.milliseconds() >= MOST_IDLE_MILLISECONDS) {
+            complain(robot, Score.failed(0, finding, slowness.advice()));
+            robot.leave();
+        }
+    }
+
     private void complain(Robot robot, Score score) {
+        write(Integer.toString(robot.call().port()), score.finding() + "\n" + score.hint());
+    }
+
+    private void write(String file, String text) {
         try {
-            AtomicFile.write(
-                    complaints.resolve(Integer.toString(robot.call().port())), score.finding() + "\n" + score.hint());
+            AtomicFile.write(complaints.resolve(file), text);
         } catch (IOException unwritable) {
-            System.err.println(score.finding());
+            System.err.println(text);
         }
     }
 }

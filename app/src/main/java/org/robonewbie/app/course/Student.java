@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -53,13 +52,19 @@ record Student(ProcessTree processes, OutputStream calls, Path complaints) {
 
     /** Why the robots of a trial gave up: what they say themselves, or that the process has ended. */
     Optional<Score> reason(int port) {
-        return complaint(port).or(() -> process().isAlive() ? Optional.empty() : Optional.of(ending()));
+        return complaint(Integer.toString(port))
+                .or(() -> process().isAlive() ? Optional.empty() : Optional.of(ending()));
+    }
+
+    /** What makes the program slow, if anything does. */
+    Optional<Score> slowness() {
+        return complaint(RobotsOnCall.SLOW);
     }
 
     /** The program could have put anything in place of the file. */
-    private Optional<Score> complaint(int port) {
+    private Optional<Score> complaint(String file) {
         try {
-            byte[] told = RegularFile.read(complaints.resolve(Integer.toString(port)), MAX_BYTES);
+            byte[] told = RegularFile.read(complaints.resolve(file), MAX_BYTES);
             String[] lines = new String(told, StandardCharsets.UTF_8).split("\n", 2);
             return Optional.of(Score.failed(0, lines[0], lines.length > 1 ? lines[1] : Performance.MEND));
         } catch (IOException none) {

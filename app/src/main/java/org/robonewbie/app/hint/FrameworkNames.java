@@ -4,6 +4,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * What students may have meant: the classes of the framework that they name most, and what is in them.
@@ -55,6 +56,24 @@ public record FrameworkNames(
                     "nao.motion.Posture")
             .stream()
             .map(PACKAGE::concat)
+            .toList();
+
+    /** The packages of {@link #TYPES} and those of Java that programs of students use most. */
+    public static final List<String> PACKAGES = Stream.concat(
+                    TYPES.stream().map(name -> name.substring(0, name.lastIndexOf('.'))),
+                    Stream.of(
+                            "java.io",
+                            "java.lang",
+                            "java.math",
+                            "java.nio.file",
+                            "java.text",
+                            "java.time",
+                            "java.util",
+                            "java.util.concurrent",
+                            "java.util.function",
+                            "java.util.regex",
+                            "java.util.stream"))
+            .distinct()
             .toList();
 
     /** What each object has and a student hardly means. */

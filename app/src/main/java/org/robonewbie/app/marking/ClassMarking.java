@@ -86,11 +86,11 @@ public final class ClassMarking {
     private Path run(ClassFolder all, KeptMarks kept) throws IOException {
         List<Submission> submissions =
                 all.submissions().values().stream().flatMap(List::stream).toList();
-        List<CopyCheck.Pair> pairs = CopyCheck.pairs(submissions); // before a program runs that could change the copies
+        CopyCheck.Result copies = CopyCheck.of(submissions); // before a program runs that could change the copies
         List<Mark> marks = markAll(submissions, kept);
         int changed = kept.repair();
-        ClassTable table =
-                new ClassTable(exercises, List.copyOf(all.submissions().keySet()), marks, all.troubles(), pairs, seeds);
+        ClassTable table = new ClassTable(
+                exercises, List.copyOf(all.submissions().keySet()), marks, all.troubles(), copies, seeds);
         Path page = table.write(results);
         if (changed > 0) {
             progress.accept("Kept marks that were changed while programs ran, and are again as the judge gave them: "
@@ -102,7 +102,7 @@ public final class ClassMarking {
                 all.submissions().size(),
                 submissions.size(),
                 reused,
-                table.copies()));
+                table.sentence()));
         return page;
     }
 

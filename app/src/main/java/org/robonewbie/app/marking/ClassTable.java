@@ -22,7 +22,7 @@ import org.robonewbie.nao.text.Csv;
  * @param students the lines
  * @param marks what was graded
  * @param troubles what could not be graded, by student
- * @param pairs programs that are alike
+ * @param copies programs that are alike, and which could not be compared
  * @param seeds how many trials each program had
  */
 record ClassTable(
@@ -30,7 +30,7 @@ record ClassTable(
         List<String> students,
         List<Mark> marks,
         Map<String, String> troubles,
-        List<CopyCheck.Pair> pairs,
+        CopyCheck.Result copies,
         int seeds) {
 
     private static final String STYLE = """
@@ -52,6 +52,8 @@ record ClassTable(
         @media print { body { margin: 0; } }
         """;
 
+    private static final String IDENTICAL = "identical files";
+
     /** Writes all files into a folder and returns the page. */
     Path write(Path folder) throws IOException {
         AtomicFile.write(folder.resolve("grades.csv"), csv());
@@ -62,15 +64,49 @@ record ClassTable(
         return page;
     }
 
-    /** How many programs are alike, as a sentence. */
-    String copies() {
-        return switch (pairs.size()) {
-            case 0 -> "No two programs are copies of each other.";
+    /** How many programs are alike, and what could not be compared, in sentences. */
+    String sentence() {
+        List<CopyCheck.Pair> pairs = copies.pairs();
+        int comparable = copies.comparisons().stream()
+                .filter(each -> each.comparable() > 1)
+                .mapToInt(CopyCheck.Comparison::comparable)
+                .sum();
+        String alike = switch (pairs.size()) {
+            case 0 ->
+                comparable == 0
+                        ? "No programs could be compared with each other."
+                        : "Of " + comparable + " programs that could be compared no two are alike.";
             case 1 ->
                 "One pair of programs is alike: " + pairs.get(0).first() + " and "
                         + pairs.get(0).second() + ", " + pairs.get(0).exercise() + ".";
             default -> pairs.size() + " pairs of programs are alike: see copies.csv.";
         };
+        return Stream.of(alike, notCompared(), unchanged())
+                .filter(part -> !part.isEmpty())
+                .collect(Collectors.joining(" "));
+    }
+
+    private String notCompared() {
+        List<CopyCheck.Comparison> exercises = copies.incomplete();
+        String names = exercises.stream()
+                .map(each -> each.exercise() + ": "
+                        + (each.comparable() == 0
+                                ? "none of " + each.programs()
+                                : each.comparable() + " of " + each.programs() + " compared"))
+                .collect(Collectors.joining(", "));
+        return switch (exercises.size()) {
+            case 0 -> "";
+            case 1 -> "1 exercise has too little of the students' own to compare (" + names + ").";
+            default -> exercises.size() + " exercises have too little of the students' own to compare (" + names + ").";
+        };
+    }
+
+    private String unchanged() {
+        String names = copies.comparisons().stream()
+                .filter(each -> each.unchanged() > 0)
+                .map(each -> each.exercise() + ": " + each.unchanged())
+                .collect(Collectors.joining(", "));
+        return names.isEmpty() ? "" : "The program to begin with was handed in as it is (" + names + ").";
     }
 
     private String csv() {
@@ -104,15 +140,26 @@ record ClassTable(
     }
 
     private String copiesCsv() {
-        List<String> lines = new ArrayList<>(
-                List.of(Csv.line(Stream.of("exercise", "student", "other", "alike percent", "same numbers percent"))));
-        for (CopyCheck.Pair pair : pairs) {
+        List<String> lines = new ArrayList<>(List.of(
+                Csv.line(Stream.of("exercise", "student", "other", "alike percent", "same numbers percent", "note"))));
+        for (CopyCheck.Pair pair : copies.pairs()) {
             lines.add(Csv.line(Stream.of(
                     pair.exercise(),
                     pair.first(),
                     pair.second(),
                     percent(pair.likeness()),
-                    percent(pair.sameNumbers()))));
+                    percent(pair.sameNumbers()),
+                    pair.identical() ? IDENTICAL : "")));
+        }
+        for (CopyCheck.Comparison each : copies.incomplete()) {
+            lines.add(Csv.line(Stream.of(
+                    each.exercise(),
+                    "",
+                    "",
+                    "",
+                    "",
+                    each.comparable() + " of " + each.programs()
+                            + " programs have enough of their own to be compared")));
         }
         return Csv.text(lines);
     }
@@ -158,18 +205,22 @@ record ClassTable(
     }
 
     private String alike() {
-        String rows = pairs.stream()
+        String rows = copies.pairs().stream()
                 .map(pair -> "<tr><td>" + pair.exercise() + "</td><td>" + Html.text(pair.first()) + "</td><td>"
                         + Html.text(pair.second()) + "</td><td>" + percent(pair.likeness()) + " %</td><td>"
-                        + percent(pair.sameNumbers()) + " %</td></tr>\n")
+                        + percent(pair.sameNumbers()) + " %</td><td>" + (pair.identical() ? IDENTICAL : "")
+                        + "</td></tr>\n")
                 .collect(Collectors.joining());
-        return rows.isEmpty() ? "" : """
-                <h2>Programs that are alike</h2>
-                <p class="note">Compared without comments, layout, names that the authors gave, and numbers; the program to begin with
-                does not count. Ask both authors to explain their program before you judge.</p>
-                <table class="words"><tr><th>Exercise</th><th>Student</th><th>Other</th><th>Alike</th><th>Same numbers</th></tr>
+        String table = rows.isEmpty() ? "" : """
+                <table class="words"><tr><th>Exercise</th><th>Student</th><th>Other</th><th>Alike</th><th>Same numbers</th><th>Note</th></tr>
                 %s</table>
                 """.formatted(rows);
+        return """
+                <h2>Programs that are alike</h2>
+                <p>%s</p>
+                <p class="note">Compared without comments, layout, names that the authors gave, and numbers; the program to begin with
+                does not count. Ask both authors to explain their program before you judge.</p>
+                %s""".formatted(Html.text(sentence()), table);
     }
 
     /** What is wrong with the student's programs that could not be tried. */

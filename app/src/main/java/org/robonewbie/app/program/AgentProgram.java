@@ -5,6 +5,9 @@ import java.net.ConnectException;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.robonewbie.agent.log.Failure;
+import org.robonewbie.agent.log.StudentCode;
+import org.robonewbie.agent.running.RobotsOfProcess;
 import org.robonewbie.competition.team.MainMethod;
 import picocli.CommandLine.ExitCode;
 
@@ -28,19 +31,23 @@ public final class AgentProgram {
     }
 
     /**
-     * Runs the program in this thread; the trace of an uncaught exception starts at the program's own lines.
+     * Runs the program in this thread; what ends it is reported with its own lines only.
      *
      * @param options the arguments of its {@code main}
-     * @return the exit code: 0, or 1 after an exception
+     * @return the exit code: 0, or 1 after an exception, or if a robot could not do what the program asked it for
      */
     public int run(List<String> options) {
         ClassLoader loader = main.type().getClassLoader();
         Thread.currentThread().setContextClassLoader(loader);
+        int failuresBefore = RobotsOfProcess.failures();
         try {
             main.call(options.toArray(String[]::new));
-            return ExitCode.OK;
+            return RobotsOfProcess.failures() > failuresBefore ? ExitCode.SOFTWARE : ExitCode.OK;
         } catch (InvocationTargetException thrown) {
             report(Objects.requireNonNull(thrown.getCause()));
+            return ExitCode.SOFTWARE;
+        } catch (LinkageError unprepared) {
+            report(unprepared);
             return ExitCode.SOFTWARE;
         } catch (ReflectiveOperationException impossible) {
             throw new IllegalStateException(className() + ".main cannot be called", impossible);
@@ -48,13 +55,16 @@ public final class AgentProgram {
     }
 
     private void report(Throwable thrown) {
-        System.err.println(className() + " ended with " + thrown);
-        for (StackTraceElement line : thrown.getStackTrace()) {
-            if (line.getClassName().startsWith("jdk.internal.reflect")
-                    || line.getClassName().startsWith("java.lang.reflect")) {
-                break;
-            }
-            System.err.println("    at " + line);
+        Throwable mistake = Failure.rootOf(thrown);
+        List<StackTraceElement> own = StudentCode.lines(mistake.getStackTrace());
+        String place = own.isEmpty() ? "" : " (" + Failure.place(mistake) + ")";
+        System.err.println(className()
+                + (mistake instanceof OutOfMemoryError ? " " + Failure.MEMORY : " ended with " + mistake)
+                + place);
+        if (own.isEmpty()) {
+            mistake.printStackTrace();
+        } else if (mistake instanceof Exception && own.size() > 1) {
+            own.forEach(line -> System.err.println("    at " + line));
         }
         if (thrown instanceof ConnectException || thrown.getCause() instanceof ConnectException) {
             System.err.println(

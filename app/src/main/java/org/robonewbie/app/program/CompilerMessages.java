@@ -76,8 +76,10 @@ final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
 
     /** All that the compiler has said and that matters, each with what to do. */
     List<Remark> remarks() {
-        return all.stream()
+        List<Diagnostic<? extends JavaFileObject>> mistakes = all.stream()
                 .filter(each -> each.getKind() == Diagnostic.Kind.ERROR || each.getKind() == Diagnostic.Kind.WARNING)
+                .toList();
+        return HINTS.withoutFollowUps(mistakes, CompilerMessages::asRemark).stream()
                 .map(each -> new Remark(each, hint(each)))
                 .toList();
     }
@@ -104,10 +106,13 @@ final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
     }
 
     private String hint(Diagnostic<? extends JavaFileObject> mistake) {
-        Hints.Remark remark =
-                new Hints.Remark(String.valueOf(mistake.getCode()), text(mistake), mistake.getMessage(Locale.ROOT));
+        Hints.Remark remark = asRemark(mistake);
         HINTS.missingImport(remark).ifPresent(imports::add);
         return HINTS.of(remark);
+    }
+
+    private static Hints.Remark asRemark(Diagnostic<? extends JavaFileObject> mistake) {
+        return new Hints.Remark(String.valueOf(mistake.getCode()), text(mistake), mistake.getMessage(Locale.ROOT));
     }
 
     /** What the compiler has underlined. */

@@ -36,9 +36,50 @@ class CompilerMessagesTest {
         String messages = messagesFor("", "nao.setJointSpeed(Joint.NECK_YAW, nao.getJointAngle(Joint.NECK_YAW));");
 
         assertThat(messages)
-                .contains("2 errors", "Add at the top of the file:")
+                .contains("1 error\n", "Add at the top of the file:")
                 .containsOnlyOnce("  import org.robonewbie.nao.Joint;")
                 .doesNotContain("Did you mean");
+    }
+
+    @Test
+    void mistakesThatOnlyFollowFromAMissingImportAreLeftOut() throws IOException {
+        Path file = Files.writeString(folder.resolve("NoImport.java"), """
+                public class NoImport extends Agent {
+                    public static void main(String[] args) { new NoImport().run(args); }
+                    protected void think() { nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, 60); }
+                }
+                """);
+
+        assertThat(messagesFor(file))
+                .contains("import org.robonewbie.agent.Agent;", "import org.robonewbie.nao.Joint;", "2 errors")
+                .doesNotContain("Did you mean", "symbol:   method run", "symbol:   variable nao");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+                    org.robonewbie.agnet.Agent       | org.robonewbie.agent.Agent
+                    org.robonewby.agent.Robot        | org.robonewbie.agent.Robot
+                    org.robonewbie.agent.Joint       | org.robonewbie.nao.Joint
+                    org.robonewbie.nao.Jiont         | Joint
+                    org.robonewbie.nao.motions.Jump  | org.robonewbie.nao.motion.Jump
+                    java.utl.ArrayList               | java.util.ArrayList
+                    java.utils.*                     | java.util.*
+                    """)
+    void misspeltImportIsToldWithTheOneThatWasMeant(String written, String meant) throws IOException {
+        String type = written.endsWith("*") ? "ArrayList" : written.substring(written.lastIndexOf('.') + 1);
+
+        String messages = messagesFor("import " + written + ";", type + " thing; " + type + " other;");
+
+        assertThat(messages)
+                .contains("1 error\n", "Did you mean " + meant + "?")
+                .doesNotContain("Add at the top");
+    }
+
+    @Test
+    void aMisspeltVariableIsNotTakenForAnImport() throws IOException {
+        assertThat(messagesFor("", "system.out.println(1); int x = nao.getTime();"))
+                .contains("2 errors")
+                .doesNotContain("Check the spelling of the import");
     }
 
     @Test
@@ -70,6 +111,10 @@ class CompilerMessagesTest {
                 folder.resolve("Walker.java"),
                 imports + "public class Walker extends org.robonewbie.agent.Agent {"
                         + " @Override protected void think() { " + line + " } }");
+        return messagesFor(file);
+    }
+
+    private String messagesFor(Path file) throws IOException {
         CompilerMessages messages = new CompilerMessages();
         ByteArrayOutputStream printed = new ByteArrayOutputStream();
         var compiler = ToolProvider.getSystemJavaCompiler();

@@ -96,7 +96,7 @@ public record ChallengeContest(
                 .toList();
         String last = found.stream()
                 .flatMap(Optional::stream)
-                .map(result -> result.ending().sentence())
+                .map(TeamResult::endingInWords)
                 .reduce("not yet", (before, next) -> next);
         long played = found.stream()
                 .flatMap(Optional::stream)
@@ -112,6 +112,6 @@ public record ChallengeContest(
             cells.add(criteria.get(i).text(total.values().get(i)));
         }
         cells.add(total.last());
-        return new Table.Row(place.rank(), total.team(), cells, ids(total.team()), total.compiled());
+        return new Table.Row(place.rank(), total.team(), cells, ids(total.team()), total.played() > 0);
     }
 }

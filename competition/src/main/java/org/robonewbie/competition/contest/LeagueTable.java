@@ -75,7 +75,8 @@ final class LeagueTable {
                         place.who().team(),
                         place.who().cells(),
                         trialsOf.apply(place.who().team()),
-                        compiled.test(place.who().team())))
+                        results.hasPlayed(
+                                place.who().team(), trialsOf.apply(place.who().team()))))
                 .toList();
         return new Table(contest.title(), contest.rule(), COLUMNS, rows);
     }

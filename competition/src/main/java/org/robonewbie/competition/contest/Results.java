@@ -33,4 +33,17 @@ public interface Results {
                 .toList();
         return over.isEmpty() || over.stream().anyMatch(result -> !NEVER_STARTED.contains(result.ending()));
     }
+
+    /**
+     * Looks whether a team has played any trial to its end.
+     *
+     * @param team name of the team
+     * @param trialIds names of its trials
+     * @return false if it has lost all that are over, or none is over
+     */
+    default boolean hasPlayed(String team, List<String> trialIds) {
+        return trialIds.stream()
+                .flatMap(id -> find(id).stream())
+                .anyMatch(result -> result.of(team).isPlayed());
+    }
 }

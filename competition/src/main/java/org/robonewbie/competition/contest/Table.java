@@ -25,7 +25,7 @@ public record Table(String title, String rule, List<String> columns, List<Row> r
      * @param team its name
      * @param cells one text for each column
      * @param trials names of its trials
-     * @param certified whether it gets a certificate; a program that does not compile does not
+     * @param certified whether it gets a certificate; a program that has lost all its trials does not
      */
     public record Row(int rank, String team, List<String> cells, List<String> trials, boolean certified) {
 

@@ -3,6 +3,7 @@ package org.robonewbie.competition.trial;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Supplier;
 import org.robonewbie.competition.contest.ChallengeContest;
@@ -54,10 +55,10 @@ public final class ChallengePlayer implements TrialPlayer {
     public TrialResult run(ContestTrial trial, TrialFiles files) throws IOException {
         TeamProgram program = programs.get(trial.entrants().get(0).team());
         if (program == null) {
-            return result(trial, 0, Ending.NOT_STARTED, Map.of());
+            return result(trial, 0, Ending.NOT_STARTED, Map.of(), OptionalInt.empty());
         }
         if (program instanceof TeamProgram.Broken broken) {
-            return result(trial, 0, broken.ending(), Map.of());
+            return result(trial, 0, broken.ending(), Map.of(), OptionalInt.empty());
         }
         List<String> noticed = new CopyOnWriteArrayList<>();
         try (Doorkeeper doorkeeper = new Doorkeeper(fence, programs, files.hidden(), noticed::add);
@@ -80,16 +81,18 @@ public final class ChallengePlayer implements TrialPlayer {
                     guests::next,
                     spectators.isNobody() ? Audience.NOBODY : watched,
                     RecordingFile.openIfWanted(files.recording(), sentence -> {}));
-            return result(trial, seconds, Ending.PLAYED, tried.figures());
+            return result(trial, seconds, Ending.PLAYED, tried.figures(), OptionalInt.empty());
         } catch (AbsentProgramException absent) {
-            return result(trial, 0, guests.end(absent), Map.of());
+            return result(trial, 0, guests.end(absent), Map.of(), guests.exitCode());
         } finally {
             leaving.run();
         }
     }
 
-    private static TrialResult result(ContestTrial trial, double seconds, Ending ending, Map<String, Double> figures) {
-        TeamResult result = TeamResult.of(trial.entrants().get(0).team(), ending, figures);
+    private static TrialResult result(
+            ContestTrial trial, double seconds, Ending ending, Map<String, Double> figures, OptionalInt exitCode) {
+        TeamResult result =
+                TeamResult.of(trial.entrants().get(0).team(), ending, figures).withExitCode(exitCode);
         return new TrialResult(trial.id(), trial.seed(), seconds, List.of(result));
     }
 }

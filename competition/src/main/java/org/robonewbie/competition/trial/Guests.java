@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.Timer;
 import java.util.TimerTask;
 import java.util.stream.Collectors;
@@ -43,6 +44,7 @@ final class Guests implements AutoCloseable {
     private final Doorkeeper doorkeeper;
     private final String team;
     private final Timer guard = new Timer("guard-of-programs", true);
+    private OptionalInt exitCode = OptionalInt.empty();
 
     /** Opens the door; nobody is there yet. */
     Guests(ContestTrial trial, TrialFiles files, TeamProgram program, Limits limits, Doorkeeper doorkeeper)
@@ -152,6 +154,11 @@ final class Guests implements AutoCloseable {
                 .flatMapToInt(process -> process.exitCode().stream())
                 .mapToObj(code -> " Its exit code is " + code + ".")
                 .collect(Collectors.joining());
+        exitCode = processes().stream()
+                .map(TeamProcess::exitCode)
+                .filter(OptionalInt::isPresent)
+                .findFirst()
+                .orElse(OptionalInt.empty());
         close();
         Files.writeString(
                 log(0),
@@ -159,6 +166,11 @@ final class Guests implements AutoCloseable {
                 StandardOpenOption.CREATE,
                 StandardOpenOption.APPEND);
         return ending;
+    }
+
+    /** The exit code of the first program that has ended; empty before {@link #end}. */
+    OptionalInt exitCode() {
+        return exitCode;
     }
 
     @Override

@@ -10,6 +10,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
@@ -211,7 +212,11 @@ public final class TrialRunner implements TrialPlayer {
         for (Entrant entrant : trial.entrants()) {
             String team = entrant.team();
             Ending ending = ending(team, umpire, simulator, doorkeeper);
-            teams.add(TeamResult.of(team, ending, judge.figures(team)));
+            OptionalInt exitCode = doorkeeper.processes(team).stream()
+                    .map(TeamProcess::exitCode)
+                    .findFirst()
+                    .orElse(OptionalInt.empty());
+            teams.add(TeamResult.of(team, ending, judge.figures(team)).withExitCode(exitCode));
         }
         return new TrialResult(trial.id(), trial.seed(), rounded(umpire.seconds()), teams);
     }

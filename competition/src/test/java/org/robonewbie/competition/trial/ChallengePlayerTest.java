@@ -86,6 +86,11 @@ class ChallengePlayerTest {
 
         assertThat(result.of("Red").ending()).isEqualTo(Ending.STOPPED);
         assertThat(log()).contains("in the middle of the trial. Its exit code is 1.");
+        assertThat(result.inWords()).isEqualTo("Red: its program ended before the trial was over (exit code 1)");
+        assertThat(contest.table(List.of("Red"), id -> Optional.of(result)).rows())
+                .singleElement()
+                .matches(row -> row.cells().contains("its program ended before the trial was over (exit code 1)"))
+                .matches(row -> !row.certified());
     }
 
     @Test

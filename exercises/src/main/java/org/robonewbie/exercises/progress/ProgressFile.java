@@ -89,17 +89,30 @@ public record ProgressFile(Path file) {
         }
     }
 
-    private void putAsideIfDamaged() throws IOException {
-        boolean damaged;
+    /**
+     * Returns whether the file holds something that is no progress, for example since a full disk has cut it.
+     *
+     * @return whether it will be put aside when the next progress is written
+     * @throws IOException if the file cannot be read
+     */
+    public boolean isDamaged() throws IOException {
         try {
-            damaged = parsed(Files.readString(file)).isEmpty();
+            return parsed(Files.readString(file)).isEmpty();
         } catch (NoSuchFileException none) {
-            damaged = false;
+            return false;
         } catch (MalformedInputException noText) {
-            damaged = true;
+            return true;
         }
-        if (damaged) {
-            Files.move(file, file.resolveSibling(file.getFileName() + ".damaged"), StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    /** {@return where a damaged file is put} */
+    public Path damagedFile() {
+        return file.resolveSibling(file.getFileName() + ".damaged");
+    }
+
+    private void putAsideIfDamaged() throws IOException {
+        if (isDamaged()) {
+            Files.move(file, damagedFile(), StandardCopyOption.REPLACE_EXISTING);
         }
     }
 

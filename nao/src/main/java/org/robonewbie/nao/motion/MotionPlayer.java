@@ -37,6 +37,7 @@ public final class MotionPlayer {
     public static final String ORIGINAL = "1.1";
 
     private static final int CYCLE_MILLIS = 20;
+    private static final double SMALLEST_TURN_DEGREES = 0.5;
     private static final Joint[] JOINTS = Joint.values();
 
     private final Motion motion;
@@ -94,6 +95,27 @@ public final class MotionPlayer {
     /** {@return the index of the keyframe that is being approached, from 0; the last one after the end} */
     public int keyframe() {
         return original.map(OriginalRule::keyframe).orElse(keyframe);
+    }
+
+    /**
+     * Returns whether the motion turns a joint on the way to the present keyframe. On the way to its first one it is where the robot was
+     * that decides which joints turn; there those count that the motion turns later.
+     *
+     * @param joint the joint
+     * @return whether a command for it would compete with the motion
+     */
+    public boolean turns(Joint joint) {
+        List<Keyframe> frames = motion.keyframes();
+        int present = keyframe();
+        return present == 0
+                ? IntStream.range(1, frames.size()).anyMatch(index -> turns(joint, index))
+                : turns(joint, present);
+    }
+
+    private boolean turns(Joint joint, int index) {
+        Posture from = motion.keyframes().get(index - 1).posture();
+        Posture to = motion.keyframes().get(index).posture();
+        return Math.abs(to.degrees(joint) - from.degrees(joint)) > SMALLEST_TURN_DEGREES;
     }
 
     /** {@return the time since the motion began, or since its last repetition began, in seconds} */

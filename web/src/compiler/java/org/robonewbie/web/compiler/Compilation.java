@@ -56,7 +56,10 @@ final class Compilation {
             throw new IllegalStateException("The compiler itself has failed: " + failure, failure);
         }
         compiler.close();
-        return compilation.remarks.stream().map(remark -> remark(files, remark)).toList();
+        Hints known = hints(files);
+        return known.withoutFollowUps(compilation.remarks, Compilation::asRemark).stream()
+                .map(remark -> new Remark(remark, known.of(asRemark(remark))))
+                .toList();
     }
 
     /**
@@ -67,7 +70,7 @@ final class Compilation {
      */
     record Remark(Diagnostic<? extends JavaFileObject> diagnostic, String hint) {}
 
-    private static Remark remark(MemoryFiles files, Diagnostic<? extends JavaFileObject> diagnostic) {
+    private static Hints.Remark asRemark(Diagnostic<? extends JavaFileObject> diagnostic) {
         boolean placed =
                 diagnostic.getSource() instanceof MemoryFile && diagnostic.getStartPosition() != Diagnostic.NOPOS;
         String place = placed
@@ -75,10 +78,8 @@ final class Compilation {
                         .text()
                         .substring((int) diagnostic.getStartPosition(), (int) diagnostic.getEndPosition())
                 : "";
-        return new Remark(
-                diagnostic,
-                hints(files).of(new Hints.Remark(
-                        String.valueOf(diagnostic.getCode()), place, diagnostic.getMessage(Locale.ENGLISH))));
+        return new Hints.Remark(
+                String.valueOf(diagnostic.getCode()), place, diagnostic.getMessage(Locale.ENGLISH));
     }
 
     /** The library is always the same, so its names are read once. */

@@ -21,6 +21,10 @@ public final class Machine {
     /** Steps from one message of the simulator to the next after which a loop is called endless; some tenths of a second. */
     public static final long STEPS_PER_CYCLE = 5_000_000;
 
+    /** Steps after which a cycle is slow: the page takes longer for them than a message of the simulator lets it. */
+    static final long SLOW_STEPS = 500_000;
+
+    private static final int SLOW_CYCLES_TO_REPORT = 5;
     private static final int DEEPEST = 1500;
 
     private final Program program;
@@ -32,6 +36,8 @@ public final class Machine {
     private @Nullable Throwable traced;
     private @Nullable Object result;
     private long stepsLeft = STEPS_PER_CYCLE;
+    private long stepsLeftAtNextLook = STEPS_PER_CYCLE - SLOW_STEPS;
+    private int slowCycles;
 
     /**
      * Creates a machine.
@@ -111,6 +117,7 @@ public final class Machine {
     /** Says that a message of the simulator has come: the steps are counted from 0 again. */
     public void newCycle() {
         stepsLeft = STEPS_PER_CYCLE;
+        stepsLeftAtNextLook = STEPS_PER_CYCLE - SLOW_STEPS;
     }
 
     /**
@@ -182,10 +189,24 @@ public final class Machine {
     private void step() {
         Frame frame = top();
         frame.at = frame.next;
-        if (--stepsLeft < 0) {
-            throw new EndlessLoop(placeText(), STEPS_PER_CYCLE);
+        if (--stepsLeft < stepsLeftAtNextLook) {
+            lookAtTime();
         }
         Instructions.carryOut(frame, this);
+    }
+
+    /** Ends a loop without an end, and says once in which line the program is that needs too long in many cycles. */
+    private void lookAtTime() {
+        if (stepsLeft < 0) {
+            throw new EndlessLoop(placeText(), STEPS_PER_CYCLE);
+        }
+        stepsLeftAtNextLook = 0;
+        slowCycles++;
+        if (slowCycles == SLOW_CYCLES_TO_REPORT) {
+            output.println("The program goes more than " + SLOW_STEPS + " steps in a cycle, at " + placeText()
+                    + ", and there are 50 cycles per simulated second: the page becomes slow."
+                    + " Compute less in a cycle, or spread the work over several cycles.");
+        }
     }
 
     /** Begins a call. */

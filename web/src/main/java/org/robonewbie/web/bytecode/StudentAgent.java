@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
+import org.robonewbie.agent.running.ThinkSpelling;
 
 /** An agent of a class of the student: the framework turns its cycle, and the machine does what its steps say. */
 final class StudentAgent extends Agent implements StudentObject {
@@ -20,6 +21,7 @@ final class StudentAgent extends Agent implements StudentObject {
         this.type = type;
         this.machine = machine;
         fields = type.newFields();
+        ThinkSpelling.wrongAmong(type.headings(), type.simpleName()).ifPresent(machine.output()::println);
     }
 
     @Override

@@ -1,7 +1,9 @@
 package org.robonewbie.web.bytecode;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -96,6 +98,20 @@ final class StudentClass {
                 .filter(method -> method.type().parameters().size() == arguments)
                 .findFirst()
                 .or(() -> parent().flatMap(type -> type.findByName(name, arguments)));
+    }
+
+    /** {@return the methods of this class and of those above that are the student's, such as {@code thnik()}} */
+    List<String> headings() {
+        List<String> headings =
+                new ArrayList<>(parent().map(StudentClass::headings).orElseGet(List::of));
+        for (ClassFile.MethodCode method : file.methods()) {
+            if (!method.name().startsWith("<") && !method.name().contains("$")) {
+                boolean takesNothing =
+                        Descriptor.of(method.descriptor()).parameters().isEmpty();
+                headings.add(method.name() + (takesNothing ? "()" : "(...)"));
+            }
+        }
+        return headings;
     }
 
     /** {@return a method of this very class} */

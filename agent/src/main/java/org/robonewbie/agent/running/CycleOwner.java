@@ -1,0 +1,43 @@
+package org.robonewbie.agent.running;
+
+/** Who turns the cycle of a robot, which decides what a slow program is told. */
+public enum CycleOwner {
+
+    /** The framework, which calls {@code think()}. */
+    FRAMEWORK("think()", "think() has not returned", "it is called"),
+
+    /** The program itself, by {@code sense()} and {@code act()}. */
+    PROGRAM("The program", "The program has not called sense()", "sense() is to be called");
+
+    private final String subject;
+    private final String stall;
+    private final String rhythm;
+
+    CycleOwner(String subject, String stall, String rhythm) {
+        this.subject = subject;
+        this.stall = stall;
+        this.rhythm = rhythm;
+    }
+
+    /** What is wrong with a program that does not go on. */
+    String stall(String howLong) {
+        return stall + " for " + howLong + ". Is this an endless loop, or does it wait for something?";
+    }
+
+    /**
+     * Returns what a slow program does.
+     *
+     * @param slowness what makes it slow
+     * @param place the line, such as {@code " at Walker.java:9"}; empty if it is said elsewhere
+     * @return a sentence
+     */
+    public String finding(Slowness slowness, String place) {
+        String time = Math.round(slowness.milliseconds()) + " ms";
+        String does = switch (slowness.cause().kind()) {
+            case SLEEPS -> " slept " + time;
+            case WAITS -> " waited " + time + " in " + slowness.cause().call();
+            case COMPUTES -> " took about " + time;
+        };
+        return subject + does + place + "; " + rhythm + " 50 times per simulated second.";
+    }
+}

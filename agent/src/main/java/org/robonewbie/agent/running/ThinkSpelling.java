@@ -1,0 +1,70 @@
+package org.robonewbie.agent.running;
+
+import java.lang.reflect.Method;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.robonewbie.agent.log.Spelling;
+
+/** Looks whether a robot's program has a {@code think()}: one that is misspelt compiles, and is never called. */
+public final class ThinkSpelling {
+
+    private static final String THINK = "think";
+    private static final List<String> STEPS = List.of("sense()", THINK + "()", "act()");
+
+    private ThinkSpelling() {}
+
+    /**
+     * Looks at a program.
+     *
+     * @param program its class
+     * @param framework the class of the framework that it extends
+     * @param name what the class is called
+     * @return what is wrong, as a sentence; empty if it overrides a step of the cycle
+     */
+    public static Optional<String> wrongIn(Class<?> program, Class<?> framework, String name) {
+        List<String> methods = new ArrayList<>();
+        for (Class<?> type = program; type != null && type != framework; type = type.getSuperclass()) {
+            Arrays.stream(type.getDeclaredMethods())
+                    .filter(method -> !method.isSynthetic())
+                    .map(ThinkSpelling::heading)
+                    .forEach(methods::add);
+        }
+        return wrongAmong(methods, name);
+    }
+
+    /**
+     * Looks at the methods of a program.
+     *
+     * @param methods such as {@code thnik()} or {@code think(double)}, those of its class and of all above it but the framework's
+     * @param name what the class is called
+     * @return what is wrong, as a sentence; empty if it overrides a step of the cycle
+     */
+    public static Optional<String> wrongAmong(Collection<String> methods, String name) {
+        if (methods.stream().anyMatch(STEPS::contains)) {
+            return Optional.empty();
+        }
+        Map<String, String> byName = new LinkedHashMap<>();
+        methods.forEach(method -> byName.putIfAbsent(method.substring(0, method.indexOf('(')), method));
+        byName.remove("main");
+        String meant = Optional.ofNullable(byName.get(THINK))
+                .map(method ->
+                        method + " is never called, since think() takes nothing: leave out what is between ( and ).")
+                .or(() ->
+                        Spelling.nearest(THINK, byName.keySet()).map(near -> "did you mean " + byName.get(near) + "?"))
+                .orElse("the robot does nothing. Write what it does into: protected void think() { ... }");
+        return Optional.of(name + " has no think(); " + meant);
+    }
+
+    private static String heading(Method method) {
+        return method.getName()
+                + Arrays.stream(method.getParameterTypes())
+                        .map(Class::getSimpleName)
+                        .collect(Collectors.joining(", ", "(", ")"));
+    }
+}

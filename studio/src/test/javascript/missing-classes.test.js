@@ -1,0 +1,66 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+const { insteadOfMissing, missingClasses } = await import('../../../../web/src/main/page/page/missing-classes.js');
+
+const MISSING = missingClasses(`java.awt Graphics
+java.io File BufferedReader
+java.lang Thread ThreadLocal
+java.math BigDecimal
+java.time Instant
+java.util Date EnumMap Scanner Timer TimerTask Vector WeakHashMap UUID
+java.util.concurrent CompletableFuture Executors TimeUnit
+java.util.concurrent.atomic AtomicInteger
+javax.swing JFrame
+`);
+
+/** @param {string} kind @param {string} name @param {string} [location] */
+const unknown = (kind, name, location = 'class MyAgent') =>
+  `cannot find symbol\n  symbol:   ${kind} ${name}\n  location: ${location}`;
+
+/** @param {string} remark */
+const said = (remark) => insteadOfMissing(remark, MISSING);
+
+test('a static call of a class that the page lacks is as good as its type', () => {
+  for (const kind of ['variable', 'class']) {
+    assert.match(said(unknown(kind, 'Thread')), /^This page has no threads, and think\(\) must not wait: count cycles/);
+    assert.match(said(unknown(kind, 'TimeUnit')), /must not wait/);
+    assert.match(said(unknown(kind, 'Executors')), /^This page has no threads: let think\(\) do a little/);
+    assert.match(said(unknown(kind, 'AtomicInteger')), /no threads/);
+    assert.match(said(unknown(kind, 'Scanner')), /neither files nor a keyboard/);
+    assert.match(said(unknown(kind, 'Instant')), /nao\.getTime\(\)/);
+    assert.match(said(unknown(kind, 'JFrame')), /opens no windows/);
+  }
+});
+
+test('each other class of Java is named with what to use instead', () => {
+  assert.equal(
+    said(unknown('class', 'EnumMap')),
+    'This page does not have java.util.EnumMap: use HashMap or TreeMap instead. RoboNewbie on your computer has it.',
+  );
+  assert.equal(
+    said(unknown('variable', 'UUID')),
+    'This page does not have java.util.UUID. RoboNewbie on your computer has it.',
+  );
+});
+
+test('imports are known by their package', () => {
+  assert.match(said(unknown('class', 'Executors', 'package java.util.concurrent')), /no threads/);
+  assert.match(said(unknown('class', 'EnumMap', 'package java.util')), /HashMap or TreeMap/);
+  assert.match(said('package java.util.concurrent.atomic does not exist'), /no threads/);
+  assert.match(said('package javax.swing does not exist'), /no windows/);
+  assert.match(said('This page does not have java.lang.Thread.sleep'), /no threads/);
+});
+
+test('what is only misspelt or has no import is left to the compiler', () => {
+  assert.equal(said(unknown('class', 'EnumMapp')), '');
+  assert.equal(said(unknown('class', 'List')), '');
+  assert.equal(said(unknown('variable', 'thread')), '');
+  assert.equal(said(unknown('class', 'Lisst', 'package java.util')), '');
+  assert.equal(said('package java.utl does not exist'), '');
+  assert.equal(said('package org.robonewbie.agnet does not exist'), '');
+});
+
+test('trials are started by the page alone', () => {
+  assert.match(said(unknown('class', 'Grader')), /press Check/);
+});
