@@ -80,7 +80,7 @@ class ProgramFolderTest {
         }
         Files.createDirectory(folder.folder().resolve("Folder.java"));
 
-        assertThat(folder.list()).extracting(ProgramFolder.Entry::path).containsExactly("Kick.java");
+        assertThat(folder.list()).extracting(PageFolder.Entry::path).containsExactly("Kick.java");
         for (String name : List.of("Pipe.java", "Huge.java", "Folder.java")) {
             assertThatThrownBy(() -> folder.read(name))
                     .isInstanceOf(UnreadableFileException.class)
