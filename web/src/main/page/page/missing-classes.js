@@ -1,15 +1,13 @@
 /** What to do instead of that which Java has and this page lacks. Pure. */
 
 const ELSEWHERE = 'RoboNewbie on your computer has it.';
-const THREADS = `This page has no threads: let think() do a little of each behaviour, one after the other. ${ELSEWHERE}`;
-const WAITING = `This page has no threads, and think() must not wait: count cycles, or compare nao.getTime() with the time at which something began. ${ELSEWHERE}`;
+const THREADS = `This page has no threads: let think() do a little of each behaviour, one after the other, and count cycles or compare nao.getTime() instead of waiting. ${ELSEWHERE}`;
 const FILES = `This page has neither files nor a keyboard for programs: log.info(...) shows what a program says. ${ELSEWHERE}`;
 const DATES = `Time on the pitch is nao.getTime(), in seconds. Dates are not in this page. ${ELSEWHERE}`;
 const WINDOWS = `This page opens no windows. ${ELSEWHERE}`;
 
 /** What a full name of Java's begins with. @type {Array<[RegExp, string]>} */
 const BY_NAME = [
-  [/^java\.(lang\.Thread$|util\.concurrent\.TimeUnit$)/, WAITING],
   [/^java\.(util\.concurrent|lang\.Thread|util\.Timer|lang\.(Runtime|Process))/, THREADS],
   [/^java\.(io|nio|net)\.|^java\.util\.(Scanner|Properties|zip|jar)\b/, FILES],
   [/^java\.time\b|^java\.util\.(Date|Calendar|GregorianCalendar|TimeZone)$/, DATES],

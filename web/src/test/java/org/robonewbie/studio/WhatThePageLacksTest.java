@@ -58,7 +58,11 @@ class WhatThePageLacksTest {
                 "org.robonewbie.simulator.server.Simulator.class.getName(); | Programs of this page cannot start trials",
                 "new javax.swing.JFrame();                        | This page opens no windows",
                 "new java.awt.Color(1);                           | This page opens no windows",
-                "new java.util.EnumMap<>(Thread.State.class);     | cannot find symbol"
+                "try { Thread.sleep(5); } catch (Exception e) {}   | This page has no threads: let think() do a little",
+                "java.util.concurrent.TimeUnit.SECONDS.sleep(1);  | This page has no threads: let think() do a little",
+                "java.util.EnumMap<?, ?> map = null;              | does not have java.util.EnumMap: use HashMap or TreeMap instead",
+                "java.math.BigDecimal one = null;                 | does not have java.math.BigDecimal: use double instead",
+                "java.util.UUID.randomUUID();                     | This page does not have java.util.UUID"
             })
     void compilerNamesTheClassAndSaysWhatToDoInstead(String statement, String said) {
         think(statement);
