@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.robonewbie.agent.log.Mistakes;
-import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.Motion;
@@ -21,6 +20,7 @@ import org.robonewbie.nao.motion.MotionLibrary;
 import org.robonewbie.nao.motion.MotionPlayer;
 import org.robonewbie.nao.motion.MotionProblem;
 import org.robonewbie.nao.motion.Motors;
+import org.robonewbie.nao.text.Spelling;
 
 /**
  * Plays motions in sequence: finds them by name, makes a fallen robot get up first, and inserts a motion that stops or begins a
@@ -286,9 +286,10 @@ public final class MotionSequencer implements Motions {
     }
 
     private String unknown(String name) {
-        String meant = Spelling.nearest(name.replaceFirst("\\.txt$", ""), library.names())
-                .map(similar -> " Did you mean \"" + similar + "\"?")
-                .orElse("");
+        String word = name.replaceFirst("\\.txt$", "");
+        String meant = library.names().contains(word) && !word.equals(name)
+                ? " Leave \".txt\" out."
+                : Spelling.question(word, library.names(), similar -> "\"" + similar + "\"");
         return String.format(
                 Locale.ROOT,
                 "There is no motion \"%s\".%s Put a file motions/%s.txt into the working directory, or use one of: %s.",

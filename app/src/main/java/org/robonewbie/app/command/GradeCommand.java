@@ -10,7 +10,6 @@ import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.Agent;
-import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.app.course.Coach;
 import org.robonewbie.app.course.GradingConditions;
 import org.robonewbie.app.course.GradingProcess;
@@ -29,6 +28,7 @@ import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.progress.SolutionShelf;
+import org.robonewbie.nao.text.Spelling;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -289,11 +289,8 @@ final class GradeCommand implements Callable<Integer> {
 
     static CalledWronglyException unknown(String name) {
         List<String> names = Exercises.all().stream().map(Exercise::name).toList();
-        String question = Spelling.nearest(name, names)
-                .map(nearest -> " Did you mean " + nearest + "?")
-                .orElse("");
-        return new CalledWronglyException(
-                "There is no exercise \"" + name + "\"." + question + " \"robonewbie grade\" lists all exercises.");
+        return new CalledWronglyException("There is no exercise \"" + name + "\"." + Spelling.question(name, names)
+                + " \"robonewbie grade\" lists all exercises.");
     }
 
     private static CalledWronglyException withoutSolution(Exercise exercise) {

@@ -1,12 +1,11 @@
 package org.robonewbie.app.marking;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import org.robonewbie.exercises.Exercise;
+import org.robonewbie.nao.file.TextFile;
 
 /** Finds programs of a class that are too much alike to be the work of two people. The program to begin with does not count. */
 final class CopyCheck {
@@ -72,7 +71,7 @@ final class CopyCheck {
 
     private static String text(Submission submission) {
         try {
-            return new String(Files.readAllBytes(submission.file()), StandardCharsets.UTF_8);
+            return TextFile.read(submission.file()).content();
         } catch (IOException unreadable) {
             return "";
         }

@@ -40,8 +40,8 @@ record SourceFolder(Path folder, boolean deep) {
         Files.createDirectories(classes);
         StringWriter messages = new StringWriter();
         try (StandardJavaFileManager disk = compiler.getStandardFileManager(null, null, null)) {
-            boolean correct = compiler.getTask(
-                            messages, disk, null, options(classes), null, disk.getJavaFileObjectsFromPaths(sources()))
+            SourceFiles files = new SourceFiles(disk);
+            boolean correct = compiler.getTask(messages, files, null, options(classes), null, files.of(sources()))
                     .call();
             return new Compiled(classPath(classes), correct ? Optional.empty() : Optional.of(messages.toString()));
         }
@@ -54,8 +54,6 @@ record SourceFolder(Path folder, boolean deep) {
                 "-g",
                 "-parameters",
                 "-proc:none",
-                "-encoding",
-                "UTF-8",
                 "-d",
                 classes.toString(),
                 "-classpath",
