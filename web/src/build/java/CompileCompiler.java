@@ -27,7 +27,8 @@ final class CompileCompiler {
     private static final List<String> SHARED = List.of(
             "studio/src/main/java/org/robonewbie/studio/completion",
             "app/src/main/java/org/robonewbie/app/hint",
-            "agent/src/main/java/org/robonewbie/agent/log/Spelling.java");
+            "nao/src/main/java/org/robonewbie/nao/text/ConfusableCharacter.java",
+            "nao/src/main/java/org/robonewbie/nao/text/Spelling.java");
 
     private static final String MAIN_CLASS = "org.robonewbie.web.compiler.CompilerInPage";
 

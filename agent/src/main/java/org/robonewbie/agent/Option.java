@@ -3,7 +3,7 @@ package org.robonewbie.agent;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
-import org.robonewbie.agent.log.Spelling;
+import org.robonewbie.nao.text.Spelling;
 
 /** One option of an agent: its name, what it takes and what the help says about it. */
 enum Option {
@@ -77,9 +77,10 @@ enum Option {
                 .findFirst();
     }
 
-    /** The option whose name is most like a misspelt one; empty if none is near. */
-    static Optional<Option> nearest(String key) {
-        return Spelling.nearest(key, Arrays.stream(values()).map(Option::key).toList())
-                .flatMap(Option::ofKey);
+    /** Asks for the option whose name is most like a misspelt one. */
+    static String question(String key) {
+        String question =
+                Spelling.question(key, Arrays.stream(values()).map(Option::key).toList(), near -> "--" + near);
+        return question.isEmpty() ? " --help lists all options." : question;
     }
 }

@@ -74,10 +74,8 @@ enum OptionSource {
 
     static Option find(String key, String where) {
         return Option.ofKey(key)
-                .orElseThrow(() -> new StartUpException("The option \"" + key + "\" " + where + " is unknown."
-                        + Option.nearest(key)
-                                .map(near -> " Did you mean " + near.argument() + "?")
-                                .orElse(" --help lists all options.")));
+                .orElseThrow(() -> new StartUpException(
+                        "The option \"" + key + "\" " + where + " is unknown." + Option.question(key)));
     }
 
     private static String nextValue(Option option, Iterator<String> rest) {

@@ -76,7 +76,7 @@ public final class Options {
         try {
             merged.putAll(OptionSource.ofProperties(Surroundings.properties(file)));
         } catch (IOException unreadable) {
-            throw new StartUpException("The file " + file + " cannot be read: " + unreadable.getMessage());
+            throw new StartUpException(String.valueOf(unreadable.getMessage()));
         }
         merged.putAll(OptionSource.ofArguments(args, others));
         Options result = new Options(merged, others, takesWords);

@@ -13,6 +13,7 @@ import org.robonewbie.agent.cycle.TelemetryPublisher;
 import org.robonewbie.agent.log.Mistakes;
 import org.robonewbie.agent.running.MadeOnceMore;
 import org.robonewbie.agent.running.Surroundings;
+import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.protocol.telemetry.TelemetryItem.DeclaredNumber;
 
 /**
@@ -171,8 +172,8 @@ public final class TunableNumbers {
                 mistakes.reportAt(
                         "",
                         "number " + name,
-                        () -> file + " has a number \"" + name
-                                + "\", but the program declares none of this name; it has " + declared.keySet() + ".");
+                        () -> file + " has a number \"" + name + "\", but the program declares none of this name."
+                                + Spelling.question(name, declared.keySet()) + " It has " + declared.keySet() + ".");
             }
         }
     }
@@ -209,11 +210,7 @@ public final class TunableNumbers {
                                             () -> name + " = " + text + " in " + file
                                                     + " is no number; the usual one is taken.")));
         } catch (IOException unreadable) {
-            mistakes.reportAt(
-                    "",
-                    "numbers",
-                    () -> "The file " + file + " cannot be read (" + unreadable.getMessage()
-                            + "); the usual numbers are taken.");
+            mistakes.reportAt("", "numbers", () -> unreadable.getMessage() + " The usual numbers are taken.");
         }
         return values;
     }

@@ -5,12 +5,15 @@ import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.robonewbie.agent.running.WantedSimulator;
 import org.robonewbie.agent.running.WantedSimulator.Kind;
 
@@ -93,6 +96,37 @@ class OptionsTest {
                 .hasMessage("--pose needs three numbers X,Y,DEGREES such as -0.5,0.4,-40, but \"1,2\" stands on the"
                         + " command line.");
         assertThatThrownBy(() -> read("--seed")).hasMessage("--seed needs a value after it; --help shows which.");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"UTF-8, '\uFEFF'", "UTF-16LE, '\uFEFF'", "windows-1252, ''"})
+    void propertiesOfAnyEditorAreRead(String encoding, String mark) throws IOException {
+        Files.write(file(), (mark + "team=Red\r\n# für später\r\n").getBytes(Charset.forName(encoding)));
+
+        assertThat(read().team()).isEqualTo("Red");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "report=C:\\new.json, a single backslash would be lost",
+        "team\u00A0=Red, character 5 is a no-break space (U+00A0)",
+        "t\u0435am=Red, character 2 is the Cyrillic letter"
+    })
+    void lineOfThePropertiesThatIsNotClearIsRefused(String line, String problem) throws IOException {
+        Files.writeString(file(), "number=3\n" + line + "\n");
+
+        assertThatThrownBy(() -> read())
+                .isInstanceOf(StartUpException.class)
+                .hasMessageStartingWith(file() + ", line 2: In \"")
+                .hasMessageContaining(problem);
+    }
+
+    @Test
+    void optionThatLooksRightIsExplained() {
+        assertThatThrownBy(() -> read("--te\u0430m", "Red"))
+                .hasMessage(
+                        "The option \"te\u0430m\" on the command line is unknown. It looks like --team, but character 3 is the"
+                                + " Cyrillic letter \u0430 (U+0430): type a.");
     }
 
     @Test

@@ -76,7 +76,8 @@ class TunableNumbersTest {
         numbers.reportUnknown();
 
         assertThat(told())
-                .contains("has a number \"strid\", but the program declares none of this name; it has [stride].");
+                .contains("has a number \"strid\", but the program declares none of this name. Did you mean stride?"
+                        + " It has [stride].");
     }
 
     @Test

@@ -12,7 +12,6 @@ import java.util.SortedSet;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.robonewbie.agent.log.Mistakes;
-import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Interpolation;
@@ -24,6 +23,7 @@ import org.robonewbie.nao.motion.MotionPlayer;
 import org.robonewbie.nao.motion.MotionProblem;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.text.FileName;
+import org.robonewbie.nao.text.Spelling;
 
 /**
  * Plays motions in sequence: finds them by name, makes a fallen robot get up first, and inserts a motion that stops or begins a
@@ -326,11 +326,7 @@ public final class MotionSequencer implements Motions {
                 others);
     }
 
-    /** Proposes a name, but never the one that was written. */
     private static String meant(String name, SortedSet<String> names) {
-        List<String> others = names.stream().filter(each -> !each.equals(name)).toList();
-        return Spelling.nearest(name.strip(), others)
-                .map(similar -> " Did you mean \"" + similar + "\"?")
-                .orElse("");
+        return Spelling.question(name.strip(), names, similar -> "\"" + similar + "\"");
     }
 }

@@ -8,9 +8,9 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robonewbie.agent.Robot;
-import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.text.Spelling;
 
 /**
  * Something that a robot feels in each cycle, and that a policy may take, under the names that learning programs know.
@@ -38,11 +38,13 @@ record FeltQuantity(Quantity quantity, ToDoubleFunction<Robot> reading) {
     }
 
     private static String advice(String name) {
-        return Spelling.nearest(name, ALL.keySet())
-                .flatMap(FeltQuantity::named)
-                .map(felt -> " Do you mean " + felt.quantity().name() + " in "
-                        + felt.quantity().unit() + "?")
-                .orElse("");
+        return named(name)
+                .map(felt -> " It is felt in " + felt.quantity().unit() + ".")
+                .orElseGet(() -> Spelling.question(name, ALL.keySet(), FeltQuantity::withUnit));
+    }
+
+    private static String withUnit(String name) {
+        return name + named(name).map(felt -> " in " + felt.quantity().unit()).orElse("");
     }
 
     private static Optional<FeltQuantity> named(String name) {

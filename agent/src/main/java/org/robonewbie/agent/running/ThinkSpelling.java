@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.robonewbie.agent.log.Spelling;
+import org.robonewbie.nao.text.Spelling;
 
 /** Looks whether a robot's program has a {@code think()}: one that is misspelt compiles, and is never called. */
 public final class ThinkSpelling {

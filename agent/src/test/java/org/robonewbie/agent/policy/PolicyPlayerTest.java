@@ -20,7 +20,8 @@ class PolicyPlayerTest {
     @Test
     void saysWhatARobotDoesNotFeelOrMove() {
         assertThatThrownBy(() -> player("gyro.forwards", "degrees/s", "joint.LEFT_KNEE_PITCH"))
-                .hasMessage("A robot does not feel gyro.forwards in degrees/s. Do you mean gyro.forward in degrees/s?");
+                .hasMessage(
+                        "A robot does not feel gyro.forwards in degrees/s. Did you mean gyro.forward in degrees/s?");
         assertThatThrownBy(() -> player("gyro.forward", "rad/s", "joint.LEFT_KNEE_PITCH"))
                 .hasMessageStartingWith("A robot does not feel gyro.forward in rad/s.");
         assertThatThrownBy(() -> player("gyro.forward", "degrees/s", "wing"))

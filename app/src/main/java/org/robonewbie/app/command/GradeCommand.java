@@ -12,7 +12,6 @@ import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.Agent;
-import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.app.course.Coach;
 import org.robonewbie.app.course.GradingConditions;
 import org.robonewbie.app.course.GradingProcess;
@@ -35,6 +34,7 @@ import org.robonewbie.exercises.progress.ExerciseProgress;
 import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.exercises.progress.SolutionShelf;
 import org.robonewbie.nao.file.TemporaryFiles;
+import org.robonewbie.nao.text.Spelling;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -315,11 +315,8 @@ final class GradeCommand implements Callable<Integer> {
 
     static CalledWronglyException unknown(String name) {
         List<String> names = Exercises.all().stream().map(Exercise::name).toList();
-        String question = Spelling.nearest(name, names)
-                .map(nearest -> " Did you mean " + nearest + "?")
-                .orElse("");
-        return new CalledWronglyException(
-                "There is no exercise \"" + name + "\"." + question + " \"robonewbie grade\" lists all exercises.");
+        return new CalledWronglyException("There is no exercise \"" + name + "\"." + Spelling.question(name, names)
+                + " \"robonewbie grade\" lists all exercises.");
     }
 
     private static CalledWronglyException withoutSolution(Exercise exercise) {

@@ -1,11 +1,14 @@
 package org.robonewbie.app.command;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.nao.file.TextFile;
+import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.nao.text.ConfusableCharacter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /** A small text file with one {@code NAME=VALUE} per line; what follows {@code #} is a comment. */
@@ -22,11 +25,18 @@ final class ParameterFile {
      */
     static List<String> read(Path file) {
         List<String> assignments = new ArrayList<>();
+        Map<String, Integer> lineOf = new HashMap<>();
         List<String> lines = lines(file);
         for (int i = 0; i < lines.size(); i++) {
             String assignment = lines.get(i).replaceFirst("#.*", "").trim();
             if (!assignment.isEmpty()) {
                 check(assignment, file + ", line " + (i + 1) + ": ");
+                String name = assignment.substring(0, assignment.indexOf('=')).trim();
+                Integer before = lineOf.put(name, i + 1);
+                if (before != null) {
+                    throw new CalledWronglyException(file + ", line " + (i + 1) + ": \"" + name + "\" stands in line "
+                            + before + " already. Delete one of the two lines.");
+                }
                 assignments.add(assignment);
             }
         }
@@ -34,6 +44,9 @@ final class ParameterFile {
     }
 
     private static void check(String assignment, String place) {
+        ConfusableCharacter.firstIn(assignment).ifPresent(character -> {
+            throw new CalledWronglyException(place + "In \"" + assignment + "\" " + character + ".");
+        });
         try {
             SoccerParameters.league().with(assignment);
         } catch (IllegalArgumentException wrong) {
@@ -43,10 +56,9 @@ final class ParameterFile {
 
     private static List<String> lines(Path file) {
         try {
-            return Files.readAllLines(file);
-        } catch (IOException unreadable) {
-            throw new CalledWronglyException("The file of parameters " + file
-                    + " cannot be read. Is its name and folder right, and is it a text file?");
+            return TextFile.readAndNote(file).lines();
+        } catch (UnreadableFileException unreadable) {
+            throw new CalledWronglyException(String.valueOf(unreadable.getMessage()));
         }
     }
 }

@@ -6,10 +6,12 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.program.CommandWord;
 import org.robonewbie.nao.file.FileNames;
+import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.nao.text.ConfusableCharacter;
+import org.robonewbie.nao.text.Spelling;
 import picocli.CommandLine;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -35,7 +37,13 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
     @Override
     public int handleExecutionException(Exception exception, CommandLine command, ParseResult parsed) {
         command.getErr().println("robonewbie: " + CommandWord.here().in(messageOf(exception)));
-        return exception instanceof CalledWronglyException ? ExitCode.USAGE : ExitCode.SOFTWARE;
+        return isOfTheUser(exception) ? ExitCode.USAGE : ExitCode.SOFTWARE;
+    }
+
+    private static boolean isOfTheUser(Exception exception) {
+        return exception instanceof CalledWronglyException
+                || exception instanceof UnreadableFileException
+                || exception.getCause() instanceof UnreadableFileException;
     }
 
     /** What Java says about files is often the bare path. */
@@ -61,23 +69,24 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
 
     private static String unknown(String argument, CommandLine command) {
         if (argument.startsWith("-")) {
-            return "The option " + argument + " is unknown." + question(argument, optionsOf(command));
+            return "The option " + argument + " is unknown." + Spelling.question(argument, optionsOf(command));
         }
         List<String> commands = List.copyOf(command.getSubcommands().keySet());
         return commands.isEmpty()
-                ? "\"" + argument + "\" is too much here."
-                : "There is no command \"" + argument + "\"." + question(argument, commands);
+                ? "\"" + argument + "\" is too much here." + confusable(argument)
+                : "There is no command \"" + argument + "\"." + Spelling.question(argument, commands);
     }
 
-    private static List<String> optionsOf(CommandLine command) {
+    /** An option that was copied from a page may begin with a dash that is none. */
+    private static String confusable(String argument) {
+        return ConfusableCharacter.firstIn(argument)
+                .map(character -> " In it " + character + ".")
+                .orElse("");
+    }
+
+    static List<String> optionsOf(CommandLine command) {
         return command.getCommandSpec().options().stream()
                 .map(OptionSpec::longestName)
                 .toList();
-    }
-
-    private static String question(String written, List<String> names) {
-        return Spelling.nearest(written, names)
-                .map(name -> " Did you mean " + name + "?")
-                .orElse("");
     }
 }

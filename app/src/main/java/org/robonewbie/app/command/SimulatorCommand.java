@@ -4,14 +4,18 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Random;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.script.StartScript;
 import org.robonewbie.bench.load.MatchLoad;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.monitor.MonitorSettings;
@@ -19,10 +23,15 @@ import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.PhysicsEngine;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.Unmatched;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Runs the simulator alone, in the place of rcssserver3d. */
 @Command(
@@ -157,16 +166,24 @@ final class SimulatorCommand implements Callable<Integer> {
     @Option(
             names = "--script-path",
             paramLabel = "FILE",
-            description = "Take parameters and ports from a start script of rcssserver3d; of its Ruby only plain"
-                    + " assignments are read.")
+            description =
+                    "Take parameters and ports from a start script of rcssserver3d and those that it runs; settings"
+                            + " that only Ruby can calculate are named.")
     private Optional<Path> script = Optional.empty();
 
     @Mixin
     final WithoutStudioOption withoutStudio = new WithoutStudioOption();
 
+    @Unmatched
+    private List<String> unknown = new ArrayList<>();
+
+    @Spec
+    private @Nullable CommandSpec spec;
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         Console console = Console.standard();
+        leaveOutUnknown(console);
         processName.ifPresent(ProcessName::set);
         SimulatorSettings settings = settings(console);
         Simulator simulator = Simulator.start(settings, console);
@@ -178,6 +195,20 @@ final class SimulatorCommand implements Callable<Integer> {
         }
         simulator.awaitEnd();
         return ExitCode.OK;
+    }
+
+    /** In the place of the original, options are left out as there, since scripts of tools and teams give some; else refused. */
+    private void leaveOutUnknown(Console console) {
+        CommandLine command = Objects.requireNonNull(spec).commandLine();
+        if (!unknown.isEmpty() && processName.isEmpty()) {
+            throw new UnmatchedArgumentException(command, unknown);
+        }
+        for (String each : unknown) {
+            if (each.startsWith("-")) {
+                console.say("The option " + each + " is left out, since it does not exist here."
+                        + Spelling.question(each.replaceFirst("=.*", ""), PlainMessages.optionsOf(command)));
+            }
+        }
     }
 
     /** Prepares for many robots on the clock; as soon as the world goes on with agents, all power of the computer is for it. */

@@ -1,13 +1,15 @@
 package org.robonewbie.app.course;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.nao.file.TextFile;
+import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.nao.text.ConfusableCharacter;
 
 /** Answers of a course, as means by experience in robotics and in Java; answers go from 1 to 5, and none may be missing. */
 public final class EvaluationSummary {
@@ -35,9 +37,9 @@ public final class EvaluationSummary {
      */
     public static EvaluationSummary of(Path file) {
         try {
-            return of(Files.readAllLines(file));
-        } catch (IOException unreadable) {
-            throw new CalledWronglyException("The file " + file + " cannot be read. Is its name right?");
+            return of(TextFile.readAndNote(file).lines());
+        } catch (UnreadableFileException unreadable) {
+            throw new CalledWronglyException(String.valueOf(unreadable.getMessage()));
         }
     }
 
@@ -45,8 +47,13 @@ public final class EvaluationSummary {
         if (lines.isEmpty()) {
             throw new CalledWronglyException("The file is empty. Its first line names the questions.");
         }
-        List<String> questions =
-                List.of(lines.get(0).trim().toLowerCase(Locale.ROOT).split(SEPARATOR, -1));
+        ConfusableCharacter.firstIn(lines.get(0)).ifPresent(character -> {
+            throw new CalledWronglyException("Line 1: in \"" + lines.get(0) + "\" " + character + ".");
+        });
+        List<String> questions = cells(lines.get(0).toLowerCase(Locale.ROOT));
+        if (questions.stream().distinct().count() < questions.size()) {
+            throw new CalledWronglyException("Line 1: two questions have the same name. Give each another one.");
+        }
         List<double[]> answers = new ArrayList<>();
         for (int i = 1; i < lines.size(); i++) {
             if (!lines.get(i).isBlank()) {
@@ -70,6 +77,12 @@ public final class EvaluationSummary {
         questions.forEach(question -> table.append(String.format("  %11.11s", question)));
         table.append(System.lineSeparator());
         groups.forEach(group -> append(table, group));
+        for (String experience : EXPERIENCES) {
+            if (!questions.contains(experience)) {
+                table.append("There is no column \"" + experience + "\", so no rows by it.")
+                        .append(System.lineSeparator());
+            }
+        }
         return table.toString();
     }
 
@@ -96,16 +109,23 @@ public final class EvaluationSummary {
     }
 
     private static double[] answer(String line, int number, int questions) {
-        String[] words = line.trim().split(SEPARATOR, -1);
-        if (words.length != questions) {
+        List<String> words = cells(line);
+        if (words.size() != questions) {
             throw new CalledWronglyException(
-                    "Line " + number + " has " + words.length + " answers, but there are " + questions + " questions.");
+                    "Line " + number + " has " + words.size() + " answers, but there are " + questions + " questions.");
         }
         double[] answers = new double[questions];
         for (int i = 0; i < questions; i++) {
-            answers[i] = number(words[i].trim(), number);
+            answers[i] = number(words.get(i), number);
         }
         return answers;
+    }
+
+    /** The cells of a line, without the quotation marks that spreadsheets put around them. */
+    private static List<String> cells(String line) {
+        return Stream.of(line.strip().split(SEPARATOR, -1))
+                .map(cell -> cell.strip().replaceFirst("^\"(.*)\"$", "$1").strip())
+                .toList();
     }
 
     private static double number(String word, int line) {

@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.robonewbie.agent.log.Spelling;
+import org.robonewbie.nao.text.Spelling;
 
 /**
  * Says what to do about a remark of the compiler: the import that is missing, the name of the framework that was probably meant, or what
@@ -99,7 +99,7 @@ public final class Hints {
     public String of(Remark remark) {
         return meantImport(remark)
                 .or(() -> missingImport(remark).map(line -> "Add at the top of the file: " + line))
-                .or(() -> meant(remark).map(meant -> "Did you mean " + meant + "?"))
+                .or(() -> meant(remark))
                 .or(() -> offers(remark))
                 .orElseGet(() ->
                         BeginnersHints.of(remark.isUnknownVariable() ? "cant.resolve" : remark.code(), remark.place()));
@@ -166,8 +166,11 @@ public final class Hints {
         }
         boolean constant = written.equals(written.toUpperCase(Locale.ROOT));
         boolean type = Character.isUpperCase(written.charAt(0)) && !constant;
-        return Spelling.nearest(
-                written, constant ? names.constants() : type ? names.types().keySet() : names.methodsOf(owner(remark)));
+        return Optional.of(Spelling.question(
+                        written,
+                        constant ? names.constants() : type ? names.types().keySet() : names.methodsOf(owner(remark))))
+                .map(String::strip)
+                .filter(question -> !question.isEmpty());
     }
 
     /** What can be called where nothing similar to the written name is. */

@@ -11,11 +11,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
-import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.nao.file.SubmittedFolder;
 import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.nao.text.Spelling;
 
 /**
  * What a class has handed in: a folder for each student, or files named after student and class, such as {@code anna_Kick.java}. A

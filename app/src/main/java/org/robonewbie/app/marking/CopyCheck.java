@@ -1,14 +1,13 @@
 package org.robonewbie.app.marking;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.robonewbie.exercises.Exercise;
-import org.robonewbie.nao.file.RegularFile;
+import org.robonewbie.nao.file.TextFile;
 
 /** Finds programs of a class that are too much alike to be the work of two people. The program to begin with does not count. */
 final class CopyCheck {
@@ -137,7 +136,7 @@ final class CopyCheck {
 
     private static String text(Submission submission) {
         try {
-            return new String(RegularFile.read(submission.file(), MAX_BYTES), StandardCharsets.UTF_8);
+            return TextFile.read(submission.file()).content();
         } catch (IOException unreadable) {
             return "";
         }

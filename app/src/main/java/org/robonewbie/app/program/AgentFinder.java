@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.Agent;
-import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.competition.team.MainMethod;
+import org.robonewbie.nao.text.Spelling;
 
 /** Finds the program that the user names: an example, a class or a Java file. */
 public final class AgentFinder {
@@ -153,11 +153,9 @@ public final class AgentFinder {
 
     private CalledWronglyException unknown(String name) {
         Path file = Path.of(name + ".java");
-        String question = Optional.of(file.toString())
-                .filter(own -> Files.isRegularFile(file))
-                .or(() -> Spelling.nearest(name, examples.classNames().keySet()))
-                .map(nearest -> " Did you mean " + nearest + "?")
-                .orElse("");
+        String question = Files.isRegularFile(file)
+                ? " Did you mean " + file + "?"
+                : Spelling.question(name, examples.classNames().keySet());
         return new CalledWronglyException("""
                 There is no agent "%s".%s
                 %s

@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.charset.Charset;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
@@ -20,6 +19,9 @@ import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.StandardLocation;
 import org.robonewbie.competition.team.ClassPath;
+import org.robonewbie.competition.team.SourceFiles;
+import org.robonewbie.nao.file.TextFile;
+import org.robonewbie.nao.file.UnreadableFileException;
 
 /**
  * A Java file of the user, compiled in memory together with the other files of its folder that it needs. Nothing is
@@ -54,10 +56,9 @@ final class JavaSource {
      */
     static JavaSource of(Path file) {
         try {
-            return new JavaSource(file, Files.readString(file));
-        } catch (IOException unreadable) {
-            throw new CalledWronglyException("The file " + file + " cannot be read (in the folder "
-                    + Path.of("").toAbsolutePath() + "). Is its name and folder right?");
+            return new JavaSource(file, TextFile.readAndNote(file).content());
+        } catch (UnreadableFileException unreadable) {
+            throw new CalledWronglyException(String.valueOf(unreadable.getMessage()));
         }
     }
 
@@ -138,7 +139,7 @@ final class JavaSource {
                     new ClassPath(classPath)
                             .with(ClassPath.ofThisProgram().places())
                             .places());
-            CompiledClasses classes = new CompiledClasses(disk);
+            CompiledClasses classes = new CompiledClasses(new SourceFiles(disk));
             PrintWriter out = new PrintWriter(System.err, true, Charset.defaultCharset());
             JavacTask task =
                     (JavacTask) compiler.getTask(out, classes, messages, OPTIONS, null, List.of(new Text(file, text)));

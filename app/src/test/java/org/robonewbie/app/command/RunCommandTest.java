@@ -126,7 +126,7 @@ class RunCommandTest {
         assertThat(answer.exitCode()).isEqualTo(2);
         assertThat(answer.err())
                 .contains(
-                        "The file Missing.java cannot be read",
+                        "The file Missing.java does not exist in the folder",
                         Path.of("").toAbsolutePath().toString());
     }
 

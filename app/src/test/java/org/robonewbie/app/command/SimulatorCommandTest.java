@@ -6,10 +6,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
+import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.robonewbie.app.Printed;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.simulator.Console;
@@ -124,11 +127,94 @@ class SimulatorCommandTest {
                 .hasMessageContaining("Did you mean UseCharging?");
     }
 
+    @ParameterizedTest
+    @CsvSource({"UTF-8, '\uFEFF', '\n'", "UTF-16LE, '\uFEFF', '\r\n'", "windows-1252, '', '\r\n'", "UTF-8, '', '\r'"})
+    void fileOfParametersOfAnyEditorIsRead(String encoding, String mark, String end) throws IOException {
+        String text = mark + String.join(end, "RuleHalfTime=60", "# für alle", "BeamNoiseXY=0", "");
+        Path file = Files.write(folder.resolve("training.properties"), text.getBytes(Charset.forName(encoding)));
+
+        SimulatorSettings settings = settings("--parameters", file.toString());
+
+        assertThat(settings.world().parameters().get(SoccerParameter.RULE_HALF_TIME))
+                .isEqualTo(60);
+        assertThat(settings.world().parameters().get(SoccerParameter.BEAM_NOISE_XY))
+                .isZero();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "RuleHalfTime=60, 'line 3: \"RuleHalfTime\" stands in line 1 already. Delete one of the two lines.'",
+        "'BeamNoiseXY\u00A0= 0', 'line 3: In \"BeamNoiseXY\u00A0= 0\" character 12 is a no-break space (U+00A0)'",
+        "'BeamNoiseXY = \u22121', 'line 3: In \"BeamNoiseXY = \u22121\" character 15 is the dash'",
+        "'B\u0435amNoiseXY = 1', 'line 3: In \"B\u0435amNoiseXY = 1\" character 2 is the Cyrillic letter'",
+        "BeamNoiseXY, 'line 3: Setting \"BeamNoiseXY\" has no value.'",
+        "BeamNoiseXY = much, 'line 3: Value \"much\" of BeamNoiseXY is not a number.'"
+    })
+    void lineThatIsNotClearIsRefused(String line, String message) throws IOException {
+        Path file = Files.writeString(folder.resolve("training.properties"), "RuleHalfTime=90\n\n" + line + "\n");
+
+        assertThatThrownBy(() -> settings("--parameters", file.toString()))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageStartingWith(file + ", " + message);
+    }
+
+    @Test
+    void fileOfParametersThatIsNoTextIsRefused() throws IOException {
+        Path file = Files.write(folder.resolve("training.zip"), new byte[] {'P', 'K', 0, (byte) 0x81});
+
+        assertThatThrownBy(() -> settings("--parameters", file.toString()))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageStartingWith("The file " + file + " cannot be read: line 1 ");
+    }
+
+    @Test
+    void inThePlaceOfTheOriginalUnknownOptionsAreLeftOut() {
+        Printed answer = Printed.by(
+                "simulator",
+                "--process-name",
+                "rcssserver3d",
+                "--init-script-prefix",
+                "/usr/share/rcssserver3d",
+                "--rvdraw-host=localhost",
+                "--agnet-port",
+                "3100",
+                "--agent-port",
+                "0",
+                "--monitor-port",
+                "0",
+                "--fast",
+                "--seconds",
+                "0.1");
+
+        assertThat(answer.exitCode()).isZero();
+        assertThat(answer.err())
+                .contains("The option --init-script-prefix is left out, since it does not exist here.")
+                .contains("The option --rvdraw-host=localhost is left out")
+                .contains(
+                        "The option --agnet-port is left out, since it does not exist here. Did you mean --agent-port?");
+    }
+
+    @Test
+    void otherwiseUnknownOptionsAreRefused() {
+        Printed answer = Printed.by("simulator", "--init-script-prefix", "/usr/share/rcssserver3d");
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err()).contains("The option --init-script-prefix is unknown.");
+    }
+
+    @Test
+    void dashThatIsNoneIsNamed() {
+        Printed answer = Printed.by("simulator", "\u2013\u2013sync");
+
+        assertThat(answer.exitCode()).isEqualTo(2);
+        assertThat(answer.err()).contains("character 1 is the dash \u2013 (U+2013): type -");
+    }
+
     @Test
     void missingFileOfParametersIsTold() {
         assertThatThrownBy(() -> settings("--parameters", "nowhere.properties"))
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageContaining("nowhere.properties cannot be read");
+                .hasMessageContaining("nowhere.properties does not exist");
     }
 
     @Test

@@ -1,5 +1,6 @@
 package org.robonewbie.competition.team;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -15,6 +16,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.jar.Attributes;
 import java.util.jar.JarFile;
+import java.util.stream.Stream;
 import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Role;
 import org.robonewbie.nao.file.SubmittedFolder;
@@ -191,6 +193,11 @@ public final class ProgramFinder {
                 .toList();
         Optional<Path> own =
                 Optional.ofNullable(team.settings().get(TeamList.FOLDER)).map(this::existingFolder);
+        if (!canBeStarted(words.get(0), own)) {
+            throw new WrongEntryException("Team " + team.name() + ": \"" + words.get(0)
+                    + "\" is no program that can be started, and \"" + team.program()
+                    + "\" no folder or file. Is the line written as NAME = PROGRAM?");
+        }
         Fingerprint fingerprint = new Fingerprint().add(team.program()).add(settingsOf(team));
         Optional<Path> copy = Optional.empty();
         if (own.isPresent()) {
@@ -230,10 +237,23 @@ public final class ProgramFinder {
                 .orElseThrow(() -> new WrongEntryException("There is no folder " + folder.resolve(name) + "."));
     }
 
+    /** Whether the first word of a command is a program: in the team's own folder, at its place, or in the system's path. */
+    private boolean canBeStarted(String word, Optional<Path> own) {
+        Stream<Path> places = word.contains("/") || word.contains(File.separator)
+                ? Stream.concat(own.stream(), Stream.of(folder))
+                : Stream.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator, -1))
+                        .map(Path::of);
+        return places.flatMap(place -> Stream.of("", ".exe", ".cmd", ".bat").map(end -> place.resolve(word + end)))
+                .anyMatch(file -> Files.isRegularFile(file) && Files.isExecutable(file));
+    }
+
+    /** Looks for a file; a path of Windows is understood on other systems too. */
     private Optional<Path> existing(String name) {
         try {
-            return Optional.of(folder.resolve(name).toAbsolutePath().normalize())
-                    .filter(Files::exists);
+            return Stream.of(name, name.replace('\\', '/'))
+                    .map(path -> folder.resolve(path).toAbsolutePath().normalize())
+                    .filter(Files::exists)
+                    .findFirst();
         } catch (InvalidPathException noPath) {
             return Optional.empty();
         }

@@ -35,8 +35,8 @@ record SourceFolder(Path folder, boolean deep) {
             disk.setLocationFromPaths(
                     StandardLocation.CLASS_PATH,
                     ClassPath.ofThisProgram().with(libraries()).places());
-            boolean correct = compiler.getTask(
-                            messages, disk, null, options(classes), null, disk.getJavaFileObjectsFromPaths(sources()))
+            SourceFiles files = new SourceFiles(disk);
+            boolean correct = compiler.getTask(messages, files, null, options(classes), null, files.of(sources()))
                     .call();
             return correct ? Optional.empty() : Optional.of(messages.toString());
         }
@@ -59,8 +59,6 @@ record SourceFolder(Path folder, boolean deep) {
                 "-g",
                 "-parameters",
                 "-proc:none",
-                "-encoding",
-                "UTF-8",
                 "-d",
                 classes.toString(),
                 "-sourcepath",

@@ -7,7 +7,7 @@ import org.robonewbie.competition.contest.Role;
 /**
  * A team as it has been entered.
  *
- * @param name letters, digits and underscores, at most 20
+ * @param name letters of ASCII, digits and underscores, at most 20; the title has the letters of the team's language
  * @param program its program: a folder, a jar, a Java file, the name of a class, or a command
  * @param settings what else is said of it, by the words of {@link TeamList}
  */

@@ -1,7 +1,5 @@
 package org.robonewbie.competition.team;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -10,8 +8,12 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.robonewbie.nao.file.TextFile;
+import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.nao.text.ConfusableCharacter;
+import org.robonewbie.nao.text.Spelling;
 
 /**
  * Reads which teams take part, from a file or the command line: one team per line, in the order in which they stand there.
@@ -23,6 +25,8 @@ import java.util.regex.Pattern;
  * Blue = Agent_BetterSoccer
  * Green = python3 green.py --port {port}
  * </pre>
+ *
+ * <p>A line without a name is a program, whose name is that of its file or its first word.
  */
 public final class TeamList {
 
@@ -37,12 +41,14 @@ public final class TeamList {
 
     private static final Set<String> SETTINGS =
             Set.of(TITLE, MEMBERS, SEED, TOGETHER, FOLDER, "main", "attacker", "goalkeeper");
-    private static final int MOST_LETTERS = 20;
-    private static final int LETTERS_OF_NUMBER = 3;
-    private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_]{1," + MOST_LETTERS + "}");
-    private static final Pattern LINE = Pattern.compile("([A-Za-z0-9_.-]+)\\s*=\\s*(.*)");
 
-    private final Map<String, String> programs = new LinkedHashMap<>();
+    /** A command may contain an option with a value; any other {@code =} belongs to a name. */
+    private static final Pattern COMMAND = Pattern.compile("[^=]*|[^\\s=-][^\\s=]*(\\s[^=]*)?\\s-[^\\s=]*=.*");
+
+    /** What people write about a team and not for programs: any sign may stand in it. */
+    private static final Set<String> FREE_TEXTS = Set.of(TITLE, MEMBERS);
+
+    private final Map<TeamName, String> programs = new LinkedHashMap<>();
     private final Map<String, Map<String, String>> settings = new TreeMap<>();
 
     private TeamList() {}
@@ -55,12 +61,17 @@ public final class TeamList {
      * @throws WrongEntryException if it cannot be read or has a mistake; the message says what to do
      */
     public static List<TeamEntry> read(Path file) {
+        TeamList list = new TeamList();
+        List<String> lines;
         try {
-            return parse(Files.readAllLines(file));
-        } catch (IOException unreadable) {
-            throw new WrongEntryException("The file of teams " + file + " cannot be read (in the folder "
-                    + Path.of("").toAbsolutePath() + "). Is its name right?");
+            lines = TextFile.readAndNote(file).lines();
+        } catch (UnreadableFileException unreadable) {
+            throw new WrongEntryException(String.valueOf(unreadable.getMessage()));
         }
+        for (int i = 0; i < lines.size(); i++) {
+            list.add(lines.get(i).strip(), file + ", line " + (i + 1) + ": ");
+        }
+        return list.teams();
     }
 
     /**
@@ -72,42 +83,67 @@ public final class TeamList {
      */
     public static List<TeamEntry> parse(List<String> lines) {
         TeamList list = new TeamList();
-        lines.stream()
-                .map(String::strip)
-                .filter(line -> !line.isEmpty() && !line.startsWith("#"))
-                .forEach(list::add);
+        lines.forEach(line -> list.add(line.strip(), ""));
         return list.teams();
     }
 
-    private void add(String line) {
-        Matcher matcher = LINE.matcher(line);
-        if (!matcher.matches()) {
-            addTeam(freeName(line), line);
-            return;
-        }
-        String key = matcher.group(1);
-        String value = matcher.group(2).strip();
-        int dot = key.indexOf('.');
-        if (dot < 0) {
-            addTeam(key, value);
-        } else {
-            addSetting(key.substring(0, dot), key.substring(dot + 1), value);
+    private void add(String line, String place) {
+        try {
+            if (!line.isEmpty() && !line.startsWith("#")) {
+                add(line);
+            }
+        } catch (WrongEntryException wrong) {
+            throw new WrongEntryException(place + wrong.getMessage());
         }
     }
 
-    private void addTeam(String name, String program) {
-        if (!NAME.matcher(name).matches()) {
-            throw new WrongEntryException(
-                    "\"" + name + "\" cannot be the name of a team. Take up to 20 letters, digits and"
-                            + " underscores; NAME.title is for a longer one.");
+    private void add(String line) {
+        if (COMMAND.matcher(line).matches()) {
+            refuseConfusable(line);
+            addTeam(freeName(line), line);
+            return;
         }
+        int equals = line.indexOf('=');
+        String key = line.substring(0, equals).strip();
+        String value = line.substring(equals + 1).strip();
+        int dot = key.lastIndexOf('.');
+        if (dot < 0) {
+            refuseConfusable(line);
+            addTeam(name(key, value), value);
+        } else {
+            String setting = key.substring(dot + 1);
+            refuseConfusable(FREE_TEXTS.contains(setting) ? key : line);
+            addSetting(TeamName.of(key.substring(0, dot)).written(), setting, value);
+        }
+    }
+
+    private static void refuseConfusable(String text) {
+        ConfusableCharacter.firstIn(text).ifPresent(character -> {
+            throw new WrongEntryException("In \"" + text + "\" " + character + ".");
+        });
+    }
+
+    private static TeamName name(String key, String program) {
+        try {
+            return TeamName.of(key);
+        } catch (WrongEntryException wrong) {
+            throw new WrongEntryException(
+                    wrong.getMessage() + " Write: " + TeamName.near(key).written() + " = " + program);
+        }
+    }
+
+    private void addTeam(TeamName name, String program) {
         if (program.isEmpty()) {
-            throw new WrongEntryException(
-                    "Team " + name + " has no program. Write for example: " + name + " = Agent_SimpleSoccer");
+            throw new WrongEntryException("Team " + name.written() + " has no program. Write for example: "
+                    + name.written() + " = Agent_SimpleSoccer");
         }
-        for (String other : programs.keySet()) {
-            if (other.equalsIgnoreCase(name)) {
-                throw new WrongEntryException("Two teams are called " + name + ". Give one of them another name.");
+        for (TeamName other : programs.keySet()) {
+            if (other.collidesWith(name)) {
+                throw new WrongEntryException((other.written().equalsIgnoreCase(name.written())
+                                ? "Two teams are called " + name.written() + "."
+                                : "The teams " + other.written() + " and " + name.written() + " are both called "
+                                        + name.ascii() + " in messages and files.")
+                        + " Give one of them another name.");
             }
         }
         programs.put(name, program);
@@ -115,9 +151,9 @@ public final class TeamList {
 
     private void addSetting(String name, String setting, String value) {
         if (!SETTINGS.contains(setting)) {
-            throw new WrongEntryException(
-                    "\"" + name + "." + setting + "\" is unknown. After the name of a team may stand: "
-                            + String.join(", ", SETTINGS.stream().sorted().toList()) + ".");
+            throw new WrongEntryException("\"" + name + "." + setting + "\" is unknown."
+                    + Spelling.question(setting, SETTINGS) + " After the name of a team may stand: "
+                    + String.join(", ", SETTINGS.stream().sorted().toList()) + ".");
         }
         if (setting.equals(SEED) && !value.matches("-?\\d{1,18}")) {
             throw new WrongEntryException(
@@ -126,32 +162,33 @@ public final class TeamList {
         if (setting.equals(TOGETHER) && !Set.of("yes", "no").contains(value.toLowerCase(Locale.ROOT))) {
             throw new WrongEntryException(name + ".together = " + value + " is not clear. Write yes or no.");
         }
-        settings.computeIfAbsent(name, team -> new TreeMap<>()).put(setting, value);
+        Map<String, String> own = settings.computeIfAbsent(name, team -> new TreeMap<>());
+        if (own.put(setting, value) != null) {
+            throw new WrongEntryException(
+                    "\"" + name + "." + setting + "\" stands twice. Delete one of the two lines.");
+        }
     }
 
     /** The name of a team, after its folder, file or class. */
-    private String freeName(String program) {
+    private TeamName freeName(String program) {
         String last = program.split("\\s", -1)[0].replaceFirst("[/\\\\]+$", "").replaceFirst("^.*[/\\\\]", "");
-        String base = (last.isEmpty() ? "Team" : last)
-                .replaceFirst("\\.(jar|java)$", "")
-                .replaceAll("^.*\\.", "")
-                .replaceAll("[^A-Za-z0-9_]", "_");
-        String free = shortened(base, MOST_LETTERS);
-        for (int i = 2; programs.containsKey(free); i++) {
-            free = shortened(base, MOST_LETTERS - LETTERS_OF_NUMBER) + "_" + i;
+        TeamName name = TeamName.near(last.replaceFirst("\\.(jar|java)$", "").replaceAll("^.*\\.", ""));
+        TeamName free = name;
+        for (int i = 2; programs.keySet().stream().anyMatch(free::collidesWith); i++) {
+            free = name.numbered(i);
         }
         return free;
     }
 
-    private static String shortened(String name, int letters) {
-        return name.substring(0, Math.min(letters, name.length()));
-    }
-
     private List<TeamEntry> teams() {
+        List<String> names = programs.keySet().stream()
+                .flatMap(name -> Stream.of(name.written(), name.ascii()))
+                .toList();
         for (String name : settings.keySet()) {
-            if (!programs.containsKey(name)) {
+            if (!names.contains(name)) {
                 throw new WrongEntryException("Something is said of team " + name
-                        + ", but no line says what its program is. Write for example: " + name + " = teams/" + name);
+                        + ", but no line says what its program is." + Spelling.question(name, names)
+                        + " Write for example: " + name + " = teams/" + name);
             }
         }
         if (programs.size() > MOST_TEAMS) {
@@ -159,8 +196,16 @@ public final class TeamList {
                     + programs.size() + ". Hold two groups, each with a folder of results of its own.");
         }
         List<TeamEntry> teams = new ArrayList<>();
-        programs.forEach(
-                (name, program) -> teams.add(new TeamEntry(name, program, settings.getOrDefault(name, Map.of()))));
+        programs.forEach((name, program) -> teams.add(entry(name, program)));
         return List.copyOf(teams);
+    }
+
+    private TeamEntry entry(TeamName name, String program) {
+        Map<String, String> own = new TreeMap<>(settings.getOrDefault(name.ascii(), Map.of()));
+        own.putAll(settings.getOrDefault(name.written(), Map.of()));
+        if (!name.ascii().equals(name.written())) {
+            own.putIfAbsent(TITLE, name.written());
+        }
+        return new TeamEntry(name.ascii(), program, own);
     }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -267,6 +268,55 @@ class ProgramFinderTest {
                         "4",
                         "--pose",
                         "-1,0.5,90");
+    }
+
+    @Test
+    void pathOfWindowsIsUnderstood() throws IOException {
+        write("teams/red/Striker.java", AGENT.formatted("Striker"));
+
+        assertThat(((TeamProgram.OfJava) find("Red=teams\\red")).mainClasses()).containsEntry(Role.MAIN, "Striker");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"Red teams/red", "Red: teams/red", "teams/red # our best", "teams/red/Striker.java x"})
+    void commandThatCannotBeStartedIsRefusedBeforeTheContest(String line) throws IOException {
+        write("teams/red/Striker.java", AGENT.formatted("Striker"));
+
+        assertThatThrownBy(() -> find(line))
+                .isInstanceOf(WrongEntryException.class)
+                .hasMessageContaining("is no program that can be started")
+                .hasMessageContaining("NAME = PROGRAM");
+    }
+
+    @Test
+    void commandMayBeInTheFolderOfTheTeam() throws IOException {
+        write("green/run.sh", "#!/bin/sh");
+        assertThat(folder.resolve("green/run.sh").toFile().setExecutable(true)).isTrue();
+
+        assertThat(find("Green=./run.sh {port}", "Green.folder=green")).isInstanceOf(TeamProgram.OfCommand.class);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"UTF-8", "UTF-16LE", "windows-1252"})
+    void programsOfAnyEditorCompile(String encoding) throws IOException {
+        String mark = encoding.equals("windows-1252") ? "" : "\uFEFF";
+        write("red/Striker.java", AGENT.formatted("Striker"));
+        Files.write(
+                folder.resolve("red/Größe.java"),
+                (mark + "class Größe { int äöü; }\r\n").getBytes(Charset.forName(encoding)));
+
+        assertThat(find("Red=red")).isInstanceOf(TeamProgram.OfJava.class);
+    }
+
+    @Test
+    void fileThatIsNoTextIsACompilersComplaint() throws IOException {
+        write("red/Striker.java", AGENT.formatted("Striker"));
+        Files.write(folder.resolve("red/Tools.java"), new byte[] {'c', 'l', 0, 0, 0});
+
+        TeamProgram program = find("Red=red");
+
+        assertThat(((TeamProgram.Broken) program).complaint())
+                .contains("Tools.java cannot be read: line 1 contains a zero byte");
     }
 
     @Test

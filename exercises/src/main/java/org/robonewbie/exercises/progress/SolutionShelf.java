@@ -1,17 +1,19 @@
 package org.robonewbie.exercises.progress;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Exercises;
+import org.robonewbie.nao.file.TextFile;
 
 /**
  * The reference solutions, if this computer has them, and the teacher's lock: the file {@code locked.txt} in their folder names
- * exercises, one a line, whose solution nobody is shown yet; {@code all} locks all.
+ * exercises, one a line, whose solution is not shown yet; {@code all}, or a word that is no exercise, locks all.
  *
  * @param folder where the solutions are; empty if there are none
  */
@@ -21,7 +23,6 @@ public record SolutionShelf(Optional<Path> folder) {
     public static final String SWITCH = "ROBONEWBIE_SOLUTIONS";
 
     private static final String LOCKS = "locked.txt";
-    private static final String ALL = "all";
 
     /**
      * An answer to somebody who asks for a solution.
@@ -93,29 +94,41 @@ public record SolutionShelf(Optional<Path> folder) {
 
     private static Answer read(Path file) {
         try {
-            String text = Files.readString(file, StandardCharsets.UTF_8);
+            String text = TextFile.read(file).content();
             return new Answer(true, text.replaceFirst("(?m)^package .*;\\R+", ""));
         } catch (IOException unreadable) {
-            return new Answer(false, "The solution cannot be read: " + unreadable.getMessage() + ".");
+            return new Answer(false, "The solution cannot be shown. " + unreadable.getMessage());
         }
     }
 
     private boolean isLocked(Exercise exercise) {
-        return locks().stream()
-                .map(String::strip)
-                .anyMatch(line -> line.equalsIgnoreCase(ALL)
-                        || line.equals(exercise.name())
-                        || line.equals(exercise.fullName())
-                        || line.equals(Integer.toString(exercise.number())));
+        return locks().contains(exercise);
     }
 
-    /** A lock that cannot be read locks all: what a teacher has locked stays so. */
-    private List<String> locks() {
+    /**
+     * The locked exercises. A lock that cannot be read, or that names no exercise, locks all: what a teacher has locked stays so. A
+     * comment is a line with more than one word, or with {@code #}.
+     */
+    private List<Exercise> locks() {
         Optional<Path> file = folder.map(place -> place.resolve(LOCKS)).filter(Files::exists);
+        List<Exercise> locked = new ArrayList<>();
         try {
-            return file.isPresent() ? Files.readAllLines(file.get()) : List.of();
+            List<String> lines =
+                    file.isPresent() ? TextFile.readAndNote(file.get()).lines() : List.of();
+            for (String line : lines) {
+                String word = line.strip();
+                if (word.isEmpty() || word.startsWith("#") || word.contains(" ")) {
+                    continue;
+                }
+                Optional<Exercise> exercise = Exercises.find(word);
+                if (exercise.isEmpty()) {
+                    return Exercises.all();
+                }
+                locked.add(exercise.get());
+            }
+            return locked;
         } catch (IOException unreadable) {
-            return List.of(ALL);
+            return Exercises.all();
         }
     }
 }

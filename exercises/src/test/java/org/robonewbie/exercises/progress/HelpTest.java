@@ -3,6 +3,8 @@ package org.robonewbie.exercises.progress;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -93,6 +95,28 @@ class HelpTest {
 
         assertThat(shelf().ask(KICK, TRIED).text()).isEqualTo("Your teacher has locked the solution of kick for now.");
         assertThat(shelf().offers(KICK)).isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"UTF-8", "UTF-16LE", "UTF-16BE"})
+    void lockIsReadWithAByteOrderMark(String encoding) throws IOException {
+        Files.write(folder.resolve("locked.txt"), "\uFEFFkick\r\n# für später\r\n".getBytes(Charset.forName(encoding)));
+
+        assertThat(shelf().offers(KICK)).isFalse();
+    }
+
+    @Test
+    void lockThatNamesNoExerciseLocksAll() throws IOException {
+        Files.writeString(folder.resolve("locked.txt"), "danse\n");
+
+        assertThat(shelf().offers(KICK)).isFalse();
+    }
+
+    @Test
+    void solutionOfAnyEditorIsShown() throws IOException {
+        Files.write(folder.resolve("Kick.java"), "\uFEFFpublic class Kick {} // ü".getBytes(StandardCharsets.UTF_16LE));
+
+        assertThat(shelf().ask(KICK, TRIED).text()).isEqualTo("public class Kick {} // ü");
     }
 
     @Test

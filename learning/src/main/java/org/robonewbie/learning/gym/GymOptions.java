@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
@@ -74,9 +74,7 @@ final class GymOptions {
                     .filter(name -> name.word().equals(word))
                     .findFirst()
                     .orElseThrow(() -> new IllegalArgumentException("There is no option \"" + word + "\"."
-                            + Spelling.nearest(word, words)
-                                    .map(nearest -> " Did you mean " + nearest + "?")
-                                    .orElse("")
+                            + Spelling.question(word, words)
                             + " There are: reward, " + String.join(", ", words) + "."));
         }
 

@@ -1,7 +1,6 @@
 package org.robonewbie.learning.series;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -12,7 +11,9 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.robonewbie.agent.log.Spelling;
+import org.robonewbie.nao.file.TextFile;
+import org.robonewbie.nao.text.ConfusableCharacter;
+import org.robonewbie.nao.text.Spelling;
 
 /**
  * Which experiment is run how often and with which parameters: all combinations of the values in order, repeated as often as
@@ -67,7 +68,7 @@ public record ExperimentPlan(
         LinkedHashMap<String, List<Double>> values = new LinkedHashMap<>();
         LinkedHashMap<String, List<String>> texts = new LinkedHashMap<>();
         Set<String> given = new HashSet<>();
-        List<String> lines = Files.readAllLines(file);
+        List<String> lines = TextFile.readAndNote(file).lines();
         for (int i = 0; i < lines.size(); i++) {
             String line = lines.get(i).replaceFirst("#.*", "").trim();
             int equals = line.indexOf('=');
@@ -77,6 +78,9 @@ public record ExperimentPlan(
             String name = line.substring(0, Math.max(0, equals)).trim();
             String value = line.substring(equals + 1).trim();
             String place = file + ", line " + (i + 1) + ": ";
+            ConfusableCharacter.firstIn(value.startsWith("\"") ? name : line).ifPresent(character -> {
+                throw new IllegalArgumentException(place + "In \"" + line + "\" " + character + ".");
+            });
             if (!given.add(name)) {
                 throw new IllegalArgumentException(
                         place + "\"" + name + "\" is given for the second time. All values of a"
@@ -99,7 +103,7 @@ public record ExperimentPlan(
             } catch (NumberFormatException wrong) {
                 throw new IllegalArgumentException(
                         place + "\"" + line + "\" is not understood."
-                                + (OWN.contains(name) ? "" : meant(name, OWN))
+                                + (OWN.contains(name) ? "" : Spelling.question(name, OWN))
                                 + " Write name=number, or name=number,number,… or name=\"text\" for a parameter.",
                         wrong);
             }
@@ -147,16 +151,11 @@ public record ExperimentPlan(
             if (!known.contains(name)) {
                 List<String> possible = new ArrayList<>(known);
                 possible.addAll(OWN);
-                throw new IllegalArgumentException("The plan gives a parameter \"" + name + "\", which " + experiment
-                        + " does not have." + meant(name, possible) + " It has: " + String.join(", ", known) + ".");
+                throw new IllegalArgumentException(
+                        "The plan gives a parameter \"" + name + "\", which " + experiment + " does not have."
+                                + Spelling.question(name, possible) + " It has: " + String.join(", ", known) + ".");
             }
         }
-    }
-
-    private static String meant(String misspelt, List<String> names) {
-        return Spelling.nearest(misspelt, names)
-                .map(nearest -> " Did you mean " + nearest + "?")
-                .orElse("");
     }
 
     /** {@return all trials in order; the seed of a trial depends on the plan's seed and the trial's number only} */

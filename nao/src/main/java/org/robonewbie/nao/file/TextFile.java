@@ -1,6 +1,8 @@
 package org.robonewbie.nao.file;
 
 import java.nio.file.Path;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import org.robonewbie.nao.text.DecodedText;
 import org.robonewbie.nao.text.UndecodableTextException;
 
@@ -17,6 +19,8 @@ public final class TextFile {
     /** The largest file that is read as text, in bytes. */
     public static final int MAX_BYTES = 16 << 20;
 
+    private static final Set<String> NOTED = ConcurrentHashMap.newKeySet();
+
     private TextFile() {}
 
     /**
@@ -28,6 +32,22 @@ public final class TextFile {
      */
     public static DecodedText read(Path file) throws UnreadableFileException {
         return decode(file, RegularFile.read(file, MAX_BYTES));
+    }
+
+    /**
+     * Reads a file for a command or a program. Where its encoding had to be inferred, the terminal says so: once for each file
+     * and process.
+     *
+     * @param file the file
+     * @return its text
+     * @throws UnreadableFileException if it cannot be read or is no text; the message names file, line and what to do
+     */
+    public static DecodedText readAndNote(Path file) throws UnreadableFileException {
+        DecodedText text = read(file);
+        text.note()
+                .filter(note -> NOTED.add(file.toAbsolutePath() + note))
+                .ifPresent(note -> System.err.println("The file " + file + ", " + note));
+        return text;
     }
 
     private static DecodedText decode(Path file, byte[] bytes) throws UnreadableFileException {

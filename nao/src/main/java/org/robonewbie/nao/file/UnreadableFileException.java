@@ -10,6 +10,18 @@ public final class UnreadableFileException extends IOException {
     private static final long serialVersionUID = 1L;
 
     /**
+     * Creates an exception about a line of a file.
+     *
+     * @param file the file
+     * @param line the number of the line, 1 for the first
+     * @param problem what is wrong and what to write, in whole sentences
+     * @return the exception
+     */
+    public static UnreadableFileException atLine(Path file, int line, String problem) {
+        return new UnreadableFileException(PrintableText.of(file.toString()) + ", line " + line + ": " + problem);
+    }
+
+    /**
      * @param file the file
      * @param problem what follows its name, such as {@code does not exist.}
      */

@@ -2,6 +2,7 @@ package org.robonewbie.simulator.soccer;
 
 import java.util.Arrays;
 import java.util.Optional;
+import org.robonewbie.nao.text.Spelling;
 
 /**
  * Everything that can be set about pitch, robots, noise and rules, under the names of SimSpark's
@@ -239,5 +240,16 @@ public enum SoccerParameter {
         return Arrays.stream(values())
                 .filter(parameter -> parameter.simSparkName.equals(simSparkName))
                 .findFirst();
+    }
+
+    /**
+     * Asks for the parameter whose name is most like a misspelt one.
+     *
+     * @param name what was written
+     * @return a blank and a sentence, as {@link Spelling#question} writes it
+     */
+    public static String question(String name) {
+        return Spelling.question(
+                name, Arrays.stream(values()).map(SoccerParameter::simSparkName).toList());
     }
 }

@@ -2,7 +2,6 @@ package org.robonewbie.simulator.soccer;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
@@ -199,27 +198,7 @@ public final class SoccerParameters {
     }
 
     private static IllegalArgumentException unknown(String name) {
-        String nearest = Arrays.stream(SoccerParameter.values())
-                .map(SoccerParameter::simSparkName)
-                .min(Comparator.comparingInt(candidate -> editDistance(candidate, name)))
-                .orElseThrow();
-        return new IllegalArgumentException("Parameter \"" + name + "\" does not exist. Did you mean " + nearest
-                + "? \"robonewbie simulator --help\" lists all of them.");
-    }
-
-    private static int editDistance(String first, String second) {
-        int[] previous = new int[second.length() + 1];
-        Arrays.setAll(previous, i -> i);
-        for (int i = 1; i <= first.length(); i++) {
-            int[] current = new int[second.length() + 1];
-            current[0] = i;
-            for (int j = 1; j <= second.length(); j++) {
-                boolean same =
-                        Character.toLowerCase(first.charAt(i - 1)) == Character.toLowerCase(second.charAt(j - 1));
-                current[j] = Math.min(previous[j - 1] + (same ? 0 : 1), 1 + Math.min(previous[j], current[j - 1]));
-            }
-            previous = current;
-        }
-        return previous[second.length()];
+        return new IllegalArgumentException("Parameter \"" + name + "\" does not exist."
+                + SoccerParameter.question(name) + " \"robonewbie simulator --help\" lists all of them.");
     }
 }

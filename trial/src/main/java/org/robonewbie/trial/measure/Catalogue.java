@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Supplier;
-import org.robonewbie.agent.log.Spelling;
+import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.trial.jar.OfferedClass;
 
 /**
@@ -66,9 +66,7 @@ public final class Catalogue<T> {
         } catch (ReflectiveOperationException | ClassCastException | LinkageError none) {
             throw new IllegalArgumentException(
                     "There is no " + kind + " \"" + name + "\"."
-                            + Spelling.nearest(name, all.keySet())
-                                    .map(nearest -> " Did you mean " + nearest + "?")
-                                    .orElse("")
+                            + Spelling.question(name, all.keySet())
                             + " There are: " + names() + ". A class of your own must "
                             + (type.isInterface() ? "implement " : "extend ") + type.getSimpleName()
                             + " and have a public constructor without parameters.",

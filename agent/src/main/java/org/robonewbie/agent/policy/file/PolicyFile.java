@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.PolicyText;
+import org.robonewbie.nao.file.TextFile;
 
 /**
  * Policies in files, as {@link PolicyText} writes them.
@@ -52,9 +52,9 @@ public final class PolicyFile {
      */
     public static Policy read(Path file) {
         try {
-            return PolicyText.parse(Files.readString(file));
+            return PolicyText.parse(TextFile.readAndNote(file).content());
         } catch (IOException e) {
-            throw new UncheckedIOException("The policy " + file + " cannot be read.", e);
+            throw new UncheckedIOException(e.getMessage(), e);
         } catch (IllegalArgumentException wrong) {
             throw new IllegalArgumentException(file + ": " + wrong.getMessage(), wrong);
         }

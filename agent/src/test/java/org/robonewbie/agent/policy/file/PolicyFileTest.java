@@ -5,10 +5,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.walk.PolicyWalk;
@@ -33,13 +36,32 @@ class PolicyFileTest {
         assertThat(new PolicyWalk(PolicyFile.read(file)).style()).isEqualTo(new PolicyWalk(policy).style());
     }
 
+    @ParameterizedTest
+    @CsvSource({"UTF-8, '\uFEFF', '\r\n'", "UTF-16LE, '\uFEFF', '\r\n'", "windows-1252, '', '\r'"})
+    void readsAPolicyThatAnEditorHasSaved(String encoding, String mark, String end) throws IOException {
+        Policy policy = PolicyFile.shipped("walk");
+        String text = mark + (PolicyText.format(policy) + "# für später\n").replace("\n", end);
+        Path file = Files.write(folder.resolve("my.policy"), text.getBytes(Charset.forName(encoding)));
+
+        assertThat(new PolicyWalk(PolicyFile.read(file)).style()).isEqualTo(new PolicyWalk(policy).style());
+    }
+
+    @Test
+    void fileThatIsNoTextIsRefused() throws IOException {
+        Path file = Files.write(folder.resolve("my.zip"), new byte[] {'P', 'K', 0, (byte) 0x81});
+
+        assertThatThrownBy(() -> PolicyFile.read(file))
+                .isInstanceOf(UncheckedIOException.class)
+                .hasMessageStartingWith("The file " + file + " cannot be read: line 1 ");
+    }
+
     @Test
     void namesTheFileThatIsMissingOrWrong() throws IOException {
         Path wrong = Files.writeString(folder.resolve("wrong.policy"), "200 1 2 3");
 
         assertThatThrownBy(() -> PolicyFile.read(folder.resolve("none.policy")))
                 .isInstanceOf(UncheckedIOException.class)
-                .hasMessageContaining("none.policy cannot be read");
+                .hasMessageContaining("none.policy does not exist");
         assertThatThrownBy(() -> PolicyFile.read(wrong))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("wrong.policy: Line 1 of the policy cannot be read");

@@ -1,0 +1,149 @@
+package org.robonewbie.app.script;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.app.script.RubyToken.Kind;
+import org.robonewbie.nao.file.TextFile;
+import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.simulator.Console;
+
+/** Reads a start script and those that it runs, one statement after the other, and reports each setting that is left out. */
+final class ScriptReader {
+
+    private static final int MAX_REPORTS = 40;
+    private static final int MAX_FILES = 50;
+    private static final int MAX_NAMES = 5;
+    private static final Set<String> ENDINGS = Set.of("exit", "exit!", "abort", "return", "raise");
+
+    private final Console console;
+    private final Map<String, Object> values = new LinkedHashMap<>();
+    private final Map<String, Object> variables = new HashMap<>();
+    private final Deque<Path> running = new ArrayDeque<>();
+    private int files;
+    private int reports;
+
+    ScriptReader(Console console) {
+        this.console = console;
+    }
+
+    /** The settings by the names of the original, in the order of the script. */
+    Map<String, Object> values() {
+        return values;
+    }
+
+    /** What the script has assigned so far, as far as it is known. */
+    Map<String, Object> variables() {
+        return variables;
+    }
+
+    void set(String setting, Object value) {
+        values.put(setting, value);
+    }
+
+    /**
+     * Reads a script.
+     *
+     * @throws CalledWronglyException if it cannot be read or sets something to an impossible value
+     */
+    void read(Path file) {
+        if (++files > MAX_FILES) {
+            throw new CalledWronglyException(
+                    "More than " + MAX_FILES + " scripts are run one after the other. Leave some out.");
+        }
+        refuseFolder(file);
+        try {
+            execute(file, TextFile.readAndNote(file).content());
+        } catch (UnreadableFileException unreadable) {
+            throw new CalledWronglyException(String.valueOf(unreadable.getMessage()));
+        }
+        if (running.isEmpty() && reports > MAX_REPORTS) {
+            console.say("So were " + (reports - MAX_REPORTS) + " more lines.");
+        }
+    }
+
+    private static void refuseFolder(Path file) {
+        if (Files.isDirectory(file)) {
+            String scripts = scriptsIn(file);
+            throw new CalledWronglyException("The start script " + file + " is a folder. Name a file in it"
+                    + (scripts.isEmpty() ? ", such as " + file.resolve("rcssserver3d.rb") : "; it has " + scripts)
+                    + ".");
+        }
+    }
+
+    private static String scriptsIn(Path folder) {
+        try (Stream<Path> all = Files.list(folder)) {
+            return all.map(each -> String.valueOf(each.getFileName()))
+                    .filter(name -> name.endsWith(".rb"))
+                    .sorted()
+                    .limit(MAX_NAMES)
+                    .collect(Collectors.joining(", "));
+        } catch (IOException unreadable) {
+            return "";
+        }
+    }
+
+    private void execute(Path file, String text) {
+        running.push(real(file));
+        RubyLexer.Result script = RubyLexer.read(text);
+        Optional<RubyStatement> ended = Optional.empty();
+        for (RubyStatement statement : RubyStatement.of(script.all())) {
+            new ScriptStatement(this, file, statement, ended).carryOut();
+            if (ended.isEmpty() && statement.block().isEmpty() && isEnd(statement.tokens())) {
+                ended = Optional.of(statement);
+            }
+        }
+        script.unfinishedLine()
+                .ifPresent(line -> report(file + ", line " + line
+                        + ": a text begins here that does not end; nothing behind it was read."));
+        running.pop();
+    }
+
+    private static boolean isEnd(List<RubyToken> tokens) {
+        return tokens.get(0).kind() == Kind.WORD
+                && ENDINGS.contains(tokens.get(0).text())
+                && tokens.stream().noneMatch(token -> token.isWord("if") || token.isWord("unless"));
+    }
+
+    /** Looks for a script that another one runs: beside it, then in the working directory. */
+    Optional<Path> find(String script, Path other) {
+        try {
+            Path beside = Objects.requireNonNull(other.toAbsolutePath().getParent());
+            return Stream.of(beside.resolve(script), Path.of(script).toAbsolutePath())
+                    .filter(Files::isRegularFile)
+                    .findFirst();
+        } catch (IllegalArgumentException noPath) {
+            return Optional.empty();
+        }
+    }
+
+    boolean isRunning(Path file) {
+        return running.contains(real(file));
+    }
+
+    private static Path real(Path file) {
+        try {
+            return file.toRealPath();
+        } catch (IOException gone) {
+            return file.toAbsolutePath().normalize();
+        }
+    }
+
+    void report(String sentence) {
+        if (++reports <= MAX_REPORTS) {
+            console.say(sentence);
+        }
+    }
+}
