@@ -17,6 +17,7 @@ import java.util.stream.Stream;
 import org.robonewbie.agent.log.Spelling;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.exercises.Exercise;
+import org.robonewbie.nao.file.FileNames;
 
 /**
  * What a class has handed in: a folder for each student, or files named after student and class, such as {@code anna_Kick.java}. A
@@ -80,6 +81,12 @@ final class ClassFolder {
         if (name.startsWith(".")) {
             return;
         }
+        Optional<String> unreadable = FileNames.trouble(entry.toString());
+        if (unreadable.isPresent()) {
+            submissions.computeIfAbsent(name, any -> new ArrayList<>());
+            trouble(name, unreadable.get());
+            return;
+        }
         if (Files.isDirectory(entry)) {
             addStudent(name, entry);
         } else if (name.endsWith(JAVA)) {
@@ -97,6 +104,11 @@ final class ClassFolder {
         }
         Collections.sort(programs);
         for (Path program : programs) {
+            Optional<String> unreadable = FileNames.trouble(program.toString());
+            if (unreadable.isPresent()) {
+                trouble(student, unreadable.get());
+                continue;
+            }
             String type = typeOf(String.valueOf(program.getFileName()));
             exercise(type).ifPresent(exercise -> addSubmission(new Submission(student, exercise, program, folder)));
         }
