@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -134,6 +135,55 @@ class StartPlaceTest {
                 .contains("JAVA_TOOL_OPTIONS=-Djava.io.tmpdir=FOLDER");
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"C", "C.UTF-8"})
+    void studentWhoseFolderCannotBeReadIsAFindingAndTheOthersAreGraded(String locale) throws Exception {
+        Path folder = Files.createDirectories(temporary.resolve("class"));
+        Files.writeString(
+                Files.createDirectories(folder.resolve("anna")).resolve("RaiseArms.java"), "class RaiseArms {}");
+        Process latin = new ProcessBuilder(
+                        "sh", "-c", "mkdir \"$(printf 'J\\366rg')\" && cp anna/RaiseArms.java \"$(printf 'J\\366rg')\"")
+                .directory(folder.toFile())
+                .start();
+        assertThat(latin.waitFor()).isZero();
+
+        Ended ended = start(locale, List.of(), temporary, "grade", "raise-arms", "--class", "class", "--seeds", "1");
+
+        assertThat(ended.said()).contains("2 students, 1 programs").doesNotContain("Exception");
+        assertThat(Files.readString(temporary.resolve("class-grades/findings.csv")))
+                .contains("anna", "rg,", "The name \"");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "void main() { System.out.println(\"begun \" + List.of(1)); }",
+                "class Short { void main(String[] args) { System.out.println(\"begun \" + args.length); } }",
+                "static void main() { IO.println(\"begun\"); }"
+            })
+    void java25BeginsWithItsShortForms(String text) throws Exception {
+        Optional<Path> java = java25();
+        assumeThat(java).isPresent();
+        Files.writeString(temporary.resolve("Short.java"), text);
+
+        Ended ended = start(java.get(), "C.UTF-8", List.of(), temporary, "run", "Short.java");
+
+        assertThat(ended.said()).startsWith("begun");
+        assertThat(ended.exitCode()).isZero();
+    }
+
+    private static Optional<Path> java25() throws IOException {
+        Path all = Path.of("/usr/lib/jvm");
+        if (!Files.isDirectory(all)) {
+            return Optional.empty();
+        }
+        return filesIn(all).stream()
+                .filter(jdk -> jdk.toString().contains("25"))
+                .map(jdk -> jdk.resolve("bin/java"))
+                .filter(Files::isExecutable)
+                .findFirst();
+    }
+
     @Test
     void programThatIsNoAgentAndFindsNoServerIsToldHowToStartOne() throws Exception {
         Files.writeString(temporary.resolve("Raw.java"), """
@@ -162,11 +212,17 @@ class StartPlaceTest {
     }
 
     private static Ended start(String locale, List<String> javaOptions, Path folder, String... words) throws Exception {
+        return start(Path.of(System.getProperty("java.home"), "bin", "java"), locale, javaOptions, folder, words);
+    }
+
+    private static Ended start(Path java, String locale, List<String> javaOptions, Path folder, String... words)
+            throws Exception {
         List<String> options = new ArrayList<>(javaOptions);
         options.add(StudentJava.QUICK_START);
-        ProcessBuilder builder = new ProcessBuilder(StudentJava.command(options, List.of(words)))
-                .directory(folder.toFile())
-                .redirectErrorStream(true);
+        List<String> command = new ArrayList<>(StudentJava.command(options, List.of(words)));
+        command.set(0, java.toString());
+        ProcessBuilder builder =
+                new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true);
         builder.environment().put("LC_ALL", locale);
         builder.environment().put("ROBONEWBIE_RECORDINGS", "off");
         Process process = builder.start();

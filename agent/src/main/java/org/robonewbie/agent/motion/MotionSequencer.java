@@ -321,12 +321,16 @@ public final class MotionSequencer implements Motions {
                 Locale.ROOT,
                 "There is no motion \"%s\".%s Put a file motions/%s.txt into the working directory, or %s",
                 name,
-                meant(plain, names),
+                Spelling.question(plain, names, similar -> "\"" + similar + "\""),
                 plain,
                 others);
     }
 
+    /** Proposes a name for one that no motion can have. */
     private static String meant(String name, SortedSet<String> names) {
-        return Spelling.question(name.strip(), names, similar -> "\"" + similar + "\"");
+        return Spelling.nearest(name.strip(), names)
+                .or(() -> names.contains(name.strip()) ? Optional.of(name.strip()) : Optional.empty())
+                .map(similar -> " Did you mean \"" + similar + "\"?")
+                .orElse("");
     }
 }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.util.Optional;
 import java.util.ServiceLoader;
-import org.robonewbie.nao.file.FileNames;
+import org.robonewbie.nao.file.PathEncoding;
 import org.robonewbie.protocol.embedded.EmbeddedSimulator;
 import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -26,7 +26,7 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
      * @throws IOException if there is no such simulator; the message is a sentence for the user
      */
     public static SimulatorConnection open(WantedSimulator wanted) throws IOException {
-        Optional<String> unreadable = FileNames.trouble();
+        Optional<String> unreadable = PathEncoding.problem();
         if (unreadable.isPresent()) {
             throw new IOException(unreadable.get());
         }
@@ -104,7 +104,7 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
         } catch (IOException impossible) {
             throw new IOException("The simulator cannot start: " + impossible.getMessage(), impossible);
         } catch (InvalidPathException refused) {
-            throw new IOException(FileNames.explain(refused), refused);
+            throw new IOException(PathEncoding.explain(refused), refused);
         }
     }
 

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.program.CommandWord;
-import org.robonewbie.nao.file.FileNames;
+import org.robonewbie.nao.file.PathEncoding;
 import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.text.ConfusableCharacter;
 import org.robonewbie.nao.text.Spelling;
@@ -56,7 +56,7 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
             return "There is no file or folder " + message + ".";
         }
         if (exception instanceof InvalidPathException refused) {
-            return FileNames.explain(refused);
+            return PathEncoding.explain(refused);
         }
         return exception instanceof FileSystemException ? "File trouble with " + message + "." : message;
     }

@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.robonewbie.agent.Options;
 import org.robonewbie.app.program.CommandWord;
-import org.robonewbie.nao.file.FileNames;
+import org.robonewbie.nao.file.PathEncoding;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -76,7 +76,7 @@ public final class RoboNewbieCommand {
             System.out.println(version());
             return CommandLine.ExitCode.OK;
         }
-        Optional<String> unreadable = mayWrite(arguments) ? FileNames.trouble(arguments) : Optional.empty();
+        Optional<String> unreadable = mayWrite(arguments) ? PathEncoding.problem(arguments) : Optional.empty();
         if (unreadable.isPresent()) {
             System.err.println("robonewbie: " + unreadable.get());
             return CommandLine.ExitCode.USAGE;

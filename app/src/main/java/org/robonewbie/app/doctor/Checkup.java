@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
-import org.robonewbie.nao.file.FileNames;
+import org.robonewbie.nao.file.PathEncoding;
 
 /** All checks of the installation, from Java to a robot that stands. */
 public final class Checkup {
@@ -23,7 +23,7 @@ public final class Checkup {
         Checkup checkup = new Checkup();
         checkup.checks.add(JavaCheck::version);
         checkup.checks.add(EncodingCheck::ofNames);
-        if (FileNames.trouble().isPresent()) {
+        if (PathEncoding.problem().isPresent()) {
             return checkup;
         }
         checkup.checks.add(JavaCheck::compiler);
@@ -49,7 +49,7 @@ public final class Checkup {
      */
     public static Checkup ofRoom(boolean headless) {
         Checkup checkup = of(headless);
-        if (FileNames.trouble().isPresent()) {
+        if (PathEncoding.problem().isPresent()) {
             return checkup;
         }
         checkup.checks.add(StartTimeCheck::measured);

@@ -1,7 +1,7 @@
 package org.robonewbie.app.doctor;
 
 import java.util.Optional;
-import org.robonewbie.nao.file.FileNames;
+import org.robonewbie.nao.file.PathEncoding;
 
 /** Looks whether Java can read the names of all files. */
 final class EncodingCheck {
@@ -11,7 +11,7 @@ final class EncodingCheck {
     private EncodingCheck() {}
 
     static Finding ofNames() {
-        return of(FileNames.trouble(), FileNames.areUnicode(), FileNames.encoding());
+        return of(PathEncoding.problem(), PathEncoding.isUnicode(), PathEncoding.name());
     }
 
     static Finding of(Optional<String> trouble, boolean unicode, String encoding) {

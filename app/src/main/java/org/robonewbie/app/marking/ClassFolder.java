@@ -13,6 +13,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.exercises.Exercise;
+import org.robonewbie.nao.file.PathEncoding;
 import org.robonewbie.nao.file.SubmittedFolder;
 import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.text.Spelling;
@@ -82,6 +83,12 @@ final class ClassFolder {
         if (name.startsWith(".")) {
             return;
         }
+        Optional<String> unreadable = PathEncoding.problem(entry.toString());
+        if (unreadable.isPresent()) {
+            submissions.computeIfAbsent(name, any -> new ArrayList<>());
+            trouble(name, unreadable.get());
+            return;
+        }
         if (name.endsWith(JAVA) && !Files.isDirectory(entry)) {
             addFlat(name, entry);
         } else if (Files.isDirectory(entry) || Files.isSymbolicLink(entry)) {
@@ -101,6 +108,11 @@ final class ClassFolder {
         List<Path> programs = new SubmittedFolder(copy, place -> false)
                 .files().stream().filter(ClassFolder::isProgram).toList();
         for (Path program : programs) {
+            Optional<String> unreadable = PathEncoding.problem(program.toString());
+            if (unreadable.isPresent()) {
+                trouble(student, unreadable.get());
+                continue;
+            }
             String type = typeOf(String.valueOf(program.getFileName()));
             exercise(type).ifPresent(exercise -> addSubmission(new Submission(student, exercise, program, copy)));
         }

@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.File;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import java.util.jar.Attributes;
 import java.util.jar.JarFile;
 import org.junit.jupiter.api.Test;
@@ -48,8 +50,7 @@ class ClassPathTest {
                 .redirectErrorStream(true)
                 .start();
 
-        assertThat(process.getInputStream())
-                .hasBinaryContent("there".getBytes(java.nio.charset.StandardCharsets.UTF_8));
+        assertThat(process.getInputStream()).hasBinaryContent("there".getBytes(StandardCharsets.UTF_8));
         assertThat(process.waitFor()).isZero();
     }
 
@@ -80,7 +81,7 @@ class ClassPathTest {
 
         /** Prints the file. */
         public static void main(String[] args) throws Exception {
-            try (var file = Finder.class.getResourceAsStream("/greeting.txt")) {
+            try (var file = Objects.requireNonNull(Finder.class.getResourceAsStream("/greeting.txt"))) {
                 file.transferTo(System.out);
             }
         }

@@ -41,6 +41,7 @@ class MainMethodTest {
     }
 
     static class Hidden {
+        @SuppressWarnings("UnusedMethod") // that is what is tried
         private void main() {
             CALLS.add("hidden");
         }
