@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -122,15 +122,15 @@ class TextReadersTest {
                 .noneMatch(code -> OWN_DECODING.matcher(code).find());
     }
 
-    private static TreeSet<String> found() {
-        Map<String, Path> found = new TreeMap<>();
+    private static Set<String> found() {
+        Set<String> found = new TreeSet<>();
         for (Path file : Project.productSources(".java")) {
             String code = Project.read(file).replaceAll("(?s)/\\*.*?\\*/|//[^\\n]*", "");
             if (OWN_DECODING.matcher(code).find()) {
                 String path = Project.ROOT.relativize(file).toString().replace('\\', '/');
-                found.put(path.replaceFirst(".*/org/robonewbie/", "").replace(".java", ""), file);
+                found.add(path.replaceFirst(".*/org/robonewbie/", "").replace(".java", ""));
             }
         }
-        return new TreeSet<>(found.keySet());
+        return found;
     }
 }

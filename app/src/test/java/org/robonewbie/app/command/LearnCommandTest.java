@@ -99,7 +99,7 @@ class LearnCommandTest {
                                 "walk", "--exam", folder.resolve("no.policy").toString())
                         .call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageContaining("no.policy cannot be read");
+                .hasMessageContaining("no.policy does not exist");
     }
 
     private static LearnCommand learn(Path file, String... options) {
