@@ -69,9 +69,13 @@ public final class AgentProgram {
                 + (mistake instanceof OutOfMemoryError ? " " + Failure.MEMORY : " ended with " + mistake)
                 + place);
         if (own.isEmpty()) {
-            mistake.printStackTrace();
+            print(List.of(mistake.getStackTrace()));
         } else if (mistake instanceof Exception && own.size() > 1) {
-            own.forEach(line -> System.err.println("    at " + line));
+            print(own);
         }
+    }
+
+    private static void print(List<StackTraceElement> calls) {
+        calls.forEach(call -> System.err.println("    at " + call));
     }
 }
