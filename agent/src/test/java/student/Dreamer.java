@@ -16,13 +16,9 @@ public final class Dreamer {
 
     /** Goes on until the time has come. */
     public static void dreamUntil(BooleanSupplier end) {
-        while (!end.getAsBoolean()) {
-            Thread.onSpinWait();
+        boolean over = false;
+        while (!over) {
+            over = end.getAsBoolean();
         }
-    }
-
-    /** Sleeps. */
-    public static void sleep() throws InterruptedException {
-        Thread.sleep(Long.MAX_VALUE);
     }
 }

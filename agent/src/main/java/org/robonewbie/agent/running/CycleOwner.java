@@ -1,5 +1,7 @@
 package org.robonewbie.agent.running;
 
+import java.util.Locale;
+
 /** Who turns the cycle of a robot, which decides what a slow program is told. */
 public enum CycleOwner {
 
@@ -32,7 +34,7 @@ public enum CycleOwner {
      * @return a sentence
      */
     public String finding(Slowness slowness, String place) {
-        String time = Math.round(slowness.milliseconds()) + " ms";
+        String time = String.format(Locale.ROOT, "%.0f ms", slowness.milliseconds());
         String does = switch (slowness.cause().kind()) {
             case SLEEPS -> " slept " + time;
             case WAITS -> " waited " + time + " in " + slowness.cause().call();

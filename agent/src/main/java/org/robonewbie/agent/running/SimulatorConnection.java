@@ -78,10 +78,10 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
     @Override
     public abstract void close();
 
-    /** What somebody needs to know who may not expect another simulator. */
+    /** For a user who does not expect another simulator. */
     private static final String RUNS_ALREADY =
             ", which runs already. Watch it in the studio whose address stands in the"
-                    + " terminal where it was started; to start anew, end it there first, or add --seed 1.";
+                    + " terminal where it was started; for a fresh start end it there first, or add --seed 1.";
 
     private static SimulatorConnection joinOrStart(WantedSimulator wanted) throws IOException {
         try {

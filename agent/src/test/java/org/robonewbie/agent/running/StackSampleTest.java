@@ -85,31 +85,6 @@ class StackSampleTest {
                 .isEqualTo(new StackSample(Kind.COMPUTES, "", ""));
     }
 
-    @Test
-    void knowsARealThreadThatSleeps() throws InterruptedException {
-        Thread sleeper = new Thread(StackSampleTest::sleep);
-        sleeper.setDaemon(true);
-        StackSample sample;
-        sleeper.start();
-        do {
-            Thread.onSpinWait();
-            sample = StackSample.of(sleeper.getState(), sleeper.getStackTrace());
-        } while (sample.kind() == Kind.COMPUTES);
-        sleeper.interrupt();
-        sleeper.join();
-
-        assertThat(sample.call()).isEqualTo("Thread.sleep()");
-        assertThat(sample.place()).matches("Dreamer\\.java:\\d+");
-    }
-
-    private static void sleep() {
-        try {
-            student.Dreamer.sleep();
-        } catch (InterruptedException end) {
-            Thread.currentThread().interrupt();
-        }
-    }
-
     private static StackTraceElement call(String type, String method, int line) {
         return new StackTraceElement(type, method, type + ".java", line);
     }

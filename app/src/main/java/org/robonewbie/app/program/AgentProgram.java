@@ -62,13 +62,17 @@ public final class AgentProgram {
                 + (mistake instanceof OutOfMemoryError ? " " + Failure.MEMORY : " ended with " + mistake)
                 + place);
         if (own.isEmpty()) {
-            mistake.printStackTrace();
+            print(List.of(mistake.getStackTrace()));
         } else if (mistake instanceof Exception && own.size() > 1) {
-            own.forEach(line -> System.err.println("    at " + line));
+            print(own);
         }
         if (thrown instanceof ConnectException || thrown.getCause() instanceof ConnectException) {
             System.err.println(
                     "No server answers there. If the program needs a simulator, start one first: robonewbie simulator");
         }
+    }
+
+    private static void print(List<StackTraceElement> calls) {
+        calls.forEach(call -> System.err.println("    at " + call));
     }
 }
