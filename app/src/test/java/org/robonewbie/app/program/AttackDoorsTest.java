@@ -42,7 +42,7 @@ class AttackDoorsTest {
                         }
                         java.nio.file.Files.createFile(java.nio.file.Path.of("%2$s"));
                     } catch (Exception e) {
-                        e.printStackTrace();
+                        throw new IllegalStateException(e);
                     }
                 }
 
@@ -59,7 +59,12 @@ class AttackDoorsTest {
         GRADE {
             @Override
             void open(Path all) {
-                assertThat(Printed.by("grade", "raise-arms", all.resolve(PROGRAM_FILE).toString(), "--seeds", "1")
+                assertThat(Printed.by(
+                                        "grade",
+                                        "raise-arms",
+                                        all.resolve(PROGRAM_FILE).toString(),
+                                        "--seeds",
+                                        "1")
                                 .exitCode())
                         .isEqualTo(1);
             }
@@ -86,8 +91,8 @@ class AttackDoorsTest {
             @Override
             void open(Path all) {
                 String out = all.resolveSibling("set").toString();
-                Printed printed =
-                        Printed.by("record", all.resolve(PROGRAM_FILE).toString(), "--runs", "1", "--seconds", "1", "--out", out);
+                Printed printed = Printed.by(
+                        "record", all.resolve(PROGRAM_FILE).toString(), "--runs", "1", "--seconds", "1", "--out", out);
                 assertThat(printed.exitCode()).as(printed.err()).isZero();
             }
         },
