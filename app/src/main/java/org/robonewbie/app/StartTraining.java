@@ -1,15 +1,16 @@
 package org.robonewbie.app;
 
 import java.io.IOException;
-import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.robonewbie.app.command.RoboNewbieCommand;
+import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.file.FolderLock;
 
 /** Makes a {@link StartArchive}: a second Java does what people do first, and writes down the classes that it has loaded. */
 final class StartTraining {
@@ -28,17 +29,18 @@ final class StartTraining {
             System.exit(train());
         }
         Path file = Path.of(arguments[0]);
-        Path lock = file.resolveSibling(file.getFileName() + ".lock");
-        try (FileChannel channel = FileChannel.open(
-                lock, StandardOpenOption.CREATE, StandardOpenOption.WRITE, StandardOpenOption.DELETE_ON_CLOSE)) {
-            if (channel.tryLock() != null) {
+        Optional<FolderLock> lock = FolderLock.take(file.resolveSibling(file.getFileName() + ".lock"));
+        if (lock.isPresent()) {
+            FolderLock taken = lock.get();
+            try (taken) {
                 make(file);
             }
         }
     }
 
     private static void make(Path file) throws IOException, InterruptedException {
-        Path made = file.resolveSibling(file.getFileName() + ".new");
+        Path made = file.resolveSibling(
+                file.getFileName() + "." + ProcessHandle.current().pid() + ".new");
         Files.deleteIfExists(made);
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
@@ -51,7 +53,7 @@ final class StartTraining {
         boolean ended = training.waitFor(LONGEST_SECONDS, TimeUnit.SECONDS);
         training.destroyForcibly();
         if (ended && training.exitValue() == 0 && Files.isRegularFile(made)) {
-            Files.writeString(StartArchive.noteOf(file), System.getProperty("java.class.path"));
+            AtomicFile.write(StartArchive.noteOf(file), System.getProperty("java.class.path"));
             Files.move(made, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         }
         Files.deleteIfExists(made);

@@ -47,7 +47,7 @@ class HostileClassTest {
                     try {
                         %s
                     } catch (Exception e) {
-                        e.printStackTrace();
+                        throw new IllegalStateException(e);
                     }
                 }
 

@@ -25,6 +25,8 @@ import org.robonewbie.exercises.Exercises;
 @EnabledOnOs(OS.LINUX)
 class AttackDoorsTest {
 
+    private static final String PROGRAM_FILE = "anna/RaiseArms.java";
+
     private static final String PROGRAM = """
             import org.robonewbie.agent.Agent;
 
@@ -40,7 +42,7 @@ class AttackDoorsTest {
                         }
                         java.nio.file.Files.createFile(java.nio.file.Path.of("%2$s"));
                     } catch (Exception e) {
-                        e.printStackTrace();
+                        throw new IllegalStateException(e);
                     }
                 }
 
@@ -56,16 +58,20 @@ class AttackDoorsTest {
     enum Door {
         GRADE {
             @Override
-            void open(Path program) {
-                assertThat(Printed.by("grade", "raise-arms", program.toString(), "--seeds", "1")
+            void open(Path all) {
+                assertThat(Printed.by(
+                                        "grade",
+                                        "raise-arms",
+                                        all.resolve(PROGRAM_FILE).toString(),
+                                        "--seeds",
+                                        "1")
                                 .exitCode())
                         .isEqualTo(1);
             }
         },
         CLASS {
             @Override
-            void open(Path program) {
-                Path all = program.getParent().getParent();
+            void open(Path all) {
                 assertThat(Printed.by("grade", "raise-arms", "--class", all.toString(), "--seeds", "1")
                                 .out())
                         .contains("anna", "0.0 points");
@@ -73,9 +79,9 @@ class AttackDoorsTest {
         },
         COMPETITION {
             @Override
-            void open(Path program) {
-                String results = program.getParent().resolveSibling("results").toString();
-                String team = "Red=" + program.getParent();
+            void open(Path all) {
+                String results = all.resolveSibling("results").toString();
+                String team = "Red=" + all.resolve("anna");
                 assertThat(Printed.by("competition", "exercise:raise-arms", "--rounds", "1", "--results", results, team)
                                 .exitCode())
                         .isZero();
@@ -83,22 +89,22 @@ class AttackDoorsTest {
         },
         RECORD {
             @Override
-            void open(Path program) {
-                String out = program.getParent().resolveSibling("set").toString();
-                Printed printed =
-                        Printed.by("record", program.toString(), "--runs", "1", "--seconds", "1", "--out", out);
+            void open(Path all) {
+                String out = all.resolveSibling("set").toString();
+                Printed printed = Printed.by(
+                        "record", all.resolve(PROGRAM_FILE).toString(), "--runs", "1", "--seconds", "1", "--out", out);
                 assertThat(printed.exitCode()).as(printed.err()).isZero();
             }
         },
         ROOM {
             @Override
-            void open(Path program) throws IOException {
+            void open(Path all) throws IOException {
                 try (ServerSocket world = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
                         GuestProcess guest = GuestProcess.start(
                                 Exercises.find("raise-arms").orElseThrow(),
-                                program.toString(),
+                                all.resolve(PROGRAM_FILE).toString(),
                                 world.getLocalPort(),
-                                program.getParent())) {
+                                all.resolve("anna"))) {
                     world.setSoTimeout((int) TimeUnit.SECONDS.toMillis(60));
                     world.accept().close();
                     assertThat(guest.output()).isNotNull();
@@ -106,7 +112,7 @@ class AttackDoorsTest {
             }
         };
 
-        abstract void open(Path program) throws IOException;
+        abstract void open(Path all) throws IOException;
     }
 
     @ParameterizedTest
@@ -114,10 +120,10 @@ class AttackDoorsTest {
     void nothingThatAProgramStartedOutlivesIt(Door door) throws IOException {
         String sleep = "sleep 96961." + ProcessHandle.current().pid() + door.ordinal();
         Path began = folder.resolve("began");
-        Path program = Files.createDirectories(folder.resolve("all/anna")).resolve("RaiseArms.java");
-        Files.writeString(program, PROGRAM.formatted(sleep, began));
+        Files.createDirectories(folder.resolve("all/anna"));
+        Files.writeString(folder.resolve("all").resolve(PROGRAM_FILE), PROGRAM.formatted(sleep, began));
 
-        door.open(program);
+        door.open(folder.resolve("all"));
 
         assertThat(door == Door.COMPETITION || Files.exists(began)).isTrue();
         assertThat(ProcessHandle.allProcesses()

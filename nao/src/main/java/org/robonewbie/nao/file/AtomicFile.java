@@ -11,7 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import java.util.concurrent.ThreadLocalRandom;
+import java.util.UUID;
 
 /**
  * Files that appear under their name as a whole or not at all. While they are written they have a name with the ending {@code .part},
@@ -26,7 +26,7 @@ public final class AtomicFile {
     /** How the names of files end that are not finished. */
     public static final String UNFINISHED = ".part";
 
-    private static final int NAMES = 1 << 24;
+    private static final int DIGITS = 8;
 
     private AtomicFile() {}
 
@@ -49,7 +49,7 @@ public final class AtomicFile {
      * @throws UnwritableFileException if the file cannot be written; nothing is left behind then
      */
     public static void write(Path file, byte[] bytes) throws UnwritableFileException {
-        String own = "." + Integer.toHexString(ThreadLocalRandom.current().nextInt(NAMES)) + UNFINISHED;
+        String own = "." + UUID.randomUUID().toString().substring(0, DIGITS) + UNFINISHED;
         Path part = file.resolveSibling(file.getFileName() + own);
         try {
             try {
