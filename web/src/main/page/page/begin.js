@@ -19,9 +19,6 @@ import { WorldConnection } from './world-connection.js';
 import { world } from './world-process.js';
 import { WorldQuestions } from './world-questions.js';
 
-/** The studio shows nothing to whom its server has not given a token; this page is everybody's. */
-const TOKEN = 'page';
-
 /** @param {import('./world-process.js').World} worker */
 async function begin(worker) {
   const shelf = new ProgramShelf();
@@ -49,7 +46,6 @@ async function begin(worker) {
     ...scenes.parts,
     ...new ReplayServer(recordings, bodies).parts,
   });
-  options.set('token', TOKEN);
   const studio = new Studio(
     options,
     (listener) => new WorldConnection(worker, listener, choice, { programs, course, questions, recordings, scenes }),

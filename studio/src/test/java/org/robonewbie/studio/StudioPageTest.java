@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.net.URI;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
@@ -51,7 +52,7 @@ class StudioPageTest {
 
     private void openStudio() {
         simulation.start();
-        browser.visit(studio.address() + CHEAP);
+        browser.visit(studio.oneTimeAddress() + CHEAP);
         browser.await("studio.state.frame && studio.view.drawCalls > 0");
     }
 
@@ -83,25 +84,44 @@ class StudioPageTest {
     }
 
     @Test
-    void addressWithoutTokenSaysWhatToOpen() {
-        browser.visit("http://127.0.0.1:" + studio.address().getPort() + "/");
+    void browserThatIsNotLetInIsToldWhatToDoAndComesInByItself() {
+        String elsewhere = "http://localhost:" + studio.address().getPort() + "/"; // which has no cookie of 127.0.0.1
+        browser.visit(elsewhere + "?quality=lowest");
 
-        browser.await("document.querySelector('#banner').innerText.includes('Open the address that the simulator')");
+        browser.await("document.querySelector('#banner').innerText.includes('Press Enter in the terminal')");
+        browser.evaluate("fetch('" + elsewhere + "?" + studio.oneTimeAddress().getQuery() + "')");
+        browser.await("studio.state.connection === 'live'");
+        browser.forgetComplaints();
     }
 
     @Test
-    void addressWithAWrongTokenSaysWhatToOpen() {
-        browser.visit("http://127.0.0.1:" + studio.address().getPort() + "/?token=wrong");
+    void oneAddressServesReloadsAndFurtherTabs() {
+        browser.visit(studio.oneTimeAddress() + CHEAP + "#motion");
 
-        browser.await("document.querySelector('#banner').innerText.includes('The access token is missing or wrong. "
-                + "Open the address that the simulator has printed.')");
+        browser.await("studio.state.connection === 'live'");
+        assertThat(browser.evaluate("location.search + location.hash + document.cookie")
+                        .getAsString())
+                .isEqualTo(CHEAP.replaceFirst("&", "?") + "#motion");
+        browser.visit(studio.address() + "?quality=lowest");
+        browser.await("studio.state.connection === 'live'");
+    }
+
+    @Test
+    void usedAddressSaysHowToGetAnotherOne() {
+        String used = studio.oneTimeAddress().toString().replace("127.0.0.1", "localhost");
+        StudioCookie.of(URI.create(used));
+
+        browser.visit(used);
+
+        browser.await("document.querySelector('h1').innerText === 'This address has been used'");
+        browser.forgetComplaints();
     }
 
     @Test
     void browserWithoutThreeDimensionsIsToldWhatToDo() {
         String script = browser.runBeforePages("HTMLCanvasElement.prototype.getContext = () => null");
         try {
-            browser.visit(studio.address().toString());
+            browser.visit(studio.oneTimeAddress().toString());
 
             browser.await("document.querySelector('#banner').innerText.includes('Switch on WebGL')");
         } finally {

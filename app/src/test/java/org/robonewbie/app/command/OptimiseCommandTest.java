@@ -135,7 +135,7 @@ class OptimiseCommandTest {
                     new Cloud(0.1, middle, spread),
                     new Generation.Pace(8, 30)));
 
-            try (BoardPage page = new BoardPage(studio.address(), "search")) {
+            try (BoardPage page = new BoardPage(studio.oneTimeAddress(), "search")) {
                 assertThat(page.next())
                         .contains(
                                 "\"subject\":\"kick-right\"",

@@ -29,7 +29,7 @@ class ContestStudioTest {
         List<TeamEntry> teams = TeamList.parse(List.of("Red=Agent_Wave", "Blue=Agent_Wave"));
         Contest contest = Contests.scoring(Conditions.of(1), 1);
         try (ContestStudio studio = ContestStudio.open(contest, folder);
-                BoardPage page = new BoardPage(studio.address(), "wall")) {
+                BoardPage page = new BoardPage(studio.oneTimeAddress(), "wall")) {
             CompetitionSettings settings = new CompetitionSettings(
                     1,
                     folder,

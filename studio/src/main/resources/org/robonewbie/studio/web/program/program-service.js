@@ -17,11 +17,6 @@
  */
 
 export class ProgramService {
-  /** @param {string} token */
-  constructor(token) {
-    this.token = token;
-  }
-
   /** @returns {Promise<ProgramList>} */
   async list() {
     return (await this.#ask('GET', 'programs')).json();
@@ -113,7 +108,7 @@ export class ProgramService {
 
   /** @param {string} method @param {string} path @param {string} [body] @param {Record<string, string>} [headers] */
   async #ask(method, path, body, headers = {}) {
-    const answer = await fetch(`api/${path}`, { method, body, headers: { ...headers, 'Studio-Token': this.token } });
+    const answer = await fetch(`api/${path}`, { method, body, headers });
     if (!answer.ok) {
       throw Object.assign(new Error(await answer.text()), { status: answer.status });
     }
