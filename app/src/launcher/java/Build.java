@@ -207,6 +207,7 @@ final class Build {
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:+UseSerialGC",
                 "-Drobonewbie.home=" + home,
+                "-Drobonewbie.terminal=true",
                 "-jar",
                 program().orElseThrow().toString()));
         command.addAll(arguments);

@@ -52,6 +52,7 @@ class PuppetTest {
     private Simulator simulator;
     private StudioServer studio;
     private WebSocket page;
+    private String cookie = "";
 
     @BeforeEach
     void open() throws IOException {

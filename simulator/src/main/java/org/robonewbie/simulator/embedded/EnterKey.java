@@ -10,22 +10,23 @@ import java.util.function.Supplier;
 /** Prints another address of a view whenever Enter is pressed in the terminal, since an address lets one browser in only once. */
 public final class EnterKey {
 
+    /** Set by the launcher, which also sees to it that a process in the background is not stopped when it reads. */
+    private static final String TERMINAL = "robonewbie.terminal";
+
     private static final String HINT = " (opens once; press Enter here for another address)";
     private static final int LONGEST_LINE = 4096;
 
     private EnterKey() {}
 
     /**
-     * Starts to listen, if the command was started in a terminal; ends with the process. A program of this process that reads
-     * the standard input receives it from then on.
+     * Starts to listen, if the launcher has started this process in a terminal; ends with the process. A program of this process
+     * that reads the standard input receives it from then on.
      *
      * @param view the view
      * @return what to print after the first address; empty if nothing listens
      */
     public static String listen(Viewer.View view) {
-        // Without the launcher a process in the background is stopped when it reads; without a terminal the input is
-        // another's.
-        if (System.getProperty("robonewbie.home") == null || System.console() == null) {
+        if (!Boolean.getBoolean(TERMINAL)) {
             return "";
         }
         InputStream keyboard = System.in;

@@ -41,21 +41,15 @@ final class SharedInput extends InputStream {
         if (length == 0) {
             return 0;
         }
-        int count = pending.read(bytes, offset, length);
-        while (count < 0 && !isClosed) {
-            await();
-            count = pending.read(bytes, offset, length);
-        }
-        return count;
-    }
-
-    private void await() throws IOException {
         try {
-            wait();
+            while (pending.available() == 0 && !isClosed) {
+                wait();
+            }
         } catch (InterruptedException stop) {
             Thread.currentThread().interrupt();
             throw (IOException) new InterruptedIOException("The program was stopped.").initCause(stop);
         }
+        return pending.read(bytes, offset, length);
     }
 
     @Override
