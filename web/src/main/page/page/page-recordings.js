@@ -233,7 +233,8 @@ export class PageRecordings {
     }
     await this.#work;
     const entry = this.#fresh(name.replace(/\.rec$/, ''), '');
-    await this.#add(entry, { bytes: packed, isPacked: true, notes: '' });
+    const piece = { bytes: packed, isPacked: true, notes: '' };
+    await this.#add(entry, piece).catch((full) => (this.#entries.delete(entry.id), Promise.reject(full)));
     return entry.name;
   }
 

@@ -6,10 +6,12 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.URI;
+import java.nio.file.Path;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,6 +21,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.embedded.RedirectPage;
 
 /** The studio as people have it: in a real browser, drawn by software. */
 @InBrowser(width = 640, height = 360)
@@ -104,6 +107,21 @@ class StudioPageTest {
                 .isEqualTo(CHEAP.replaceFirst("&", "?") + "#motion");
         browser.visit(studio.address() + "?quality=lowest");
         browser.await("studio.state.connection === 'live'");
+    }
+
+    @Test
+    void pageFileThatOpenersNameLetsTheBrowserIn(@TempDir Path home) throws IOException {
+        String usersHome = System.setProperty("user.home", home.toString());
+        try {
+            browser.visit(RedirectPage.write(studio.oneTimeAddress()).toUri().toString());
+
+            browser.await("typeof studio === 'object' && studio.state.connection === 'live'");
+            assertThat(browser.evaluate("location.href").getAsString())
+                    .isEqualTo(studio.address().toString());
+        } finally {
+            System.setProperty("user.home", usersHome);
+            browser.forgetComplaints();
+        }
     }
 
     @Test

@@ -1,19 +1,19 @@
 /** Which program is open: chooses, opens, makes, saves; keeps what is unsaved; takes over what an IDE writes meanwhile. */
-import { ask } from '../motion/questions.js';
 import { button, byId, choice, element } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
 import {
   FIRST_NAME,
   folderOfNew,
-  freeName,
   isUnsaved,
-  javaName,
+  LAST_PROGRAM,
   normal,
   opened,
   written,
 } from '../state/program/documents.js';
 import { fileName } from '../state/program/remarks.js';
+import { DraftKeeper } from './draft-keeper.js';
 import { fillChoice } from './file-choice.js';
+import { makeProgram } from './new-program.js';
 import { note } from './program-room.js';
 
 /**
@@ -21,22 +21,24 @@ import { note } from './program-room.js';
  * @typedef {import('../state/program/documents.js').OpenFile} OpenFile
  */
 
-const KEY = 'robonewbie-program';
-const DRAFT_MILLISECONDS = 400;
 const LOOK_MILLISECONDS = 1000;
-const NAME = /^[\p{L}_$][\p{L}\p{N}_$]{0,79}(\.java)?$/u;
-const NAME_HINT = 'The name of a class: letters and digits, a capital letter first.';
 
 export class FileDesk {
-  #draftTimer = 0;
-  #isDraftKept = true;
   #looking = false;
+  /** The shared program that was opened last, as it came. */
+  #asShared = '';
+  #sharedVersion = '';
 
   /** @param {any} room */
   constructor(room) {
     this.room = room;
     this.service = room.service;
     this.editor = room.editor;
+    this.drafts = new DraftKeeper(
+      this,
+      (deed) => room.attempt(deed),
+      () => this.#sayTaken(),
+    );
     /** @type {ProgramList} */
     this.list = { open: true, folder: '', own: [], drafts: [], examples: [] };
     /** @type {OpenFile | undefined} */
@@ -45,7 +47,7 @@ export class FileDesk {
       room.attempt(() => this.choose(value)),
     );
     this.change = element('div', {});
-    const make = button('New…', 'Makes another program', () => room.attempt(() => this.#make('')), {
+    const make = button('New…', 'Makes another program', () => room.attempt(() => makeProgram(this, '')), {
       id: 'program-new',
     });
     this.saveButton = button('Save', 'Saves the program (Ctrl+S)', () => room.attempt(() => room.save()), {
@@ -57,13 +59,13 @@ export class FileDesk {
 
   /** @returns {boolean} whether something is lost if the page is closed now */
   get isAtRisk() {
-    return !this.#isDraftKept;
+    return this.drafts.isAtRisk;
   }
 
   /** @param {ProgramList} list */
   async open(list) {
     this.list = list;
-    const last = recall(KEY, '');
+    const last = recall(LAST_PROGRAM, '');
     const wanted = [last, list.drafts[0]?.path, list.own[0]?.path].find(
       (path) => path && [...list.own, ...list.drafts].some((each) => each.path === path),
     );
@@ -84,10 +86,21 @@ export class FileDesk {
     const isSaved = this.list.own.some((each) => each.path === path);
     const isDraft = this.list.drafts.some((each) => each.path === path);
     const { text, version } = isSaved ? await this.service.read('own', path) : { text: '', version: '' };
-    const draft = isDraft ? (await this.service.read('draft', path)).text : undefined;
-    keep(KEY, path);
+    const { text: draft, version: draftVersion } = isDraft
+      ? await this.service.read('draft', path)
+      : { text: undefined, version: '' };
+    keep(LAST_PROGRAM, path);
     this.#show(opened('own', path, text, version), normal(draft ?? text));
-    if (draft !== undefined && normal(draft) !== normal(text)) {
+    this.drafts.begin(draftVersion);
+    const shared = this.list.shared?.find((each) => each.path === path);
+    if (shared) {
+      this.#asShared = this.editor.text;
+      this.#sharedVersion = draftVersion;
+      this.#say('A program that was shared with you. Your own programs are as they were.', [
+        ['Keep a copy', () => this.room.save()],
+        ['Back to mine', () => this.#giveBack(shared)],
+      ]);
+    } else if (isSaved && draft !== undefined && normal(draft) !== normal(text)) {
       this.#say('This is what you had not saved.', [
         ['Take the saved one', () => this.#takeSaved()],
         ['Keep this', async () => this.#say('', [])],
@@ -101,12 +114,15 @@ export class FileDesk {
     if (!file || file.shelf === 'example') {
       return false;
     }
-    await this.#keepDraft();
+    await this.drafts.keep().catch(() => false); // what cannot be kept may be saved all the same
     const text = this.editor.text;
     try {
       const version = await this.service.write(file.path, written(file, text), file.version);
       this.file = { ...file, saved: text, version };
-      this.#isDraftKept = true;
+      this.drafts.saved();
+      if (file.version === '') {
+        this.#say('', []);
+      }
       await this.refresh();
       return true;
     } catch (error) {
@@ -120,12 +136,9 @@ export class FileDesk {
 
   /** Something was typed. */
   changed() {
-    const isWork = isUnsaved(this.file, this.editor.text);
-    this.saveButton.disabled = !isWork;
+    this.saveButton.disabled = !isUnsaved(this.file, this.editor.text);
     if (this.file?.shelf === 'own') {
-      this.#isDraftKept = !isWork;
-      clearTimeout(this.#draftTimer);
-      this.#draftTimer = window.setTimeout(() => this.room.attempt(() => this.#keepDraft()), DRAFT_MILLISECONDS);
+      this.drafts.keepSoon();
     }
   }
 
@@ -134,31 +147,16 @@ export class FileDesk {
     this.#draw();
   }
 
-  async #keepDraft() {
-    clearTimeout(this.#draftTimer);
-    const { file } = this;
-    const text = this.editor.text;
-    if (file?.shelf !== 'own') {
-      return;
-    }
-    if (isUnsaved(file, text)) {
-      await this.service.writeDraft(file.path, written(file, text));
-    } else if (this.list.drafts.some(({ path }) => path === file.path)) {
-      await this.service.removeDraft(file.path);
-    }
-    this.#isDraftKept = text === this.editor.text;
-  }
-
   /** @param {OpenFile} file @param {string} text of the editor, if it is another one than that of the file */
   #show(file, text) {
     this.file = file;
     const isExample = file.shelf === 'example';
     this.editor.open(`${file.shelf} ${file.path}`, text || file.saved, isExample);
-    this.#isDraftKept = true;
+    this.drafts.begin('');
     this.#say('', []);
     if (isExample) {
       this.#say('An example, which can only be read. Run makes a copy of your own.', [
-        ['Make my own copy', () => this.#make(file.path)],
+        ['Make my own copy', () => makeProgram(this, file.path)],
       ]);
     }
     this.#draw();
@@ -178,7 +176,10 @@ export class FileDesk {
   async choose(value) {
     const [shelf, ...words] = value.split(' ');
     const path = words.join(' ');
-    await this.#keepDraft();
+    if (!(await this.drafts.keep())) {
+      this.#draw();
+      return;
+    }
     await this.refresh();
     if (shelf === 'example') {
       this.#show(opened('example', path, (await this.service.read('example', path)).text, ''), '');
@@ -189,45 +190,6 @@ export class FileDesk {
     }
   }
 
-  /** @param {string} example what to begin with, or nothing */
-  async #make(example) {
-    const folder = folderOfNew(this.list.own);
-    const name = await ask({
-      title: example ? 'Make my own copy' : 'New program',
-      label: 'Name',
-      value: this.#nameFor(example)
-        .slice(folder.length)
-        .replace(/\.java$/, ''),
-      action: 'Make it',
-      pattern: NAME,
-      hint: NAME_HINT,
-    });
-    if (name) {
-      await this.#create(folder + javaName(name), example);
-    }
-  }
-
-  /** Makes a copy of the example that is shown, which can be changed and run. */
-  async copyExample() {
-    if (this.file?.shelf === 'example') {
-      await this.#create(this.#nameFor(this.file.path), this.file.path);
-    }
-  }
-
-  /** @param {string} example @returns {string} a free path for a program that begins with it */
-  #nameFor(example) {
-    const wanted = example ? `My${example.replace(/^Agent_/, '')}.java` : FIRST_NAME;
-    return freeName(folderOfNew(this.list.own) + wanted, this.list.own);
-  }
-
-  /** @param {string} path @param {string} example */
-  async #create(path, example) {
-    await this.#keepDraft();
-    await this.service.write(path, await this.service.newProgram(path, example), '');
-    await this.refresh();
-    await this.openOwn(path);
-  }
-
   async #takeSaved() {
     const { file } = this;
     if (file) {
@@ -235,9 +197,46 @@ export class FileDesk {
       this.file = opened('own', file.path, text, version);
       this.editor.replace(this.file.saved);
       this.#say('', []);
-      await this.#keepDraft();
+      await this.drafts.keep();
       this.#draw();
     }
+  }
+
+  /** The shared program goes, unless it was changed, and the one before it is shown. @param {{path: string, before: string}} shared */
+  async #giveBack({ path, before }) {
+    if (this.editor.text === this.#asShared) {
+      await this.service.removeDraft(path, this.#sharedVersion);
+    } else {
+      await this.drafts.keep();
+    }
+    keep(LAST_PROGRAM, before);
+    this.drafts.begin('');
+    await this.open(await this.service.list());
+  }
+
+  /** Another window has unsaved work on the open file, too. */
+  #sayTaken() {
+    const { path = '' } = this.file ?? {};
+    this.#say(`Another window has unsaved work on ${fileName(path)}, too.`, [
+      ['Take the other one', () => this.#takeDraft(path)],
+      ['Keep mine', () => this.#replaceDraft(path)],
+    ]);
+  }
+
+  /** @param {string} path */
+  async #takeDraft(path) {
+    const { text, version } = await this.service.read('draft', path);
+    this.drafts.replace(version);
+    this.editor.replace(normal(text));
+    this.#say('', []);
+    await this.drafts.keep();
+  }
+
+  /** @param {string} path */
+  async #replaceDraft(path) {
+    this.drafts.replace((await this.service.read('draft', path)).version);
+    this.#say('', []);
+    await this.drafts.keep();
   }
 
   /** @param {string} text */
@@ -251,7 +250,8 @@ export class FileDesk {
   async #keepMine() {
     const { file } = this;
     if (file) {
-      const { version } = await this.service.read('own', file.path);
+      const gone = { version: '' };
+      const { version } = await this.service.read('own', file.path).catch(() => gone);
       this.file = { ...file, version };
       this.#say('', []);
       await this.room.save();

@@ -8,6 +8,7 @@
  * @property {ListedFile[]} own
  * @property {ListedFile[]} drafts
  * @property {string[]} examples
+ * @property {Array<{path: string, before: string}>} [shared] drafts that came with a link, and what was open before
  *
  * @typedef {import('../state/program/remarks.js').Remark} Remark
  * @typedef {import('../state/program/run.js').ProgramRun} ProgramRun
@@ -45,14 +46,15 @@ export class ProgramService {
     return answer.headers.get('Version') ?? '';
   }
 
-  /** @param {string} path @param {string} text */
-  async writeDraft(path, text) {
-    await this.#ask('PUT', `programs/draft/${escaped(path)}`, text);
+  /** @param {string} path @param {string} text @param {string} known version of the draft that is replaced @returns {Promise<string>} the new version */
+  async writeDraft(path, text, known) {
+    const answer = await this.#ask('PUT', `programs/draft/${escaped(path)}`, text, { 'Known-Version': known });
+    return answer.headers.get('Version') ?? '';
   }
 
-  /** @param {string} path */
-  async removeDraft(path) {
-    await this.#ask('DELETE', `programs/draft/${escaped(path)}`);
+  /** @param {string} path @param {string} known another version stays */
+  async removeDraft(path, known) {
+    await this.#ask('DELETE', `programs/draft/${escaped(path)}`, undefined, { 'Known-Version': known });
   }
 
   /** @param {string} path @param {string} text @returns {Promise<Remark[]>} */

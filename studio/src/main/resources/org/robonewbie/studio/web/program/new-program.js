@@ -1,0 +1,54 @@
+/** Makes programs: the shortest one, and copies of examples. None takes the place of one that is there, saved or not. */
+import { ask } from '../motion/questions.js';
+import { FIRST_NAME, folderOfNew, freeName, javaName } from '../state/program/documents.js';
+import { fileName } from '../state/program/remarks.js';
+
+/** @typedef {import('./file-desk.js').FileDesk} FileDesk */
+
+const NAME = /^[\p{L}_$][\p{L}\p{N}_$]{0,79}(\.java)?$/u;
+const NAME_HINT = 'The name of a class: letters and digits, a capital letter first.';
+
+/** Asks for a name. @param {FileDesk} files @param {string} example what to begin with, or nothing */
+export async function makeProgram(files, example) {
+  const folder = folderOfNew(files.list.own);
+  const name = await ask({
+    title: example ? 'Make my own copy' : 'New program',
+    label: 'Name',
+    value: nameFor(files, example)
+      .slice(folder.length)
+      .replace(/\.java$/, ''),
+    action: 'Make it',
+    pattern: NAME,
+    hint: NAME_HINT,
+  });
+  if (name) {
+    await create(files, folder + javaName(name), example);
+  }
+}
+
+/** Makes a copy of the example that is shown, which can be changed and run. @param {FileDesk} files */
+export async function copyExample(files) {
+  if (files.file?.shelf === 'example') {
+    await create(files, nameFor(files, files.file.path), files.file.path);
+  }
+}
+
+/** @param {FileDesk} files @param {string} example @returns {string} a free path for a program that begins with it */
+function nameFor({ list, file }, example) {
+  const wanted = example ? `My${example.replace(/^Agent_/, '')}.java` : FIRST_NAME;
+  return freeName(folderOfNew(list.own) + wanted, [...list.own, ...list.drafts, ...(file ? [file] : [])]);
+}
+
+/** @param {FileDesk} files @param {string} path @param {string} example */
+async function create(files, path, example) {
+  if (!(await files.drafts.keep())) {
+    return;
+  }
+  await files.refresh();
+  if (files.list.drafts.some((each) => each.path === path)) {
+    throw new Error(`There is a program ${fileName(path)} already, which is not saved yet. Choose another name.`);
+  }
+  await files.service.write(path, await files.service.newProgram(path, example), '');
+  await files.refresh();
+  await files.openOwn(path);
+}
