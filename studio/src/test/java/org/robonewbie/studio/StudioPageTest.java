@@ -5,13 +5,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.URI;
-import java.nio.file.Path;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -21,7 +18,6 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.embedded.RedirectPage;
 
 /** The studio as people have it: in a real browser, drawn by software. */
 @InBrowser(width = 640, height = 360)
@@ -84,55 +80,6 @@ class StudioPageTest {
         browser.await("document.querySelector('#banner strong').textContent.startsWith('Waiting for a robot')");
         assertThat(browser.evaluate("document.querySelector('#banner').hidden").getAsBoolean())
                 .isFalse();
-    }
-
-    @Test
-    void browserThatIsNotLetInIsToldWhatToDoAndComesInByItself() {
-        String elsewhere = "http://localhost:" + studio.address().getPort() + "/"; // which has no cookie of 127.0.0.1
-        browser.visit(elsewhere + "?quality=lowest");
-
-        browser.await("document.querySelector('#banner').innerText.includes('Press Enter in the terminal')");
-        browser.evaluate("fetch('" + elsewhere + "?" + studio.oneTimeAddress().getQuery() + "')");
-        browser.await("studio.state.connection === 'live'");
-        browser.forgetComplaints();
-    }
-
-    @Test
-    void oneAddressServesReloadsAndFurtherTabs() {
-        browser.visit(studio.oneTimeAddress() + CHEAP + "#motion");
-
-        browser.await("studio.state.connection === 'live'");
-        assertThat(browser.evaluate("location.search + location.hash + document.cookie")
-                        .getAsString())
-                .isEqualTo(CHEAP.replaceFirst("&", "?") + "#motion");
-        browser.visit(studio.address() + "?quality=lowest");
-        browser.await("studio.state.connection === 'live'");
-    }
-
-    @Test
-    void pageFileThatOpenersNameLetsTheBrowserIn(@TempDir Path home) throws IOException {
-        String usersHome = System.setProperty("user.home", home.toString());
-        try {
-            browser.visit(RedirectPage.write(studio.oneTimeAddress()).toUri().toString());
-
-            browser.await("typeof studio === 'object' && studio.state.connection === 'live'");
-            assertThat(browser.evaluate("location.href").getAsString())
-                    .isEqualTo(studio.address().toString());
-        } finally {
-            System.setProperty("user.home", usersHome);
-            browser.forgetComplaints();
-        }
-    }
-
-    @Test
-    void usedAddressSaysHowToGetAnotherOne() {
-        String used = studio.oneTimeAddress().toString().replace("127.0.0.1", "localhost");
-        StudioCookie.of(URI.create(used));
-
-        browser.visit(used);
-
-        browser.await("document.querySelector('h1').innerText === 'This address has been used'");
-        browser.forgetComplaints();
     }
 
     @Test
